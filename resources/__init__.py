@@ -1,0 +1,1 @@
+"""Icons, rig presets and translations; read through ``importlib.resources``."""

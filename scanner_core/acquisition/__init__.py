@@ -1,0 +1,1 @@
+"""Scan plan, capture threads, pairing, runner and live cloud."""

@@ -1,0 +1,109 @@
+"""A scan plan: which rows the beam sweeps at which table angles.  A frozen value, handed in at the start of a scan.
+
+The beam sweeps every row one way only, because a serpentine sweep turns any skew between the cameras into depth.
+Within a view the rows are visited coarse to fine (every eighth, then those between), so that the whole object shows
+early and a view that has reached its quota of points is thinned evenly instead of cut off.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from scanner_core.errors import UsageError
+
+COARSE_TO_FINE = (0, 4, 2, 6, 1, 5, 3, 7)
+"""Order of the eight interleaved combs of rows (bit-reversed)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One sweep of the beam: `count` exposures from trigger id `first_id` on."""
+
+    view: int
+    first_id: int
+    count: int
+    y_deg: float
+    x_from_deg: float
+    x_to_deg: float
+
+
+@dataclass(frozen=True, slots=True)
+class ViewPlan:
+    """One position of the table, its rows in the order of the scan, and the points after which it is complete."""
+
+    table_deg: float
+    rows: tuple[Row, ...]
+    quota: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ScanPlan:
+    """The whole scan.
+
+    Attributes
+    ----------
+    views : in the order of the scan
+    sweep_speed_deg_s : of the beam's direction
+    """
+
+    views: tuple[ViewPlan, ...]
+    sweep_speed_deg_s: float
+
+    @property
+    def planned(self) -> int:
+        """Number of trigger ids."""
+        return sum(row.count for view in self.views for row in view.rows)
+
+    def as_dict(self) -> dict[str, object]:
+        """For the case file and JSON."""
+        return asdict(self)
+
+
+@dataclass(frozen=True, slots=True)
+class PlanRequest:
+    """What a person asks of a scan, before the object has been located.
+
+    Attributes
+    ----------
+    views : table positions, evenly spread over the turn
+    points : wanted number of points over all views
+    object_radius_mm, object_height_mm : a cylinder on the table that holds the object; None = the rig's whole volume
+    """
+
+    views: int = 8
+    points: int = 20_000
+    object_radius_mm: float | None = None
+    object_height_mm: float | None = None
+
+    def __post_init__(self) -> None:
+        if not 1 <= self.views <= 360:
+            raise UsageError("E-USE-01", what=f"{self.views} views make no plan", do="ask for 1 to 360 views")
+        if not 1 <= self.points <= 5_000_000:
+            raise UsageError("E-USE-01", what=f"{self.points} points make no plan", do="ask for 1 to 5,000,000 points")
+
+
+def read_plan(path: Path) -> PlanRequest:
+    """A plan request from a TOML file with the keys of :class:`PlanRequest`.
+
+    Raises
+    ------
+    UsageError
+        E-PLAN-01 when the file cannot be read or says something else.
+    """
+    try:
+        values = tomllib.loads(path.read_text(encoding="utf-8"))
+        known = set(PlanRequest.__dataclass_fields__)
+        if unknown := sorted(set(values) - known):
+            raise ValueError(f"unknown key '{unknown[0]}'; known are {', '.join(sorted(known))}")
+        for name, value in values.items():
+            if isinstance(value, bool) or not isinstance(value, int | float):
+                raise ValueError(f"'{name}' is no number")
+            if name in ("views", "points") and not isinstance(value, int):
+                raise ValueError(f"'{name}' is no whole number")
+        return PlanRequest(**values)
+    except UsageError:
+        raise
+    except (OSError, ValueError) as fault:
+        raise UsageError("E-PLAN-01", path=path, reason=fault) from fault

@@ -1,0 +1,69 @@
+"""What a scan says about itself: states, counts and a frozen snapshot."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import Enum
+
+from scanner_core.errors import ImprontaError
+
+
+class ScanState(Enum):
+    """The states of a scan; FAULT has an exit: the scan goes through FINISHING back to IDLE."""
+
+    IDLE = "idle"
+    PREPARING = "preparing"
+    SCANNING = "scanning"
+    PAUSED = "paused"
+    FINISHING = "finishing"
+    FAULT = "fault"
+
+
+class FinishReason(Enum):
+    """How a scan ended; announced exactly once."""
+
+    COMPLETED = "completed"
+    CANCELLED = "cancelled"
+    FAILED = "failed"
+
+
+@dataclass(frozen=True, slots=True)
+class ScanCounts:
+    """Counts over the plan's trigger ids: ``planned == measured + sum(rejected) + skipped`` once a scan has ended.
+
+    While it runs, what is not measured and not rejected yet counts as skipped.
+    """
+
+    planned: int = 0
+    measured: int = 0
+    rejected: dict[str, int] = field(default_factory=dict)
+
+    @property
+    def skipped(self) -> int:
+        return self.planned - self.measured - sum(self.rejected.values())
+
+
+@dataclass(frozen=True, slots=True)
+class ScanStatus:
+    """A snapshot of a scan.
+
+    Attributes
+    ----------
+    view, views : the table position being scanned (from 0) and their number
+    rate_hz : points a second over the last two seconds
+    seconds, seconds_left : on the rig's clock; `seconds_left` is None until the first row is done
+    table_deg, laser_on : from the controller's own status reports
+    finish_reason, error : set once the scan has ended
+    """
+
+    state: ScanState
+    counts: ScanCounts
+    view: int = 0
+    views: int = 0
+    rate_hz: float = 0.0
+    seconds: float = 0.0
+    seconds_left: float | None = None
+    table_deg: float = 0.0
+    laser_on: bool = False
+    finish_reason: FinishReason | None = None
+    error: ImprontaError | None = None

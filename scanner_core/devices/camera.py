@@ -1,0 +1,86 @@
+"""The seam between the program and a camera."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Frame:
+    """One exposure.
+
+    Attributes
+    ----------
+    image : (H, W) uint8
+    trigger_id : which planned measurement it shows; the same number in both cameras is the same instant
+    time_s : middle of the exposure on the rig's clock
+    camera : name of the camera
+    """
+
+    image: NDArray[np.uint8]
+    trigger_id: int
+    time_s: float
+    camera: str
+
+
+@dataclass(frozen=True, slots=True)
+class Trigger:
+    """A run of exposures: ids ``first_id`` to ``first_id + count - 1``, the first no earlier than `start_s`."""
+
+    first_id: int
+    count: int
+    start_s: float
+
+
+class Camera(Protocol):
+    """A camera that is triggered for runs of frames.  A context manager: leaving it closes it.
+
+    ``start`` arms it, ``frames`` delivers; trigger ids strictly increase, a dropped frame is a gap in them.
+    After ``close()`` every call raises :class:`~scanner_core.errors.DeviceClosedError`.
+    """
+
+    @property
+    def name(self) -> str:
+        """``left`` or ``right``."""
+        ...
+
+    @property
+    def size_px(self) -> tuple[int, int]:
+        """Width and height."""
+        ...
+
+    @property
+    def rate_hz(self) -> float:
+        """Frames a second while it is triggered."""
+        ...
+
+    def start(self, trigger: Trigger) -> None:
+        """Arm for a run of frames; both cameras are armed with the same trigger."""
+        ...
+
+    def frames(self, stop: threading.Event) -> Iterator[Frame]:
+        """The frames of the run, until its last one or until `stop` is set.
+
+        Raises
+        ------
+        DeviceTimeoutError, DeviceLostError
+        """
+        ...
+
+    def grab(self) -> Frame:
+        """A single frame now, outside of any run (preview, calibration)."""
+        ...
+
+    def close(self) -> None:
+        """Release the device; may be called again."""
+        ...
+
+    def __enter__(self) -> Camera: ...
+
+    def __exit__(self, *exception: object) -> None: ...

@@ -1,0 +1,86 @@
+"""The seam between the program and the controller of laser mover, laser and turntable."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import Protocol
+
+
+class MotionState(Enum):
+    """What the controller says that it is doing."""
+
+    IDLE = "idle"
+    MOVING = "moving"
+    HOLD = "hold"
+    HOMING = "homing"
+    ALARM = "alarm"
+    DOOR = "door"
+    UNKNOWN = "unknown"
+
+
+@dataclass(frozen=True, slots=True)
+class MotionStatus:
+    """The controller's own report.
+
+    `laser_power` is the spindle value of the report's FS field (0 = off): what the controller drives, not what it
+    was asked for.  `time_s` is on the rig's clock.
+    """
+
+    state: MotionState
+    x_deg: float
+    y_deg: float
+    table_deg: float
+    laser_power: float
+    time_s: float
+
+
+class MotionController(Protocol):
+    """Aims the beam, turns the table, switches the laser.  A context manager: leaving it closes it.
+
+    One owner thread, but ``stop()`` may come from any.  The laser is off after ``close()``, after any fault and
+    when the host dies.  Every call has a deadline on the rig's clock.
+    """
+
+    def aim(self, x_deg: float, y_deg: float) -> None:
+        """Move the beam's direction, laser dark; returns when it is there."""
+        ...
+
+    def sweep(self, x_deg: float, y_deg: float, speed_deg_s: float) -> None:
+        """Begin a straight move with the laser lit; returns when the controller has accepted it.
+
+        The laser is lit only while the beam moves.
+        """
+        ...
+
+    def wait_idle(self, deadline_s: float) -> None:
+        """Wait for the end of the motion; `deadline_s` is a duration."""
+        ...
+
+    def rotate_to(self, table_deg: float) -> None:
+        """Turn the table, laser dark; returns when it is there."""
+        ...
+
+    def home(self) -> None:
+        """Find the reference position."""
+        ...
+
+    def laser(self, on: bool) -> None:
+        """A standing spot for aiming, or dark."""
+        ...
+
+    def status(self) -> MotionStatus:
+        """Ask the controller."""
+        ...
+
+    def stop(self) -> None:
+        """Laser off and motion stopped, now, from any thread."""
+        ...
+
+    def close(self) -> None:
+        """Laser off, release the port; may be called again."""
+        ...
+
+    def __enter__(self) -> MotionController: ...
+
+    def __exit__(self, *exception: object) -> None: ...

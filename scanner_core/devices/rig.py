@@ -1,0 +1,222 @@
+"""A rig in a TOML file: cameras, controller, limits and the calibration.
+
+The geometry that stands here (`laser`, `volume`) is nominal: it serves to aim the beam and to refuse objects that are
+too large.  Nothing is measured with it; points come from the calibration alone.
+"""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import dataclass, replace
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from scanner_core.errors import UsageError
+from scanner_core.optics.calibration import StereoCalibration, TurntableAxis
+from scanner_core.optics.camera_model import CameraModel
+
+PRESETS = ("bench", "paper-2003", "workshop")
+
+
+@dataclass(frozen=True, slots=True)
+class CameraConfig:
+    """A camera by its stable id (``virtual:left``), never by an index."""
+
+    name: str
+    driver: str
+    id: str
+    exposure_ms: float
+    gain_db: float
+
+
+@dataclass(frozen=True, slots=True)
+class ControllerConfig:
+    """The motion controller; `port` is a serial device or a pyserial URL."""
+
+    driver: str
+    port: str
+    baud: int = 115200
+    table_axis: str = "Z"
+
+
+@dataclass(frozen=True, slots=True)
+class LimitsConfig:
+    """Range and speed of the axes."""
+
+    x_deg: tuple[float, float]
+    y_deg: tuple[float, float]
+    sweep_speed_deg_s: float
+    travel_speed_deg_s: float
+    table_speed_deg_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class LaserConfig:
+    """Nominal place of the beam's pivot in the table frame, and the point that it hits at X0 Y0 (both (3,) mm)."""
+
+    position_mm: tuple[float, float, float]
+    target_mm: tuple[float, float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class VolumeConfig:
+    """The cylinder on the table that both cameras see at every table angle."""
+
+    radius_mm: float
+    height_mm: float
+
+
+@dataclass(frozen=True, slots=True)
+class RigConfig:
+    """Everything that the program knows of a rig.
+
+    `virtual` names the image model of the virtual rig (a preset), or is None for hardware.
+    """
+
+    name: str
+    left: CameraConfig
+    right: CameraConfig
+    controller: ControllerConfig
+    limits: LimitsConfig
+    laser: LaserConfig
+    volume: VolumeConfig
+    virtual: str | None = None
+    calibration: StereoCalibration | None = None
+
+    def with_calibration(self, calibration: StereoCalibration | None) -> RigConfig:
+        return replace(self, calibration=calibration)
+
+
+def load_preset(name: str) -> RigConfig:
+    """A rig that is shipped with the program."""
+    if name not in PRESETS:
+        raise UsageError("E-USE-01", what=f"There is no preset '{name}'", do=f"choose one of {', '.join(PRESETS)}")
+    with resources.as_file(resources.files("resources") / "rigs" / f"{name}.toml") as path:
+        return load_rig(path)
+
+
+def load_rig(path: Path) -> RigConfig:
+    """Read a rig file.
+
+    Raises
+    ------
+    UsageError
+        E-RIG-01 with the place in the file.
+    """
+    try:
+        tree = tomllib.loads(path.read_text(encoding="utf-8"))
+        return _rig(tree)
+    except KeyError as fault:
+        raise UsageError("E-RIG-01", path=path, reason=f"the key {fault} is missing") from fault
+    except (OSError, ValueError, TypeError) as fault:
+        raise UsageError("E-RIG-01", path=path, reason=fault) from fault
+
+
+def dump_rig(rig: RigConfig) -> str:
+    """The rig as TOML text; ``load_rig`` of it gives the same values to the last bit."""
+    lines = [f"name = {_value(rig.name)}"]
+    if rig.virtual is not None:
+        lines.append(f"virtual = {_value(rig.virtual)}")
+    for key, part in (
+        ("camera.left", rig.left),
+        ("camera.right", rig.right),
+        ("controller", rig.controller),
+        ("limits", rig.limits),
+        ("laser", rig.laser),
+        ("volume", rig.volume),
+    ):
+        lines += ["", f"[{key}]"]
+        lines += [
+            f"{name} = {_value(getattr(part, name))}" for name in part.__dataclass_fields__ if not (key.startswith("camera") and name == "name")
+        ]
+    if rig.calibration is not None:
+        lines += ["", *_dump_calibration(rig.calibration)]
+    return "\n".join(lines) + "\n"
+
+
+def _rig(tree: dict[str, Any]) -> RigConfig:
+    limits = tree["limits"]
+    return RigConfig(
+        name=str(tree["name"]),
+        left=_camera("left", tree["camera"]["left"]),
+        right=_camera("right", tree["camera"]["right"]),
+        controller=ControllerConfig(**tree["controller"]),
+        limits=LimitsConfig(**{key: tuple(map(float, v)) if isinstance(v, list) else float(v) for key, v in limits.items()}),
+        laser=LaserConfig(position_mm=_triple(tree["laser"]["position_mm"]), target_mm=_triple(tree["laser"]["target_mm"])),
+        volume=VolumeConfig(radius_mm=float(tree["volume"]["radius_mm"]), height_mm=float(tree["volume"]["height_mm"])),
+        virtual=None if tree.get("virtual") is None else str(tree["virtual"]),
+        calibration=_calibration(tree["calibration"]) if "calibration" in tree else None,
+    )
+
+
+def _camera(name: str, table: dict[str, Any]) -> CameraConfig:
+    return CameraConfig(name, str(table["driver"]), str(table["id"]), float(table["exposure_ms"]), float(table["gain_db"]))
+
+
+def _triple(values: list[float]) -> tuple[float, float, float]:
+    x, y, z = values
+    return float(x), float(y), float(z)
+
+
+def _dump_calibration(calibration: StereoCalibration) -> list[str]:
+    axis = calibration.turntable
+    lines = [
+        "[calibration]",
+        f"id = {_value(calibration.identity())}",
+        f"date = {_value(calibration.date)}",
+        f"views = {calibration.views}",
+        f"reprojection_rms_px = {calibration.reprojection_rms_px!r}",
+        f"held_out_rms_um = {calibration.held_out_rms_um!r}",
+    ]
+    for name, camera in (("left", calibration.left), ("right", calibration.right)):
+        lines += ["", f"[calibration.{name}]", f"size_px = {_value(camera.size_px)}"]
+        lines += [f"{key} = {_value(getattr(camera, key).tolist())}" for key in ("matrix", "distortion", "rotation", "translation")]
+    lines += ["", "[calibration.turntable]", f"origin = {_value(axis.origin.tolist())}", f"direction = {_value(axis.direction.tolist())}"]
+    lines += [f"angle_rms_deg = {axis.angle_rms_deg!r}", f"position_rms_um = {axis.position_rms_um!r}"]
+    return lines
+
+
+def _calibration(tree: dict[str, Any]) -> StereoCalibration:
+    def camera(table: dict[str, Any]) -> CameraModel:
+        width, height = table["size_px"]
+        values = {key: np.array(table[key], np.float64) for key in ("matrix", "distortion", "rotation", "translation")}
+        for key, shape in (("matrix", (3, 3)), ("distortion", (5,)), ("rotation", (3, 3)), ("translation", (3,))):
+            if values[key].shape != shape or not np.isfinite(values[key]).all():
+                raise ValueError(f"'{key}' of a calibrated camera must be {shape} finite numbers")
+        return CameraModel(size_px=(int(width), int(height)), **values)
+
+    axis = tree["turntable"]
+    calibration = StereoCalibration(
+        left=camera(tree["left"]),
+        right=camera(tree["right"]),
+        turntable=TurntableAxis(
+            np.array(axis["origin"], np.float64),
+            np.array(axis["direction"], np.float64),
+            float(axis["angle_rms_deg"]),
+            float(axis["position_rms_um"]),
+        ),
+        date=str(tree["date"]),
+        views=int(tree["views"]),
+        reprojection_rms_px=float(tree["reprojection_rms_px"]),
+        held_out_rms_um=float(tree["held_out_rms_um"]),
+    )
+    if tree["id"] != calibration.identity():
+        raise ValueError("the numbers of the calibration do not match its id: the file was changed by hand")
+    return calibration
+
+
+def _value(value: object) -> str:
+    """A TOML value; floats with all their digits."""
+    if isinstance(value, str):
+        escaped = value.replace("\\", "\\\\").replace('"', '\\"')
+        return f'"{escaped}"'
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, int | float):
+        return repr(value)
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(_value(v) for v in value) + "]"
+    raise TypeError(f"no TOML for {type(value).__name__}")

@@ -1,0 +1,1 @@
+"""Transforms, point clouds, triangle meshes, and what can be asked of them."""

@@ -1,0 +1,62 @@
+"""Triangle meshes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TriangleMesh:
+    """A triangle mesh; counter-clockwise seen from outside.
+
+    Attributes
+    ----------
+    vertices : (v, 3) float64, mm
+    triangles : (t, 3) int64, indices of vertices
+    vertex_attributes : name -> (v,) array, for example ``standard_uncertainty_um`` (float32) and ``supported`` (uint8)
+    """
+
+    vertices: NDArray[np.float64]
+    triangles: NDArray[np.int64]
+    vertex_attributes: dict[str, NDArray[np.generic]] = field(default_factory=dict)
+
+    def corners(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+        """The three corners of every triangle, each (t, 3), mm."""
+        a, b, c = (self.vertices[self.triangles[:, i]] for i in range(3))
+        return a, b, c
+
+    def area_vectors(self) -> NDArray[np.float64]:
+        """Outward normals with the length of the triangle's area, (t, 3), mm^2."""
+        a, b, c = self.corners()
+        return 0.5 * np.cross(b - a, c - a)
+
+    def areas(self) -> NDArray[np.float64]:
+        """(t,), mm^2."""
+        return np.linalg.norm(self.area_vectors(), axis=1)
+
+    def area(self) -> float:
+        """Area of the surface, mm^2."""
+        return float(self.areas().sum())
+
+    def volume(self) -> float:
+        """Enclosed volume, mm^3; positive when the triangles face outwards."""
+        centre = self.vertices.mean(axis=0) if len(self.vertices) else np.zeros(3)
+        a, b, c = (corner - centre for corner in self.corners())
+        return float(np.einsum("ij,ij->", a, np.cross(b, c)) / 6)
+
+    def vertex_normals(self) -> NDArray[np.float64]:
+        """Area-weighted unit normals, (v, 3)."""
+        face = self.area_vectors()
+        total = np.zeros_like(self.vertices)
+        for corner in range(3):
+            for axis in range(3):
+                total[:, axis] += np.bincount(self.triangles[:, corner], face[:, axis], minlength=len(self.vertices))
+        length = np.linalg.norm(total, axis=1)
+        return total / np.maximum(length, 1e-30)[:, None]
+
+    def bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Lowest and highest corner of the bounding box, each (3,), mm."""
+        return self.vertices.min(axis=0), self.vertices.max(axis=0)

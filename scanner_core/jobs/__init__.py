@@ -1,0 +1,1 @@
+"""Long jobs and the worker process that runs them."""

@@ -1,0 +1,1 @@
+"""From pixels to points: camera model, spot detection, triangulation, calibration."""

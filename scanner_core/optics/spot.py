@@ -1,0 +1,52 @@
+"""What a camera saw of the laser spot in one frame."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+
+
+class MissReason(Enum):
+    """Why a frame holds no usable spot."""
+
+    NO_SPOT = "no_spot"
+    TOO_DIM = "too_dim"
+    TOO_SMALL = "too_small"
+    TOO_LARGE = "too_large"
+    ELONGATED = "elongated"
+    SATURATED = "saturated"
+    CUT_BY_EDGE = "cut_by_edge"
+    AMBIGUOUS = "ambiguous"
+    TOO_BRIGHT = "too_bright"
+
+
+@dataclass(frozen=True, slots=True)
+class Spot:
+    """A laser spot's image.
+
+    Attributes
+    ----------
+    x_px, y_px : centroid; the centre of the first pixel is (0, 0)
+    sigma_x_px, sigma_y_px : second moments' square roots
+    peak_dn : brightest pixel, 0 to 255
+    flux_dn : sum above the threshold
+    area_px : pixels above the threshold
+    standard_uncertainty_px : of each coordinate, k = 1
+    """
+
+    x_px: float
+    y_px: float
+    sigma_x_px: float
+    sigma_y_px: float
+    peak_dn: float
+    flux_dn: float
+    area_px: int
+    standard_uncertainty_px: float
+
+
+@dataclass(frozen=True, slots=True)
+class SpotMiss:
+    """No usable spot, and why: an expected value, not an error."""
+
+    reason: MissReason
+    peak_dn: float = 0.0

@@ -1,0 +1,1 @@
+"""Points in, a closed triangular surface out: the adaptive deformation in its three phases."""

@@ -1,0 +1,103 @@
+"""What the program says when something goes wrong: one entry a code, English, in the technician's words.
+
+``what`` says what happened and where; ``do`` says what is safe now and what to do.  Placeholders are named fields,
+filled by the error that is raised.  A code never changes its meaning; the window translates by code.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Sentence:
+    """The two halves of an error's sentence."""
+
+    what: str
+    do: str
+
+
+SENTENCES: dict[str, Sentence] = {
+    # ------------------------------------------------------------------------------------------ use of the program
+    "E-USE-01": Sentence("{what}.", "Nothing was changed; {do}."),
+    # ------------------------------------------------------------------------------------------ cameras
+    "E-CAM-01": Sentence(
+        "Camera {camera} gave no frame within {seconds} s.",
+        "The laser is off and the points so far are kept; check its cable and start again.",
+    ),
+    "E-CAM-02": Sentence("Camera {camera} was unplugged.", "The laser is off and the points so far are kept; plug it in and resume."),
+    "E-CAM-03": Sentence("Camera {camera} was used after it had been closed.", "The laser is off; open the rig again."),
+    "E-CAM-04": Sentence(
+        "Camera {camera} delivered frames faster than they could be evaluated: {frames} frames are waiting.",
+        "The laser is off and the points so far are kept; close other programs and resume.",
+    ),
+    # ------------------------------------------------------------------------------------------ controller
+    "E-MOT-01": Sentence(
+        "The controller on {port} did not answer '{command}' within {seconds} s.",
+        "The laser was switched off by a reset; check the cable and the controller's power.",
+    ),
+    "E-MOT-02": Sentence("The connection to the controller on {port} was lost.", "The laser is off; check the cable, then connect again."),
+    "E-MOT-03": Sentence("The port {port} is used by another program.", "Nothing was moved; close the other program and connect again."),
+    "E-MOT-04": Sentence("The controller on {port} was used after it had been closed.", "The laser is off; open the rig again."),
+    "E-MOT-05": Sentence("The controller reports ALARM:{alarm} ({meaning}).", "The laser is off and the points so far are kept; {remedy}."),
+    "E-MOT-06": Sentence(
+        "The controller refused '{command}' with error:{number} ({meaning}).", "The laser is off; check the rig file and the controller's settings."
+    ),
+    "E-MOT-07": Sentence(
+        "What answers on {port} is no GRBL controller (it said: {said}).", "Nothing was moved; choose another port in the rig file."
+    ),
+    "E-MOT-08": Sentence(
+        "The port {port} does not exist or cannot be opened.", "Nothing was moved; plug the controller in or correct 'port' in the rig file."
+    ),
+    "E-MOT-09": Sentence(
+        "The controller on {port} restarted by itself.", "The laser is off and the points so far are kept; its position is lost, home it and resume."
+    ),
+    "E-MOT-10": Sentence("The safety relay of the serial port stopped.", "It switched the laser off before it went; connect again."),
+    # ------------------------------------------------------------------------------------------ rig, calibration, plan
+    "E-RIG-01": Sentence("The rig file {path} cannot be used: {reason}.", "Nothing was moved; correct the file or take one of the presets."),
+    "E-RIG-02": Sentence(
+        "The specimen is {size_mm} mm large, but both cameras see a volume of {volume_mm} mm.",
+        "Nothing was scanned; choose a smaller specimen, or scale it (is its unit millimetres?).",
+    ),
+    "E-CAL-01": Sentence("The calibration failed: {reason}.", "The previous calibration stays in use; take the views again."),
+    "E-CAL-02": Sentence("The rig has no calibration.", "Nothing was measured; run 'impronta calibrate' or the Rig page first."),
+    "E-CAL-03": Sentence("The calibration was not accepted: {reason}.", "It is not used; take more views with the board filling the volume."),
+    "E-PLAN-01": Sentence("The plan {path} cannot be used: {reason}.", "Nothing was scanned; correct the plan."),
+    # ------------------------------------------------------------------------------------------ scan
+    "E-SCAN-01": Sentence(
+        "No surface was found: of {planned} planned measurements none gave a point ({reasons}).",
+        "The laser is off; put the object on the table, and check the laser and the lens caps.",
+    ),
+    "E-SCAN-02": Sentence("The scan stopped on an unexpected fault ({reason}).", "The laser is off and the points so far are in {case}."),
+    # ------------------------------------------------------------------------------------------ case and disk
+    "E-CASE-01": Sentence("{path} is no Impronta case: {reason}.", "The file was not touched; choose another file."),
+    "E-CASE-02": Sentence("{path} is open in another window or program.", "Nothing was changed; close it there, or choose another case."),
+    "E-CASE-03": Sentence(
+        "{path} was written by a newer Impronta (case version {version}, this program knows {known}).",
+        "It was not touched; open it with the newer program.",
+    ),
+    "E-CASE-04": Sentence("{path} does not exist.", "Nothing was changed; check the name."),
+    "E-CASE-05": Sentence("{path} holds no {what} yet.", "The case is unchanged; {do}."),
+    "E-DISK-01": Sentence(
+        "There is no space left on the disk of {path}.", "The laser is off and everything written before is kept; free some space and go on."
+    ),
+    "E-DISK-02": Sentence("{path} cannot be written: {reason}.", "Nothing was changed; choose another folder or give permission."),
+    "E-DISK-03": Sentence("{path} exists already.", "It was not touched; choose another name, or overwrite it with --force."),
+    # ------------------------------------------------------------------------------------------ files from outside
+    "E-FILE-01": Sentence("{path} does not exist.", "Nothing was done; check the name."),
+    "E-FILE-02": Sentence("{path} is no mesh that can be read: {reason}.", "Nothing was done; use STL, PLY, OBJ or VTP."),
+    "E-FILE-03": Sentence("{path} holds no triangles.", "Nothing was done; export the mesh again from its program."),
+    "E-FILE-04": Sentence("{path} cannot be read as points: {reason}.", "Nothing was done; use PLY, XYZ, TXT, CSV, ASC, NPY or a case."),
+    "E-FILE-05": Sentence("{path} cannot be read: {reason}.", "Nothing was done; check the file."),
+    "E-FILE-06": Sentence("Files of the kind '{suffix}' cannot be written.", "Nothing was written; use one of {known}."),
+    # ------------------------------------------------------------------------------------------ reconstruction
+    "E-REC-01": Sentence("{points} points are too few for a surface; at least {least} are needed.", "No mesh was written; scan more of the object."),
+    "E-REC-02": Sentence("The points do not enclose a body: {reason}.", "No mesh was written; scan the object from more sides."),
+    "E-REC-03": Sentence("The surface that was found is not trustworthy: {reason}.", "No mesh was written and the points are kept; {do}."),
+    "E-REC-04": Sentence("The points contain {count} values that are not finite numbers.", "No mesh was written; export the points again."),
+    # ------------------------------------------------------------------------------------------ worker process
+    "E-JOB-01": Sentence(
+        "The worker process ended unexpectedly during {phase} ({reason}).", "The points are safe and a new worker was started; run it again."
+    ),
+    "E-JOB-02": Sentence("The worker process failed: {reason}.", "The points are safe; send the log if it happens again."),
+}
