@@ -138,13 +138,12 @@ def dump_rig(rig: RigConfig) -> str:
 
 
 def _rig(tree: dict[str, Any]) -> RigConfig:
-    limits = tree["limits"]
     return RigConfig(
         name=str(tree["name"]),
         left=_camera("left", tree["camera"]["left"]),
         right=_camera("right", tree["camera"]["right"]),
         controller=ControllerConfig(**tree["controller"]),
-        limits=LimitsConfig(**{key: tuple(map(float, v)) if isinstance(v, list) else float(v) for key, v in limits.items()}),
+        limits=_limits(tree["limits"]),
         laser=LaserConfig(position_mm=_triple(tree["laser"]["position_mm"]), target_mm=_triple(tree["laser"]["target_mm"])),
         volume=VolumeConfig(radius_mm=float(tree["volume"]["radius_mm"]), height_mm=float(tree["volume"]["height_mm"])),
         virtual=None if tree.get("virtual") is None else str(tree["virtual"]),
@@ -154,6 +153,21 @@ def _rig(tree: dict[str, Any]) -> RigConfig:
 
 def _camera(name: str, table: dict[str, Any]) -> CameraConfig:
     return CameraConfig(name, str(table["driver"]), str(table["id"]), float(table["exposure_ms"]), float(table["gain_db"]))
+
+
+def _limits(table: dict[str, Any]) -> LimitsConfig:
+    return LimitsConfig(
+        x_deg=_pair(table["x_deg"]),
+        y_deg=_pair(table["y_deg"]),
+        sweep_speed_deg_s=float(table["sweep_speed_deg_s"]),
+        travel_speed_deg_s=float(table["travel_speed_deg_s"]),
+        table_speed_deg_s=float(table["table_speed_deg_s"]),
+    )
+
+
+def _pair(values: list[float]) -> tuple[float, float]:
+    low, high = values
+    return float(low), float(high)
 
 
 def _triple(values: list[float]) -> tuple[float, float, float]:

@@ -31,7 +31,7 @@ class TriangleMesh:
     def area_vectors(self) -> NDArray[np.float64]:
         """Outward normals with the length of the triangle's area, (t, 3), mm^2."""
         a, b, c = self.corners()
-        return 0.5 * np.cross(b - a, c - a)
+        return np.asarray(0.5 * np.cross(b - a, c - a), np.float64)
 
     def areas(self) -> NDArray[np.float64]:
         """(t,), mm^2."""
@@ -55,7 +55,7 @@ class TriangleMesh:
             for axis in range(3):
                 total[:, axis] += np.bincount(self.triangles[:, corner], face[:, axis], minlength=len(self.vertices))
         length = np.linalg.norm(total, axis=1)
-        return total / np.maximum(length, 1e-30)[:, None]
+        return np.asarray(total / np.maximum(length, 1e-30)[:, None], np.float64)
 
     def bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Lowest and highest corner of the bounding box, each (3,), mm."""

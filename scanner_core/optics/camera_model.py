@@ -31,7 +31,7 @@ class CameraModel:
 
     def centre_mm(self) -> Array:
         """The projection centre in the rig frame, (3,) mm."""
-        return -self.rotation.T @ self.translation
+        return np.asarray(-self.rotation.T @ self.translation, np.float64)
 
     def projection(self) -> Array:
         """(3, 4): rig frame in mm to normalized image coordinates."""
@@ -46,7 +46,8 @@ class CameraModel:
         radial = 1 + r2 * (k1 + r2 * (k2 + r2 * k3))
         xd = x * radial + 2 * p1 * x * y + p2 * (r2 + 2 * x * x)
         yd = y * radial + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y
-        return np.c_[self.matrix[0, 0] * xd + self.matrix[0, 2], self.matrix[1, 1] * yd + self.matrix[1, 2]]
+        pixels = np.c_[self.matrix[0, 0] * xd + self.matrix[0, 2], self.matrix[1, 1] * yd + self.matrix[1, 2]]
+        return np.asarray(pixels, np.float64)
 
     def normalize(self, pixels: Array) -> Array:
         """Undistorted normalized image coordinates (n, 2) of pixels (n, 2)."""
