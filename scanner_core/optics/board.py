@@ -1,0 +1,50 @@
+"""The calibration target: a ChArUco board (chessboard with ArUco markers in its white squares)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, slots=True)
+class CharucoTarget:
+    """A printed board, described by what must agree between print and program.
+
+    The board's own frame is OpenCV's: origin at the top left corner of the first square, +x along the row of
+    `columns` squares, +y down the `rows`, +z into the board (away from who looks at its face).
+
+    Attributes
+    ----------
+    columns, rows : number of squares along x and y
+    square_mm, marker_mm : edge lengths as measured on the print
+    dictionary : OpenCV's number of the marker dictionary
+    """
+
+    columns: int = 9
+    rows: int = 7
+    square_mm: float = 25.0
+    marker_mm: float = 18.0
+    dictionary: int = cv2.aruco.DICT_4X4_50
+
+    @property
+    def size_mm(self) -> tuple[float, float]:
+        """Width and height of the chessboard, without a margin."""
+        return self.columns * self.square_mm, self.rows * self.square_mm
+
+    @property
+    def object_points(self) -> NDArray[np.float64]:
+        """The inner corners in the board's frame, ((columns - 1) (rows - 1), 3) mm; a corner's row is its ChArUco id."""
+        x, y = np.meshgrid(np.arange(1, self.columns), np.arange(1, self.rows))
+        return np.c_[x.ravel(), y.ravel(), np.zeros(x.size)] * self.square_mm
+
+    def board(self) -> cv2.aruco.CharucoBoard:
+        """OpenCV's description of the same board."""
+        dictionary = cv2.aruco.getPredefinedDictionary(self.dictionary)
+        return cv2.aruco.CharucoBoard((self.columns, self.rows), self.square_mm, self.marker_mm, dictionary)
+
+
+DEFAULT_TARGET = CharucoTarget()
+"""The board that is shipped as a printable page and that the virtual rig shows."""
