@@ -1,0 +1,1 @@
+"""The window: Qt only, no numerics; what it shows and does is the headless core's."""

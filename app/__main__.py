@@ -1,0 +1,36 @@
+"""The command ``impronta``: the window, or one of the headless subcommands.
+
+Thin on purpose.  The worker process is spawned and imports this module again, so nothing heavy is imported here, and
+the headless subcommands are found before any import of Qt.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command and return its exit code.
+
+    Parameters
+    ----------
+    argv
+        The arguments behind the command's name; those of this process when None.  Without any, the window opens;
+        otherwise they are a headless subcommand, ``--help`` or ``--version``.
+    """
+    import multiprocessing
+
+    multiprocessing.freeze_support()
+    arguments = list(sys.argv[1:] if argv is None else argv)
+    if arguments:
+        from scanner_core.__main__ import main as run_headless
+
+        return run_headless(arguments)
+    from app.main import run_window
+
+    return run_window()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
