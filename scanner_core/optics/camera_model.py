@@ -35,7 +35,7 @@ class CameraModel:
 
     def projection(self) -> Array:
         """(3, 4): rig frame in mm to normalized image coordinates."""
-        return np.c_[self.rotation, self.translation]
+        return np.asarray(np.c_[self.rotation, self.translation], np.float64)
 
     def project(self, points: Array) -> Array:
         """Pixels (n, 2) of rig-frame points (n, 3) mm."""

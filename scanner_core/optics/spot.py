@@ -27,7 +27,8 @@ class Spot:
     Attributes
     ----------
     x_px, y_px : centroid; the centre of the first pixel is (0, 0)
-    sigma_x_px, sigma_y_px : second moments' square roots
+    sigma_x_px, sigma_y_px : standard deviations of the light along x and y, what the threshold cut off made up for as in a
+        Gaussian; the pixel's own width (0.29 px) is part of them
     peak_dn : brightest pixel, 0 to 255
     flux_dn : sum above the threshold
     area_px : pixels above the threshold
