@@ -78,6 +78,7 @@ SENTENCES: dict[str, Sentence] = {
     ),
     "E-CASE-04": Sentence("{path} does not exist.", "Nothing was changed; check the name."),
     "E-CASE-05": Sentence("{path} holds no {what} yet.", "The case is unchanged; {do}."),
+    "E-CASE-06": Sentence("The case {path} was used after it had been closed.", "Everything written before is kept; open it again."),
     "E-DISK-01": Sentence(
         "There is no space left on the disk of {path}.", "The laser is off and everything written before is kept; free some space and go on."
     ),
@@ -95,7 +96,8 @@ SENTENCES: dict[str, Sentence] = {
     "E-REC-02": Sentence("The points do not enclose a body: {reason}.", "No mesh was written; scan the object from more sides."),
     "E-REC-03": Sentence("The surface that was found is not trustworthy: {reason}.", "No mesh was written and the points are kept; {do}."),
     "E-REC-04": Sentence("The points contain {count} values that are not finite numbers.", "No mesh was written; export the points again."),
-    # ------------------------------------------------------------------------------------------ worker process
+    # ------------------------------------------------------------------------------------------ memory and worker process
+    "E-MEM-01": Sentence("There is not enough memory for '{command}'.", "Nothing was written; close other programs, or ask for fewer points or triangles."),
     "E-JOB-01": Sentence(
         "The worker process ended unexpectedly during {phase} ({reason}).", "The points are safe and a new worker was started; run it again."
     ),

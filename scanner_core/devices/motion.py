@@ -77,6 +77,10 @@ class MotionController(Protocol):
         """Laser off and motion stopped, now, from any thread."""
         ...
 
+    def recover(self) -> bool:
+        """Back to idle after a stop or an alarm; True when the position is still known."""
+        ...
+
     def close(self) -> None:
         """Laser off, release the port; may be called again."""
         ...

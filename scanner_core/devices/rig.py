@@ -34,12 +34,17 @@ class CameraConfig:
 
 @dataclass(frozen=True, slots=True)
 class ControllerConfig:
-    """The motion controller; `port` is a serial device or a pyserial URL."""
+    """The motion controller; `port` is a serial device or a pyserial URL.
+
+    `witness` is the side channel (``host:port``) of a firmware model in a process of its own: the virtual cameras see
+    the beam through it.  Empty for hardware and for the firmware model inside this process.
+    """
 
     driver: str
     port: str
     baud: int = 115200
     table_axis: str = "Z"
+    witness: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,6 +95,11 @@ class RigConfig:
         return replace(self, calibration=calibration)
 
 
+def load_rig_or_preset(name: str) -> RigConfig:
+    """A preset by its name, or a rig file by its path."""
+    return load_preset(name) if name in PRESETS else load_rig(Path(name))
+
+
 def load_preset(name: str) -> RigConfig:
     """A rig that is shipped with the program."""
     if name not in PRESETS:
@@ -107,12 +117,26 @@ def load_rig(path: Path) -> RigConfig:
         E-RIG-01 with the place in the file.
     """
     try:
-        tree = tomllib.loads(path.read_text(encoding="utf-8"))
-        return _rig(tree)
-    except KeyError as fault:
-        raise UsageError("E-RIG-01", path=path, reason=f"the key {fault} is missing") from fault
-    except (OSError, ValueError, TypeError) as fault:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, ValueError) as fault:
         raise UsageError("E-RIG-01", path=path, reason=fault) from fault
+    return parse_rig(text, str(path))
+
+
+def parse_rig(text: str, source: str) -> RigConfig:
+    """A rig from the text of a rig file; `source` names it in the error's sentence.
+
+    Raises
+    ------
+    UsageError
+        E-RIG-01.
+    """
+    try:
+        return _rig(tomllib.loads(text))
+    except KeyError as fault:
+        raise UsageError("E-RIG-01", path=source, reason=f"the key {fault} is missing") from fault
+    except (ValueError, TypeError) as fault:
+        raise UsageError("E-RIG-01", path=source, reason=fault) from fault
 
 
 def dump_rig(rig: RigConfig) -> str:

@@ -1,0 +1,142 @@
+"""The headless command line of the instrument: ``impronta SUBCOMMAND``.
+
+Exit codes: 0 done, 1 it could not be done (one sentence on standard error), 2 wrong usage, 3 done with the verdict
+"fail" (acceptance tests), 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import signal
+import sys
+from collections.abc import Sequence
+
+from scanner_core import __version__
+from scanner_core.errors import ImprontaError, UsageError
+
+_SPECIMENS = "ear, arch, heart, sphere, or a mesh file (STL, PLY, OBJ, VTP; millimetres)"
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run a subcommand and return its exit code."""
+    given = _parser().parse_args(argv)
+    command = importlib.import_module(f"scanner_core.commands.{given.command}")
+    console = importlib.import_module("scanner_core.commands.console").Console(given.json)
+    if threading_is_main():
+        signal.signal(signal.SIGTERM, _as_interrupt)
+    try:
+        return int(command.run(given, console))
+    except KeyboardInterrupt:
+        console.say("Interrupted; what was measured is kept.")
+        return 130
+    except UsageError as error:
+        console.say(str(error))
+        return 2 if error.code == "E-USE-01" else 1
+    except ImprontaError as error:
+        console.say(str(error))
+        return 1
+    except BrokenPipeError:
+        return 1
+    except MemoryError:
+        console.say(str(ImprontaError("E-MEM-01", command=given.command)))
+        return 1
+
+
+def threading_is_main() -> bool:
+    """Whether signals can be set here."""
+    import threading
+
+    return threading.current_thread() is threading.main_thread()
+
+
+def _as_interrupt(_number: int, _frame: object) -> None:
+    raise KeyboardInterrupt
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="impronta", description="Measure anatomical parts without touching them. Without a subcommand the window opens."
+    )
+    parser.add_argument("--version", action="version", version=f"impronta {__version__}")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="SUBCOMMAND")
+
+    demo = _command(commands, "demo", "the whole job on the virtual rig: calibrate, scan, register, reconstruct, export")
+    demo.add_argument("--specimen", default="ear", metavar="NAME or FILE", help=_SPECIMENS)
+    demo.add_argument("--treated", action="store_true", help="the arch after treatment")
+    demo.add_argument("--preset", default="bench", help="bench, paper-2003 or workshop")
+    demo.add_argument("--points", type=_count, default=None, metavar="N", help="wanted number of points (default 20000)")
+    demo.add_argument("--views", type=_count, default=None, metavar="N", help="table positions (default 8)")
+    demo.add_argument("--out", metavar="DIR", help="folder of the results (default: a new dated folder here)")
+    demo.add_argument("--triangles", type=_count, default=None, metavar="N", help="at most N triangles")
+    demo.add_argument("--force", action="store_true", help="overwrite results that are there")
+    _virtual(demo)
+
+    scan = _command(commands, "scan", "acquire into a new case")
+    scan.add_argument("--rig", required=True, metavar="RIG.toml", help="a rig file, or the name of a preset")
+    scan.add_argument("--plan", metavar="PLAN.toml", help="views, points, object_radius_mm, object_height_mm")
+    scan.add_argument("--out", required=True, metavar="CASE.impronta")
+    scan.add_argument("--specimen", default="ear", metavar="NAME or FILE", help=f"virtual rig only: {_SPECIMENS}")
+    scan.add_argument("--treated", action="store_true", help="virtual rig only: the arch after treatment")
+    scan.add_argument("--force", action="store_true", help="overwrite a case that is there")
+    _virtual(scan)
+
+    reconstruct = _command(commands, "reconstruct", "points to a closed triangular mesh")
+    reconstruct.add_argument("input", metavar="INPUT", help="PLY, XYZ/TXT/CSV/ASC, NPY or a case")
+    reconstruct.add_argument("--out", required=True, metavar="MESH", help=".stl .ply .obj .3mf")
+    reconstruct.add_argument("--triangles", type=_count, default=None, metavar="N", help="at most N triangles")
+    reconstruct.add_argument("--tolerance-um", type=_positive, default=None, metavar="T", help="refine until the surface's error is below T")
+    reconstruct.add_argument("--open-holes", action="store_true", help="leave parts without data open")
+    reconstruct.add_argument("--units", choices=("mm", "m", "inch"), default="mm", help="of the input's coordinates")
+    reconstruct.add_argument("--seed", type=int, default=0, metavar="N")
+    reconstruct.add_argument("--force", action="store_true", help="overwrite the output")
+
+    info = _command(commands, "info", "what is in a case, mesh or point file")
+    info.add_argument("file", metavar="FILE")
+
+    export = _command(commands, "export", "mesh or points out of a case")
+    export.add_argument("case", metavar="CASE")
+    export.add_argument("--out", required=True, metavar="FILE", help=".stl .ply .obj .3mf for the mesh, .xyz for the points")
+    export.add_argument("--force", action="store_true", help="overwrite the output")
+
+    doctor = _command(commands, "doctor", "check the rig and the machine")
+    doctor.add_argument("--rig", default="bench", metavar="RIG.toml", help="a rig file, or the name of a preset")
+    return parser
+
+
+def _command(commands: argparse._SubParsersAction[argparse.ArgumentParser], name: str, text: str) -> argparse.ArgumentParser:
+    parser = commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".")
+    parser.add_argument("--json", action="store_true", help="print one JSON object")
+    return parser
+
+
+def _virtual(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--speed", type=_speed, default="max", metavar="1, 5, max", help="of the virtual rig (default max)")
+    parser.add_argument("--seed", type=int, default=0, metavar="N", help="of every random choice")
+
+
+def _speed(text: str) -> float | str:
+    if text == "max":
+        return text
+    value = float(text)
+    if not 0.1 <= value <= 100:
+        raise argparse.ArgumentTypeError("a speed is 1, 5 or max")
+    return value
+
+
+def _count(text: str) -> int:
+    value = int(text)
+    if value < 1:
+        raise argparse.ArgumentTypeError("must be at least 1")
+    return value
+
+
+def _positive(text: str) -> float:
+    value = float(text)
+    if not 0 < value < 1e9:
+        raise argparse.ArgumentTypeError("must be a positive number")
+    return value
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,152 @@
+"""From a request to a plan: first a coarse look at where the object is, then rows that cover it and nothing else.
+
+The coarse pass (the *locating* plan) sweeps the whole cylinder that may hold the object with a few rows.  Its hits say
+for every view which part of the raster meets the object; the scan plan covers that part, one coarse step wider, with
+the step that gives the wanted number of points.  Light is not spent on the empty table, and both planned counts and
+the time left are honest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scanner_core.acquisition.aiming import beam_angles, cylinder_outline, row_range
+from scanner_core.acquisition.plan import COARSE_TO_FINE, PlanRequest, Row, ScanPlan, ViewPlan
+from scanner_core.devices.rig import RigConfig
+
+SPARE = 1.06
+"""Planned over wanted points: what grazing light and shadow take, so that the quotas are reached."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Raster:
+    """The coarse raster of every view: rows and columns in degrees."""
+
+    y_deg: NDArray[np.float64]
+    step_deg: float
+    ranges: tuple[tuple[float, float], ...]
+
+
+def table_angles_deg(views: int) -> list[float]:
+    """Evenly spread over the turn."""
+    return [360.0 * view / views for view in range(views)]
+
+
+def locating_plan(rig: RigConfig, request: PlanRequest, rate_hz: float, first_id: int = 0) -> ScanPlan:
+    """The coarse pass over the cylinder that may hold the object; `rate_hz` is the cameras' frame rate."""
+    raster = _coarse_raster(rig, request, rate_hz)
+    views, next_id = [], first_id
+    for view, table_deg in enumerate(table_angles_deg(request.views)):
+        rows = []
+        for y_deg, (low, high) in zip(raster.y_deg, raster.ranges, strict=True):
+            count = max(3, round((high - low) / raster.step_deg) + 1)
+            rows.append(Row(view, next_id, count, float(y_deg), low, high))
+            next_id += count
+        views.append(ViewPlan(table_deg, tuple(rows)))
+    return ScanPlan(tuple(views), raster.step_deg * rate_hz)
+
+
+def scan_plan(rig: RigConfig, request: PlanRequest, rate_hz: float, located: ScanPlan, hits: NDArray[np.int64], first_id: int) -> ScanPlan:
+    """The plan that covers what the locating pass found.
+
+    Parameters
+    ----------
+    located : the locating plan
+    hits : (n,) trigger ids of it that gave a point
+    first_id : of the new plan
+    """
+    hit_ids = set(hits.tolist())
+    covers = [_cover(view, hit_ids) for view in located.views]
+    areas = np.array([_area(view, hit_ids) for view in located.views])
+    total = float(areas.sum())
+    step = float(np.sqrt(total / (SPARE * request.points)))
+    step = min(step, rig.limits.sweep_speed_deg_s / rate_hz)
+    quotas = _quotas(areas, request.points)
+    views, next_id = [], first_id
+    for view, table_deg in enumerate(table_angles_deg(request.views)):
+        rows = []
+        for y_deg, low, high in _coarse_to_fine(covers[view], step):
+            count = max(3, int(np.ceil((high - low) / step)) + 1)
+            rows.append(Row(view, next_id, count, y_deg, low, low + (count - 1) * step))
+            next_id += count
+        views.append(ViewPlan(table_deg, tuple(rows), int(quotas[view])))
+    return ScanPlan(tuple(views), step * rate_hz)
+
+
+# ------------------------------------------------------------------------------------------ inner
+def _coarse_raster(rig: RigConfig, request: PlanRequest, rate_hz: float) -> _Raster:
+    radius = request.object_radius_mm or rig.volume.radius_mm
+    height = request.object_height_mm or rig.volume.height_mm
+    angles = beam_angles(rig.laser, cylinder_outline(radius * 1.05, height * 1.05))
+    bottom, top = float(angles[:, 1].min()), float(angles[:, 1].max())
+    width = float(np.ptp(angles[:, 0]))
+    # About a twelfth of the wanted points, at least enough that no tooth falls between two rows.
+    wanted = float(np.clip(request.points / request.views / 12, 80, 400))
+    step = max(np.sqrt(width * (top - bottom) / wanted), 1e-3)
+    rows = max(8, int(np.ceil((top - bottom) / step)))
+    y_deg = bottom + (np.arange(rows) + 0.5) * (top - bottom) / rows
+    half = (top - bottom) / rows
+    fine = _dense_outline(angles, half)
+    ranges = [row_range(fine, y, half) or (float(angles[:, 0].min()), float(angles[:, 0].max())) for y in y_deg]
+    return _Raster(y_deg, float(min(step, rig.limits.sweep_speed_deg_s / rate_hz)), tuple(ranges))
+
+
+def _dense_outline(angles: NDArray[np.float64], step: float) -> NDArray[np.float64]:
+    """Outline points joined so closely that every row meets some."""
+    parts = [angles]
+    for k in (0.25, 0.5, 0.75):
+        parts.append((1 - k) * angles[:-48] + k * angles[48:])
+    return np.concatenate(parts)
+
+
+def _cover(view: ViewPlan, hits: set[int]) -> list[tuple[float, float, float]]:
+    """(y, x low, x high) in degrees per coarse row that the object meets, one coarse step wider on each side."""
+    spans: list[tuple[float, float] | None] = []
+    for row in view.rows:
+        columns = [i for i in range(row.count) if row.first_id + i in hits]
+        step = (row.x_to_deg - row.x_from_deg) / (row.count - 1)
+        spans.append((row.x_from_deg + (columns[0] - 1) * step, row.x_from_deg + (columns[-1] + 1) * step) if columns else None)
+    cover = []
+    for i, row in enumerate(view.rows):
+        near = [span for span in spans[max(0, i - 1) : i + 2] if span is not None]
+        if near:
+            cover.append((row.y_deg, min(low for low, _ in near), max(high for _, high in near)))
+    return cover
+
+
+def _area(view: ViewPlan, hits: set[int]) -> float:
+    """Solid angle that gave points, square degrees."""
+    y_deg = [row.y_deg for row in view.rows]
+    pitch = abs(y_deg[1] - y_deg[0])
+    area = 0.0
+    for row in view.rows:
+        count = sum(row.first_id + i in hits for i in range(row.count))
+        area += count * pitch * (row.x_to_deg - row.x_from_deg) / (row.count - 1)
+    return area
+
+
+def _quotas(areas: NDArray[np.float64], points: int) -> NDArray[np.int64]:
+    """Whole numbers in proportion to the areas whose sum is `points`."""
+    edges = np.rint(np.r_[0, np.cumsum(areas)] / areas.sum() * points).astype(np.int64)
+    return np.diff(edges)
+
+
+def _coarse_to_fine(cover: Sequence[tuple[float, float, float]], step: float) -> list[tuple[float, float, float]]:
+    """Rows (y, x low, x high) every `step` degrees over the cover, in eight interleaved combs."""
+    if not cover:
+        return []
+    known = np.array(cover)
+    pitch = float(np.min(np.diff(known[:, 0]))) if len(known) > 1 else step
+    bottom, top = known[0, 0] - 0.5 * pitch, known[-1, 0] + 0.5 * pitch
+    fine = bottom + (np.arange(max(1, round((top - bottom) / step))) + 0.5) * step
+    rows = []
+    for comb in COARSE_TO_FINE:
+        for y_deg in fine[comb::8]:
+            nearest = int(np.argmin(np.abs(known[:, 0] - y_deg)))
+            if abs(known[nearest, 0] - y_deg) <= 0.51 * pitch + step:
+                rows.append((float(y_deg), float(known[nearest, 1]), float(known[nearest, 2])))
+    return rows

@@ -1,0 +1,63 @@
+"""The counts, rate and time left of a running scan; written by the scan thread, read by any."""
+
+from __future__ import annotations
+
+import threading
+from collections import Counter, deque
+from collections.abc import Iterable
+
+from scanner_core.acquisition.status import ScanCounts
+from scanner_core.case.observation import MEASURED
+
+_WINDOW_S = 2.0
+
+
+class Tally:
+    """Counts over one plan."""
+
+    def __init__(self, planned: int, wanted: int | None, started_s: float) -> None:
+        """`wanted` is the number of points after which the plan is complete, None when every id counts."""
+        self._lock = threading.Lock()
+        self._planned = planned
+        self._wanted = wanted
+        self._started_s = started_s
+        self._verdicts: Counter[str] = Counter()
+        self._recent: deque[tuple[float, int]] = deque([(started_s, 0)])
+
+    def add(self, verdicts: Iterable[str], now_s: float) -> None:
+        """Count verdicts; `now_s` is on the rig's clock."""
+        with self._lock:
+            self._verdicts.update(verdicts)
+            self._recent.append((now_s, self._verdicts[MEASURED]))
+            while len(self._recent) > 2 and self._recent[0][0] < now_s - _WINDOW_S:
+                self._recent.popleft()
+
+    def counts(self) -> ScanCounts:
+        with self._lock:
+            rejected = {name: count for name, count in sorted(self._verdicts.items()) if name != MEASURED}
+            return ScanCounts(self._planned, self._verdicts[MEASURED], rejected)
+
+    @property
+    def measured(self) -> int:
+        with self._lock:
+            return self._verdicts[MEASURED]
+
+    @property
+    def exposed(self) -> int:
+        """Trigger ids with a verdict."""
+        with self._lock:
+            return self._verdicts.total()
+
+    def rate_hz(self) -> float:
+        """Points a second over the last two seconds of the rig's clock."""
+        with self._lock:
+            (begin_s, before), (end_s, after) = self._recent[0], self._recent[-1]
+            return (after - before) / (end_s - begin_s) if end_s > begin_s else 0.0
+
+    def seconds_left(self, now_s: float) -> float | None:
+        """From the pace so far, on the rig's clock."""
+        with self._lock:
+            done, whole = (self._verdicts.total(), self._planned) if self._wanted is None else (self._verdicts[MEASURED], self._wanted)
+            if done < 50:
+                return None
+            return max(0.0, (now_s - self._started_s) * (whole - done) / done)

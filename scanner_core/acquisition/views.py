@@ -1,0 +1,31 @@
+"""From the observations of a scan to one registered cloud.
+
+"Classical registration": the turntable's pose brings every view into the object frame, then a robust point-to-plane
+refinement over all views takes out what the axis' calibration left; its residuals before and after are stated.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from scanner_core.case.points import triangulate_observations
+from scanner_core.case.store import CaseStore
+from scanner_core.geometry.point_cloud import PointCloud
+from scanner_core.geometry.registration import RegistrationResult, register_views
+from scanner_core.optics.calibration import StereoCalibration
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RegisteredViews:
+    """The cloud of all views in the object frame, and how the views were brought together."""
+
+    cloud: PointCloud
+    registration: RegistrationResult
+
+
+def register_case(store: CaseStore, scan_id: int, calibration: StereoCalibration) -> RegisteredViews:
+    """Register the views of a scan, keep the corrections in the case, and return the merged cloud."""
+    table = store.observations(scan_id)
+    registration = register_views(triangulate_observations(table, calibration))
+    store.put_corrections(scan_id, registration.corrections)
+    return RegisteredViews(triangulate_observations(table, calibration, store.corrections(scan_id)), registration)

@@ -1,0 +1,49 @@
+"""What was seen at one trigger id: two centroids, the table's angle and the verdict."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scanner_core.optics.spot import Spot
+
+MEASURED = "measured"
+
+
+@dataclass(frozen=True, slots=True)
+class StereoObservation:
+    """One planned measurement that was exposed.
+
+    Attributes
+    ----------
+    verdict : ``measured``, or the reason of the rejection
+    time_s : on the rig's clock
+    table_deg : as read back from the controller
+    left, right : the spots, None where a camera saw none
+    """
+
+    trigger_id: int
+    view: int
+    verdict: str
+    time_s: float
+    table_deg: float
+    left: Spot | None
+    right: Spot | None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ObservationTable:
+    """The measured observations of a scan as arrays in the order of their trigger ids; all (n,) or (n, 2)."""
+
+    trigger_id: NDArray[np.int64]
+    view: NDArray[np.int32]
+    table_deg: NDArray[np.float64]
+    left_px: NDArray[np.float64]
+    right_px: NDArray[np.float64]
+    left_uncertainty_px: NDArray[np.float64]
+    right_uncertainty_px: NDArray[np.float64]
+
+    def __len__(self) -> int:
+        return len(self.trigger_id)

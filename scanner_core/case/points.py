@@ -1,0 +1,68 @@
+"""Points from what the case kept: 2D centroids, table angles and the calibration.
+
+The points that the runner shows live come from the same function, so a case that is opened again gives the same
+cloud to the last bit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from scanner_core.case.observation import ObservationTable
+from scanner_core.case.store import CaseStore
+from scanner_core.devices.rig import parse_rig
+from scanner_core.errors import CaseError, CaseFormatError
+from scanner_core.geometry.point_cloud import PointCloud
+from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.optics.calibration import StereoCalibration
+from scanner_core.optics.triangulation import Triangulator
+
+
+def triangulate_observations(
+    table: ObservationTable, calibration: StereoCalibration, corrections: Mapping[int, RigidTransform] | None = None
+) -> PointCloud:
+    """The cloud in the object frame, with covariances in mm^2.
+
+    Parameters
+    ----------
+    corrections : the registration's motion of each view (object frame to object frame), or None
+    """
+    seen = Triangulator(calibration).triangulate(table.left_px, table.right_px, table.left_uncertainty_px, table.right_uncertainty_px)
+    points = np.empty_like(seen.points)
+    covariances = np.empty_like(seen.covariances)
+    pairs = np.stack([table.view.astype(np.float64), table.table_deg])
+    # One transform per table position: a view stands at one angle, which the controller may have read back differently.
+    for view, table_deg in np.unique(pairs, axis=1).T:
+        here = (table.view == view) & (table.table_deg == table_deg)
+        transform = calibration.rig_to_object(float(table_deg))
+        if corrections and int(view) in corrections:
+            transform = corrections[int(view)] @ transform
+        points[here] = transform.apply(seen.points[here])
+        covariances[here] = transform.rotate_covariances(seen.covariances[here])
+    return PointCloud(points, covariances, table.view.copy(), table.trigger_id.copy())
+
+
+def case_calibration(store: CaseStore, calibration_id: str) -> StereoCalibration:
+    """The calibration with which a scan of the case was measured."""
+    calibration = parse_rig(store.calibration_toml(calibration_id), str(store.path)).calibration
+    if calibration is None:
+        raise CaseFormatError("E-CASE-01", path=store.path, reason=f"its calibration {calibration_id} is empty")
+    return calibration
+
+
+def case_cloud(store: CaseStore) -> PointCloud:
+    """The registered cloud of the newest scan of a case that has points, in the order of the trigger ids.
+
+    Raises
+    ------
+    CaseError
+        E-CASE-05 when no scan has a point.
+    """
+    for scan in reversed(store.scans()):
+        if scan.kind == "scan":
+            table = store.observations(scan.id)
+            if len(table):
+                return triangulate_observations(table, case_calibration(store, scan.calibration_id), store.corrections(scan.id))
+    raise CaseError("E-CASE-05", path=store.path, what="points", do="scan first")

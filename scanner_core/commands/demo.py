@@ -1,0 +1,112 @@
+"""``impronta demo``: the whole job on the virtual rig, from two cameras' frames to an STL."""
+
+from __future__ import annotations
+
+import argparse
+from datetime import datetime
+from pathlib import Path
+
+from scanner_core.acquisition.plan import PlanRequest
+from scanner_core.acquisition.rig_session import OpenRig, open_rig
+from scanner_core.acquisition.status import FinishReason
+from scanner_core.case.store import CaseStore, Order
+from scanner_core.commands.console import Console
+from scanner_core.commands.reconstructing import reconstruction_summary, run_reconstruction
+from scanner_core.commands.scanning import run_scan, scan_json, scan_summary, sized_for, specimen_on_table
+from scanner_core.devices.rig import load_preset
+from scanner_core.errors import StorageError, UsageError
+from scanner_core.mesh_io import write_mesh
+from scanner_core.metrology.truth_error import truth_error
+from scanner_core.optics.calibration import StereoCalibration
+from scanner_core.optics.calibration_session import calibrate_rig
+from scanner_core.reconstruction.parameters import ReconstructionParameters
+
+CASE, MESHES = "case.impronta", ("mesh.stl", "mesh.ply")
+
+
+def run(given: argparse.Namespace, console: Console) -> int:
+    config = load_preset(given.preset)
+    if given.treated and given.specimen != "arch":
+        raise UsageError("E-USE-01", what="Only the arch can be scanned after treatment", do="use --specimen arch --treated")
+    specimen = specimen_on_table(given, config)
+    asked = {name: getattr(given, name) for name in ("views", "points") if getattr(given, name) is not None}
+    request = sized_for(PlanRequest(**asked), specimen)
+    folder = _folder(given.out, specimen.name, given.force)
+    with open_rig(config, specimen, given.speed, given.seed) as rig:
+        rig.calibration = _calibrate(rig, console)
+        with CaseStore.create(folder / CASE) as store:
+            store.put_order(Order(number="demo", type=specimen.name))
+            scan = run_scan(console, rig, request, store)
+            values = scan_json(scan, rig.left.rate_hz, str(folder / CASE))
+            values = {"specimen": specimen.name, "preset": given.preset, "seed": given.seed, "out": str(folder)} | values
+            values["calibration"] = calibration_json(rig.calibration)
+            lines = [calibration_summary(rig.calibration), *scan_summary(scan)]
+            if scan.finish_reason is not FinishReason.COMPLETED or scan.views is None:
+                console.result(values, [*lines, f"Kept in {folder / CASE}."])
+                if scan.error is not None:
+                    console.say(str(scan.error))
+                return 130 if scan.finish_reason is FinishReason.CANCELLED else 1
+            parameters = ReconstructionParameters(triangles=given.triangles, seed=given.seed)
+            surface = run_reconstruction(console, scan.views.cloud, parameters)
+            report = surface.report.as_dict()
+            store.put_mesh(surface.mesh, {"parameters": parameters.as_dict(), "report": report, "seed": given.seed})
+            for name in MESHES:
+                write_mesh(folder / name, surface.mesh, force=given.force)
+            error = truth_error(specimen, scan.views.cloud, surface.mesh, given.seed).as_dict()
+            values |= {"reconstruct": report, "error_vs_truth_um": error}
+            lines += reconstruction_summary(report)
+            lines.append(
+                f"Against the truth: points {error['points_rms']:.1f} um rms, surface {error['mesh_rms']:.1f} um rms, "
+                f"95 % below {error['mesh_p95']:.1f} um, worst {error['mesh_max']:.1f} um."
+            )
+            console.result(values, [*lines, f"Written to {folder}: {CASE}, {', '.join(MESHES)}."])
+    return 0
+
+
+def calibration_json(calibration: StereoCalibration) -> dict[str, object]:
+    """The calibration in the JSON of ``demo``."""
+    axis = calibration.turntable
+    return {
+        "id": calibration.identity(),
+        "date": calibration.date,
+        "views": calibration.views,
+        "reprojection_rms_px": round(calibration.reprojection_rms_px, 4),
+        "held_out_rms_um": round(calibration.held_out_rms_um, 2),
+        "axis_angle_rms_deg": round(axis.angle_rms_deg, 5),
+        "axis_position_rms_um": round(axis.position_rms_um, 2),
+    }
+
+
+def calibration_summary(calibration: StereoCalibration) -> str:
+    """The calibration in words."""
+    return (
+        f"Calibrated on {calibration.views} views: reprojection {calibration.reprojection_rms_px:.3f} px, "
+        f"held-out corners {calibration.held_out_rms_um:.1f} um rms."
+    )
+
+
+def _calibrate(rig: OpenRig, console: Console) -> StereoCalibration:
+    """A fresh calibration from rendered boards: nothing is measured with the renderer's own numbers."""
+    calibration = calibrate_rig(rig, progress=lambda p: console.progress("calibrate", p.fraction, p.seconds_left))
+    console.clear()
+    return calibration
+
+
+def _folder(out: str | None, specimen: str, force: bool) -> Path:
+    if out is None:
+        stamp = datetime.now().strftime("%Y%m%d-%H%M%S")
+        folder = Path(f"impronta-{specimen}-{stamp}").resolve()
+    else:
+        folder = Path(out).resolve()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as fault:
+        raise StorageError("E-DISK-02", path=folder, reason=fault.strerror or fault) from fault
+    for name in (CASE, *MESHES):
+        if (folder / name).exists():
+            if not force:
+                raise StorageError("E-DISK-03", path=folder / name)
+            if name == CASE:
+                CaseStore.open(folder / name).close()  # refused while another program has it open
+                (folder / name).unlink()
+    return folder

@@ -1,0 +1,33 @@
+"""``impronta export``: mesh or points out of a case."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from scanner_core.case.points import case_cloud
+from scanner_core.case.store import CaseStore
+from scanner_core.commands.console import Console
+from scanner_core.files import check_writable
+from scanner_core.mesh_io import write_mesh, write_points
+from scanner_core.mesh_io.formats import check_mesh_suffix
+
+_POINT_SUFFIXES = (".xyz",)
+
+
+def run(given: argparse.Namespace, console: Console) -> int:
+    out = Path(given.out).resolve()
+    points_wanted = out.suffix.lower() in _POINT_SUFFIXES
+    if not points_wanted:
+        check_mesh_suffix(out)
+    check_writable(out, force=given.force)
+    with CaseStore.open(Path(given.case)) as store:
+        if points_wanted:
+            cloud = case_cloud(store)
+            write_points(out, cloud, force=given.force)
+            console.result({"file": str(out), "points": len(cloud)}, [f"{len(cloud)} points written to {out}."])
+        else:
+            mesh, _ = store.mesh()
+            write_mesh(out, mesh, force=given.force)
+            console.result({"file": str(out), "triangles": len(mesh.triangles)}, [f"{len(mesh.triangles)} triangles written to {out}."])
+    return 0

@@ -1,0 +1,37 @@
+"""``impronta scan``: acquire into a new case."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from scanner_core.acquisition.plan import PlanRequest, read_plan
+from scanner_core.acquisition.rig_session import open_rig
+from scanner_core.acquisition.status import FinishReason
+from scanner_core.case.store import CaseStore, Order
+from scanner_core.commands.console import Console
+from scanner_core.commands.scanning import run_scan, scan_json, scan_summary, sized_for, specimen_on_table
+from scanner_core.devices.rig import load_rig_or_preset
+from scanner_core.errors import CalibrationError
+
+
+def run(given: argparse.Namespace, console: Console) -> int:
+    config = load_rig_or_preset(given.rig)
+    request = PlanRequest() if given.plan is None else read_plan(Path(given.plan))
+    specimen = specimen_on_table(given, config) if config.virtual else None
+    if config.calibration is None:
+        raise CalibrationError("E-CAL-02")
+    path = Path(given.out).resolve()
+    if given.force and path.exists():
+        CaseStore.open(path).close()  # refused while another program has it open, or when it is no case
+        path.unlink()
+    with CaseStore.create(path) as store:
+        if specimen is not None:
+            store.put_order(Order(type=specimen.name))
+        with open_rig(config, specimen, given.speed, given.seed) as rig:
+            result = run_scan(console, rig, sized_for(request, specimen), store)
+            values = scan_json(result, rig.left.rate_hz, str(path))
+    console.result(values, [*scan_summary(result), f"Kept in {path}."])
+    if result.error is not None:
+        console.say(str(result.error))
+    return {FinishReason.COMPLETED: 0, FinishReason.CANCELLED: 130, FinishReason.FAILED: 1}[result.finish_reason]

@@ -1,0 +1,104 @@
+"""What ``demo`` and ``scan`` share: the specimen on the table, the run with its progress, and the JSON of it."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import replace
+
+from scanner_core.acquisition.plan import PlanRequest
+from scanner_core.acquisition.rig_session import OpenRig
+from scanner_core.acquisition.runner import ScanResult, ScanRunner
+from scanner_core.acquisition.status import ScanState
+from scanner_core.case.store import CaseStore
+from scanner_core.commands.console import Console
+from scanner_core.devices.rig import RigConfig
+from scanner_core.virtual.specimens import Specimen, check_fits, load_specimen
+
+
+def specimen_on_table(given: argparse.Namespace, rig: RigConfig) -> Specimen:
+    """The specimen that was asked for; refused when it is larger than what both cameras see."""
+    specimen = load_specimen(given.specimen, treated=getattr(given, "treated", False))
+    check_fits(specimen, rig.volume)
+    return specimen
+
+
+def sized_for(request: PlanRequest, specimen: Specimen | None) -> PlanRequest:
+    """The request with the object's size filled in where nobody stated one."""
+    if specimen is None or request.object_radius_mm is not None:
+        return request
+    return replace(request, object_radius_mm=specimen.radius_mm, object_height_mm=specimen.height_mm)
+
+
+def run_scan(console: Console, rig: OpenRig, request: PlanRequest, store: CaseStore) -> ScanResult:
+    """Run a scan to its end, also when Ctrl-C ends it; the result says how it ended."""
+    runner = ScanRunner(rig, request, store)
+    runner.start()
+    while True:
+        try:
+            while not runner.join(0.1):
+                _show(console, runner)
+            break
+        except KeyboardInterrupt:
+            console.say("Stopping: the laser is off, what was measured is kept.")
+            runner.cancel()
+    console.clear()
+    if runner.result is None:
+        raise RuntimeError("a scan ended without a result")
+    return runner.result
+
+
+def scan_json(result: ScanResult, rate_hz: float, case: str) -> dict[str, object]:
+    """The JSON of ``scan``; `rate_hz` is the cameras' frame rate."""
+    counts = result.counts
+    registration = result.views.registration if result.views is not None else None
+    values: dict[str, object] = {
+        "finish_reason": result.finish_reason.value,
+        "views": result.views_planned,
+        "planned": counts.planned,
+        "measured": counts.measured,
+        "rejected": counts.rejected,
+        "skipped": counts.skipped,
+        "points": counts.measured,
+        "locating": {
+            "planned": result.located.planned,
+            "measured": result.located.measured,
+            "rejected": result.located.rejected,
+            "skipped": result.located.skipped,
+        },
+        "rate_hz": round(result.exposures / result.wall_s, 1),
+        "seconds": round(result.wall_s, 2),
+        "rig_seconds": round(result.rig_s, 2),
+        "realtime_factor": round(result.exposures / result.wall_s / rate_hz, 2),
+        "case": case,
+        "registration": None if registration is None else registration.as_dict(),
+    }
+    if result.error is not None:
+        values["error"] = {"code": result.error.code, "sentence": str(result.error)}
+    return values
+
+
+def scan_summary(result: ScanResult) -> list[str]:
+    """The same in words."""
+    counts = result.counts
+    rejected = ", ".join(f"{name} {count}" for name, count in counts.rejected.items()) or "none"
+    lines = [
+        f"Scan {result.finish_reason.value}: {counts.measured} points of {counts.planned} planned measurements, "
+        f"{sum(counts.rejected.values())} rejected ({rejected}), {counts.skipped} skipped.",
+    ]
+    if result.views is not None:
+        said = result.views.registration
+        lines.append(f"Views registered: residual {said.residual_before_um:.1f} um before, {said.residual_after_um:.1f} um after the refinement.")
+    return lines
+
+
+def _show(console: Console, runner: ScanRunner) -> None:
+    status = runner.status()
+    if status.state is ScanState.PREPARING:
+        done = status.counts.measured + sum(status.counts.rejected.values())
+        console.progress("locate", done / max(status.counts.planned, 1), None, f"view {status.view + 1} of {status.views}")
+    elif status.state is ScanState.SCANNING:
+        left = status.seconds_left
+        fraction = 0.0 if left is None else status.seconds / max(status.seconds + left, 1e-9)
+        console.progress("scan", fraction, left, f"{status.counts.measured} points, view {status.view + 1} of {status.views}")
+    elif status.state is ScanState.FINISHING:
+        console.progress("register", 1.0, None, "")

@@ -1,0 +1,1 @@
+"""What a measurement is worth: errors against a known truth, and the tests of a rig."""
