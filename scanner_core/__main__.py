@@ -55,9 +55,8 @@ def _as_interrupt(_number: int, _frame: object) -> None:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
-        prog="impronta", description="Measure anatomical parts without touching them. Without a subcommand the window opens."
-    )
+    about = "Measure anatomical parts without touching them. Without a subcommand the window opens."
+    parser = argparse.ArgumentParser(prog="impronta", description=about)
     parser.add_argument("--version", action="version", version=f"impronta {__version__}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="SUBCOMMAND")
 

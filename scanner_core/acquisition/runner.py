@@ -18,8 +18,10 @@ import threading
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
+from numpy.typing import NDArray
 
 from scanner_core.acquisition.capture import CaptureThread
 from scanner_core.acquisition.engine import StereoEngine
@@ -158,7 +160,8 @@ class ScanRunner:
             self._scan(captures[0], captures[1])
         except BaseException as fault:
             error = self._as_error(fault)
-        for step in (lambda: [capture.close() for capture in captures], lambda: self._rest(error), self._keep):
+        steps: list[Callable[[], None]] = [capture.close for capture in captures]
+        for step in (*steps, partial(self._rest, error is not None), self._keep):
             try:
                 step()
             except BaseException as fault:
@@ -264,7 +267,7 @@ class ScanRunner:
         return measured
 
     def _record(
-        self, scan_id: int, row: Row, observations: list[StereoObservation], points: np.ndarray[tuple[int, ...], np.dtype[np.float64]]
+        self, scan_id: int, row: Row, observations: list[StereoObservation], points: NDArray[np.float64]
     ) -> None:
         self._exposures += len(observations)
         self.live_cloud.append(points, row.view)
@@ -303,10 +306,10 @@ class ScanRunner:
             self._motion = status
         return status
 
-    def _rest(self, error: ImprontaError | None) -> None:
+    def _rest(self, failed: bool) -> None:
         """Laser off and motion at rest, whatever happened."""
         self._end_s = self._rig.clock.now_s()
-        if error is None and not self._cancelled.is_set():
+        if not failed and not self._cancelled.is_set():
             self._rig.motion.laser(False)
         else:
             self._rig.motion.stop()
@@ -326,8 +329,8 @@ class ScanRunner:
 
 
 def _until(
-    observations: list[StereoObservation], points: np.ndarray[tuple[int, ...], np.dtype[np.float64]], wanted: int
-) -> tuple[list[StereoObservation], np.ndarray[tuple[int, ...], np.dtype[np.float64]]]:
+    observations: list[StereoObservation], points: NDArray[np.float64], wanted: int
+) -> tuple[list[StereoObservation], NDArray[np.float64]]:
     """The observations up to the one that gives the last wanted point."""
     found = 0
     for i, seen in enumerate(observations):

@@ -13,7 +13,7 @@ import sqlite3
 import threading
 import zlib
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import asdict, dataclass
 from datetime import datetime
 from pathlib import Path
@@ -111,19 +111,18 @@ class CaseStore:
             raise CaseError("E-CASE-04", path=path)
         if path.is_dir():
             raise CaseFormatError("E-CASE-01", path=path, reason="it is a folder")
-        with path.open("rb") as file:
-            magic = file.read(16)
-        if magic != b"SQLite format 3\x00":
-            raise CaseFormatError("E-CASE-01", path=path, reason="it does not begin as a case does")
         with _sentences(path):
+            # Read-only first: what is no case is not touched.  Never with open(): closing any handle of a file drops
+            # all POSIX locks that this process holds on it, those of an open case included.
+            with closing(sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro", timeout=0.2, uri=True)) as glance:
+                (application,) = glance.execute("PRAGMA application_id").fetchone()
+                (version,) = glance.execute("PRAGMA user_version").fetchone()
+            if application != APPLICATION_ID:
+                raise CaseFormatError("E-CASE-01", path=path, reason="it belongs to another program")
+            if version > VERSION:
+                raise CaseFormatError("E-CASE-03", path=path, version=version, known=VERSION)
             connection = _connect(path)
             try:
-                (application,) = connection.execute("PRAGMA application_id").fetchone()
-                (version,) = connection.execute("PRAGMA user_version").fetchone()
-                if application != APPLICATION_ID:
-                    raise CaseFormatError("E-CASE-01", path=path, reason="it belongs to another program")
-                if version > VERSION:
-                    raise CaseFormatError("E-CASE-03", path=path, version=version, known=VERSION)
                 _migrate(connection, version)
                 return cls(path, connection)
             except BaseException:

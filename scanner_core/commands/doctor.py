@@ -1,0 +1,124 @@
+"""``impronta doctor``: every check of the rig and of the machine, each with one sentence and its remedy."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shutil
+import sys
+import tempfile
+from dataclasses import asdict, dataclass
+from importlib import metadata
+from pathlib import Path
+
+from scanner_core.acquisition.rig_session import OpenRig, open_rig
+from scanner_core.commands.console import Console
+from scanner_core.devices.camera import Camera
+from scanner_core.devices.rig import RigConfig, load_rig_or_preset
+from scanner_core.errors import ImprontaError
+from scanner_core.optics.spot import Spot
+from scanner_core.optics.spot_detection import SpotDetector
+from scanner_core.virtual.specimens import load_specimen
+
+_LIBRARIES = ("numpy", "scipy", "opencv-contrib-python-headless", "vtk", "pyserial", "pyvista", "pyvistaqt", "PySide6_Essentials")
+_DISK_GIB = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """One check: `verdict` is ``pass``, ``warn`` or ``fail``."""
+
+    name: str
+    verdict: str
+    detail: str
+    remedy: str = ""
+
+
+def run(given: argparse.Namespace, console: Console) -> int:
+    config = load_rig_or_preset(given.rig)
+    checks = [*machine_checks(), calibration_check(config)]
+    controller: dict[str, object] = {"port": config.controller.port, "transcript": []}
+    cameras: list[dict[str, object]] = []
+    try:
+        specimen = load_specimen("sphere") if config.virtual else None
+        with open_rig(config, specimen) as rig:
+            checks += rig.motion.self_checks()
+            checks += [camera_check(camera, cameras) for camera in (rig.left, rig.right)]
+            checks.append(spot_check(rig))
+            controller = rig.motion.description()
+    except ImprontaError as error:
+        checks.append(Check("controller handshake" if error.code.startswith("E-MOT") else "open the rig", "fail", error.message, error.hint))
+    values = {"rig": config.name, "checks": [asdict(check) for check in checks], "controller": controller, "cameras": cameras}
+    marks = {"pass": "ok  ", "warn": "warn", "fail": "FAIL"}
+    lines = [f"{marks[check.verdict]}  {check.name}: {check.detail}" + (f" {check.remedy}" if check.verdict != "pass" else "") for check in checks]
+    console.result(values, lines)
+    return 1 if any(check.verdict == "fail" for check in checks) else 0
+
+
+def machine_checks() -> list[Check]:
+    """Python, libraries, disk, processors."""
+    version = ".".join(map(str, sys.version_info[:3]))
+    checks = [Check("Python", "pass" if sys.version_info >= (3, 11) else "fail", f"version {version}.", "Install Python 3.11 or newer.")]
+    missing, found = [], []
+    for name in _LIBRARIES:
+        try:
+            found.append(f"{name} {metadata.version(name)}")
+        except metadata.PackageNotFoundError:
+            missing.append(name)
+    if missing:
+        checks.append(Check("libraries", "fail", f"{', '.join(missing)} not installed.", "Run packaging/start.py again."))
+    else:
+        checks.append(Check("libraries", "pass", ", ".join(found) + "."))
+    folder = Path.cwd()
+    free_gib = shutil.disk_usage(folder).free / 2**30
+    checks.append(
+        Check("disk", "pass" if free_gib > _DISK_GIB else "warn", f"{free_gib:.1f} GiB free in the current folder.", "Free some space before you scan.")
+    )
+    try:
+        with tempfile.NamedTemporaryFile(dir=folder):
+            checks.append(Check("permission", "pass", "files can be written in the current folder."))
+    except OSError as fault:
+        checks.append(Check("permission", "warn", f"the current folder cannot be written ({fault.strerror}).", "Give --out a folder of your own."))
+    cores = os.cpu_count() or 1
+    checks.append(Check("processors", "pass" if cores >= 2 else "warn", f"{cores}.", "Scanning and the window share one processor: expect delays."))
+    return checks
+
+
+def calibration_check(config: RigConfig) -> Check:
+    """Whether the rig can measure."""
+    if config.calibration is None:
+        return Check("calibration", "fail", "the rig has none.", "Run 'impronta calibrate' or the Rig page.")
+    calibration = config.calibration
+    return Check("calibration", "pass", f"of {calibration.date}, held-out corners {calibration.held_out_rms_um:.1f} um rms.")
+
+
+def camera_check(camera: Camera, cameras: list[dict[str, object]]) -> Check:
+    """One frame; `cameras` gets the JSON."""
+    frame = camera.grab()
+    width, height = camera.size_px
+    mean, peak = float(frame.image.mean()), int(frame.image.max())
+    cameras.append({"name": camera.name, "size_px": [width, height], "rate_hz": camera.rate_hz, "mean_dn": round(mean, 2), "peak_dn": peak})
+    if frame.image.shape != (height, width):
+        return Check(f"camera {camera.name}", "fail", f"its frame is {frame.image.shape[::-1]} instead of {width} x {height}.", "Correct the rig file.")
+    if mean > 0.3 * 255:
+        return Check(f"camera {camera.name}", "warn", f"the background is bright ({mean:.0f} of 255).", "Shield the rig from ambient light.")
+    return Check(f"camera {camera.name}", "pass", f"{width} x {height}, {camera.rate_hz:g} frames/s, background {mean:.1f} of 255.")
+
+
+def spot_check(rig: OpenRig) -> Check:
+    """The laser as both cameras see it; left off."""
+    detector = SpotDetector()
+    rig.motion.aim(0.0, 0.0)
+    rig.motion.laser(True)
+    try:
+        seen = {camera.name: detector.detect(camera.grab().image) for camera in (rig.left, rig.right)}
+    finally:
+        rig.motion.laser(False)
+    dark = [name for name, spot in seen.items() if not isinstance(spot, Spot)]
+    if dark:
+        return Check("laser seen", "warn", f"camera {' and '.join(dark)} saw no spot.", "Put an object on the table, check the lens caps and the aim.")
+    after = [detector.detect(camera.grab().image) for camera in (rig.left, rig.right)]
+    if any(isinstance(spot, Spot) for spot in after):
+        return Check("laser seen", "fail", "a spot stays after the laser was switched off.", "Disconnect the laser and check its driver.")
+    peaks = ", ".join(f"{name} {spot.peak_dn:.0f} DN" for name, spot in seen.items() if isinstance(spot, Spot))
+    return Check("laser seen", "pass", f"by both cameras ({peaks}), dark after switching off.")

@@ -1,0 +1,109 @@
+"""A row's pairs: in the order of the trigger ids, dropped frames visible, every end announced."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+from scanner_core.acquisition.capture import CaptureThread
+from scanner_core.acquisition.engine import StereoPair
+from scanner_core.acquisition.handover import LatestSlot
+from scanner_core.acquisition.plan import Row
+from scanner_core.acquisition.row_scan import RowScan
+from scanner_core.devices.camera import Frame, Trigger
+from scanner_core.errors import DeviceLostError
+from scanner_core.optics.spot_detection import SpotDetector
+
+ROW = Row(view=0, first_id=100, count=200, y_deg=0.0, x_from_deg=-1.0, x_to_deg=1.0)
+
+
+class ScriptedCamera:
+    """Delivers dark frames; drops some, or fails at one, or delivers for ever."""
+
+    size_px = (64, 48)
+    rate_hz = 60.0
+
+    def __init__(self, name: str, drops: frozenset[int] = frozenset(), fails_at: int | None = None, endless: bool = False) -> None:
+        self.name, self._drops, self._fails_at, self._endless = name, drops, fails_at, endless
+        self._trigger = Trigger(0, 0, 0.0)
+
+    def start(self, trigger: Trigger) -> None:
+        self._trigger = trigger
+
+    def frames(self, stop: threading.Event) -> Iterator[Frame]:
+        image = np.zeros((48, 64), np.uint8)
+        for trigger_id in range(self._trigger.first_id, self._trigger.first_id + self._trigger.count):
+            if stop.is_set():
+                return
+            if trigger_id == self._fails_at:
+                raise DeviceLostError("E-CAM-02", camera=self.name)
+            if trigger_id not in self._drops:
+                yield Frame(image, trigger_id, trigger_id / 60, self.name)
+        while self._endless and not stop.wait(0.01):
+            pass
+
+    def grab(self) -> Frame:
+        return Frame(np.zeros((48, 64), np.uint8), 0, 0.0, self.name)
+
+    def close(self) -> None:
+        pass
+
+    def __enter__(self) -> ScriptedCamera:
+        return self
+
+    def __exit__(self, *exception: object) -> None:
+        self.close()
+
+
+def _run(left: ScriptedCamera, right: ScriptedCamera, cancelled: threading.Event | None = None) -> list[list[StereoPair]]:
+    captures = [CaptureThread(camera, SpotDetector(), LatestSlot()) for camera in (left, right)]
+    try:
+        return list(RowScan(captures[0], captures[1], ROW, 0.0, cancelled or threading.Event(), lambda: None).batches())
+    finally:
+        for capture in captures:
+            capture.close()
+
+
+def test_every_planned_id_comes_once_and_in_order() -> None:
+    batches = _run(ScriptedCamera("left"), ScriptedCamera("right"))
+    ids = [pair.trigger_id for batch in batches for pair in batch]
+    assert ids == list(range(100, 300))
+    assert all(pair.left is not None and pair.right is not None for batch in batches for pair in batch)
+
+
+def test_dropped_frames_are_visible() -> None:
+    pairs = [pair for batch in _run(ScriptedCamera("left", frozenset({110, 150})), ScriptedCamera("right", frozenset({150, 299}))) for pair in batch]
+    assert sorted(pair.trigger_id for pair in pairs) == list(range(100, 300))
+    assert {pair.trigger_id for pair in pairs if pair.left is None} == {110, 150}
+    assert {pair.trigger_id for pair in pairs if pair.right is None} == {150, 299}
+
+
+def test_a_camera_that_fails_ends_the_row_with_its_error() -> None:
+    with pytest.raises(DeviceLostError, match="right was unplugged"):
+        _run(ScriptedCamera("left", endless=True), ScriptedCamera("right", fails_at=180))
+
+
+def test_a_cancelled_row_ends_soon_and_counts_nothing_twice() -> None:
+    cancelled = threading.Event()
+    threading.Timer(0.2, cancelled.set).start()
+    begin_s = time.monotonic()
+    pairs = [pair for batch in _run(ScriptedCamera("left", endless=True), ScriptedCamera("right", endless=True), cancelled) for pair in batch]
+    assert time.monotonic() - begin_s < 4
+    ids = [pair.trigger_id for pair in pairs]
+    assert len(set(ids)) == len(ids)
+
+
+def test_two_rows_in_a_row() -> None:
+    captures = [CaptureThread(ScriptedCamera(name), SpotDetector(), LatestSlot()) for name in ("left", "right")]
+    try:
+        for first in (100, 300):
+            row = Row(0, first, 50, 0.0, -1.0, 1.0)
+            pairs = [p for batch in RowScan(captures[0], captures[1], row, 0.0, threading.Event(), lambda: None).batches() for p in batch]
+            assert [pair.trigger_id for pair in pairs] == list(range(first, first + 50))
+    finally:
+        for capture in captures:
+            capture.close()
