@@ -35,7 +35,7 @@ class TriangleMesh:
 
     def areas(self) -> NDArray[np.float64]:
         """(t,), mm^2."""
-        return np.linalg.norm(self.area_vectors(), axis=1)
+        return np.asarray(np.linalg.norm(self.area_vectors(), axis=1), np.float64)
 
     def area(self) -> float:
         """Area of the surface, mm^2."""

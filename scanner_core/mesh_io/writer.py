@@ -1,0 +1,56 @@
+"""Writing meshes and point clouds by the suffix of the file; a file appears whole or not at all."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import BinaryIO, TypeVar
+
+from scanner_core.errors import InputFileError
+from scanner_core.files import replaced_when_whole
+from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.point_cloud import PointCloud
+from scanner_core.mesh_io.obj import write_obj
+from scanner_core.mesh_io.ply import write_ply
+from scanner_core.mesh_io.points import write_ply_points, write_xyz_points
+from scanner_core.mesh_io.stl import write_stl
+from scanner_core.mesh_io.threemf import write_3mf
+
+T = TypeVar("T")
+
+MESH_WRITERS: dict[str, Callable[[BinaryIO, TriangleMesh], None]] = {".stl": write_stl, ".ply": write_ply, ".obj": write_obj, ".3mf": write_3mf}
+POINT_WRITERS: dict[str, Callable[[BinaryIO, PointCloud], None]] = {".xyz": write_xyz_points, ".ply": write_ply_points}
+
+
+def write_mesh(path: Path | str, mesh: TriangleMesh, *, force: bool = False) -> None:
+    """Write a mesh in mm as STL, PLY, OBJ or 3MF.
+
+    Raises
+    ------
+    InputFileError
+        E-FILE-06, the suffix is not known.
+    StorageError
+        E-DISK-01 no space, E-DISK-02 not allowed, E-DISK-03 exists and not `force`; `path` is then as it was.
+    """
+    _written(Path(path), mesh, MESH_WRITERS, force)
+
+
+def write_points(path: Path | str, cloud: PointCloud, *, force: bool = False) -> None:
+    """Write points in mm as XYZ text, or as PLY with covariances, views and trigger ids; errors as `write_mesh`."""
+    _written(Path(path), cloud, POINT_WRITERS, force)
+
+
+def check_suffix(path: Path | str, *, points: bool = False) -> None:
+    """Say before long work whether its result can be written under this name; E-FILE-06 when not."""
+    known = POINT_WRITERS if points else MESH_WRITERS
+    suffix = Path(path).suffix.lower()
+    if suffix not in known:
+        raise InputFileError("E-FILE-06", suffix=Path(path).suffix, known=", ".join(known))
+
+
+def _written(path: Path, value: T, writers: dict[str, Callable[[BinaryIO, T], None]], force: bool) -> None:
+    writer = writers.get(path.suffix.lower())
+    if writer is None:
+        raise InputFileError("E-FILE-06", suffix=path.suffix, known=", ".join(writers))
+    with replaced_when_whole(path, force) as partial, partial.open("wb") as file:
+        writer(file, value)
