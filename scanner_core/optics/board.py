@@ -38,7 +38,7 @@ class CharucoTarget:
     def object_points(self) -> NDArray[np.float64]:
         """The inner corners in the board's frame, ((columns - 1) (rows - 1), 3) mm; a corner's row is its ChArUco id."""
         x, y = np.meshgrid(np.arange(1, self.columns), np.arange(1, self.rows))
-        return np.c_[x.ravel(), y.ravel(), np.zeros(x.size)] * self.square_mm
+        return np.stack([x.ravel(), y.ravel(), np.zeros(x.size)], axis=1).astype(np.float64) * np.float64(self.square_mm)
 
     def board(self) -> cv2.aruco.CharucoBoard:
         """OpenCV's description of the same board."""
