@@ -25,7 +25,7 @@ def _spot(pixel: np.ndarray) -> Spot:
 def _pair(trigger_id: int, in_object: np.ndarray, table_deg: float, shift_px: float = 0.0) -> StereoPair:
     in_rig = RIG.rig_to_object(table_deg).inverse().apply(in_object)[None]
     left, right = RIG.left.project(in_rig)[0], RIG.right.project(in_rig)[0]
-    return StereoPair(trigger_id, 0.1 * trigger_id, _spot(left), _spot(right + [0.0, shift_px]))
+    return StereoPair(trigger_id, 0.1 * trigger_id, _spot(left), _spot(right + np.array([0.0, shift_px])))
 
 
 def test_points_come_out_in_the_object_frame() -> None:
