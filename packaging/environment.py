@@ -27,7 +27,7 @@ from progress import SetupError, last_lines, run_and_follow, say
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGES = ("scanner_core", "app", "resources")
 CONSTRAINTS = ROOT / "packaging" / "constraints.txt"
-NEEDED_MB = 1700  # the environment and, for a while, what is being unpacked; 1.1 GB stay
+NEEDED_MB = 2000  # 1.4 GB stay; the rest is what is being downloaded and unpacked
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,7 +111,7 @@ def create(environment: Environment) -> None:
             "Nothing was changed. Make room, then run this command again."
         )
     if (folder / "pyvenv.cfg").exists():
-        say("      an earlier run was interrupted; making it anew (what was downloaded is used again)")
+        say("      an earlier run was interrupted; making it anew")
     say(f"      in {folder}")
     code, lines = run_and_follow([sys.executable, "-I", "-m", "venv", "--clear", str(folder)], show=lambda line: None, environment=_clean_variables())
     if code != 0:
@@ -128,7 +128,7 @@ def install(environment: Environment, extras: frozenset[str]) -> None:
     Raises
     ------
     SetupError
-        With the reason and the remedy; what was downloaded is kept for the next run.
+        With the reason and the remedy.
     """
     environment.stamp.unlink(missing_ok=True)
     wanted = ",".join(sorted(extras))

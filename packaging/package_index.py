@@ -46,12 +46,12 @@ def explain(lines: Sequence[str], folder: Path, log: Path) -> str:
         return f"The disk is full: {folder} or the folder for temporary files has no room left. Make room, then run this command again."
     if any(sign in text for sign in _CERTIFICATE):
         return (
-            "The package index showed a certificate that this machine does not trust. What was downloaded is kept. "
+            "The package index showed a certificate that this machine does not trust. "
             "Behind a company's proxy, point PIP_CERT to its certificate file, then run this command again."
         )
     if any(sign in text for sign in _UNREACHABLE):
         return (
-            "The package index cannot be reached. What was downloaded is kept. Check the network (behind a proxy set HTTPS_PROXY, "
+            "The package index cannot be reached. Check the network (behind a proxy set HTTPS_PROXY, "
             "with a mirror set PIP_INDEX_URL), then run this command again."
         )
     if "No matching distribution found" in text:
