@@ -1,0 +1,171 @@
+"""A scan: borrows the rig, runs the core's runner on it, and hands points, previews and status to the views."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QObject, Signal
+
+from app.background import Background
+from app.controllers.case import CaseController
+from app.controllers.rig import RigController
+from scanner_core.acquisition.handover import Preview
+from scanner_core.acquisition.plan import PlanRequest
+from scanner_core.acquisition.status import ScanState, ScanStatus
+from scanner_core.errors import ImprontaError, UsageError
+
+if TYPE_CHECKING:
+    from scanner_core.acquisition.rig_session import OpenRig
+    from scanner_core.acquisition.runner import ScanResult, ScanRunner
+    from scanner_core.case.store import CaseStore
+
+Floats = NDArray[np.float64]
+
+
+class AcquisitionController(QObject):
+    """One scan at a time."""
+
+    changed = Signal()
+    """There is a newer status."""
+    began = Signal()
+    """A scan starts: what is shown of the one before is stale."""
+    ended = Signal()
+    """The scan is over; `result` says how."""
+
+    def __init__(
+        self, background: Background, rig: RigController, case: CaseController, tell: Callable[[BaseException], None], parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._background, self._rig, self._case, self._tell = background, rig, case, tell
+        self._runner: ScanRunner | None = None
+        self._wanted = False
+        self.status: ScanStatus | None = None
+        self.result: ScanResult | None = None
+        self._taken = 0
+        self._point_sinks: list[Callable[[Floats, Floats], None]] = []
+        self._preview_sinks: list[Callable[[str, Preview], None]] = []
+
+    # -------------------------------------------------------------------------------- who wants to see it
+    def add_point_sink(self, sink: Callable[[Floats, Floats], None]) -> None:
+        """`sink(points, towards)` gets every point once: (n, 3) mm in the object frame, and unit vectors to the cameras."""
+        self._point_sinks.append(sink)
+
+    def add_preview_sink(self, sink: Callable[[str, Preview], None]) -> None:
+        """`sink(camera, preview)` gets the newest frames."""
+        self._preview_sinks.append(sink)
+
+    # -------------------------------------------------------------------------------- commands
+    @property
+    def running(self) -> bool:
+        """From the start until the end was announced."""
+        return self._wanted or self._runner is not None
+
+    @property
+    def paused(self) -> bool:
+        return self.status is not None and self.status.state is ScanState.PAUSED
+
+    def start(self, request: PlanRequest) -> None:
+        """Scan into a new case."""
+        if self.running:
+            return
+        if not self._rig.snapshot.connected:
+            self._tell(UsageError("E-USE-01", what="The rig is not open yet", do="wait until the status line shows it, or choose it on the Rig page"))
+            return
+        self._wanted = True
+        self.status, self.result = None, None
+        self._case.close()
+        self.began.emit()
+        self._case.create(lambda store: self._begin(store, request))
+
+    def pause_or_resume(self) -> None:
+        if self._runner is not None:
+            if self.paused:
+                self._runner.resume()
+            else:
+                self._runner.pause()
+
+    def stop(self) -> None:
+        """Laser off at once and end the scan; what was measured is kept."""
+        runner = self._runner
+        if runner is not None:
+            self._background.run("scan-stop", runner.cancel)
+
+    def shutdown(self, timeout_s: float) -> bool:
+        """End a running scan and wait for it."""
+        if self._runner is None:
+            return True
+        self._runner.cancel()
+        return self._runner.join(timeout_s)
+
+    # -------------------------------------------------------------------------------- pump
+    def drain(self) -> None:
+        """In the GUI thread: points, previews and the status since the last time."""
+        runner = self._runner
+        if runner is None:
+            return
+        self._drain_points(runner)
+        for name, slot in runner.previews.items():
+            preview = slot.take()
+            if preview is not None:
+                for sink in self._preview_sinks:
+                    sink(name, preview)
+        status = runner.status()
+        self.status = status
+        self._rig.hear_scan(status.table_deg, status.laser_on)
+        self.changed.emit()
+        if status.finish_reason is not None and runner.join(0.0):
+            self._finish(runner)
+
+    def _drain_points(self, runner: ScanRunner) -> None:
+        points, views = runner.live_cloud.since(self._taken)
+        if not len(points):
+            return
+        self._taken += len(points)
+        turn = -np.deg2rad(360.0 / max(1, runner.status().views)) * views
+        towards = np.stack([0.85 * np.cos(turn), 0.85 * np.sin(turn), np.full(len(turn), 0.52)], axis=1)
+        for sink in self._point_sinks:
+            sink(points, towards)
+
+    # -------------------------------------------------------------------------------- inside
+    def _begin(self, store: CaseStore, request: PlanRequest) -> None:
+        rig = self._rig.borrow()
+        if rig is None:
+            self._wanted = False
+            self._tell(UsageError("E-USE-01", what="The rig is not open yet", do="wait until the status line shows it"))
+            self.changed.emit()
+            return
+        self._background.run("scan-start", lambda: _runner(rig, request, store), self._follow, self._not_started)
+
+    def _follow(self, runner: ScanRunner) -> None:
+        self._runner, self._wanted, self._taken = runner, False, 0
+        self.drain()
+
+    def _not_started(self, fault: Exception) -> None:
+        self._wanted = False
+        self._rig.give_back()
+        self.changed.emit()
+        self.ended.emit()
+        self._tell(fault)
+
+    def _finish(self, runner: ScanRunner) -> None:
+        self._drain_points(runner)
+        self._runner = None
+        self.result = runner.result
+        self._rig.give_back()
+        if self.result is not None and self.result.views is not None:
+            self._case.take_cloud(self.result.views.cloud)
+        self.changed.emit()
+        self.ended.emit()
+        if self.status is not None and isinstance(self.status.error, ImprontaError):
+            self._tell(self.status.error)
+
+
+def _runner(rig: OpenRig, request: PlanRequest, store: CaseStore) -> ScanRunner:
+    from scanner_core.acquisition.runner import ScanRunner
+
+    runner = ScanRunner(rig, request, store)
+    runner.start()
+    return runner

@@ -1,0 +1,118 @@
+"""Files out of a case: which formats there are, what they are called, and writing them off the GUI thread."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from datetime import date
+from pathlib import Path
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QObject, Signal
+
+from app.background import Background
+from app.controllers.case import CaseController, safe_stem
+from app.draft import DraftValues
+from app.settings import Settings
+
+FIELDS = ("order", "side", "type", "date", "rev", "code")
+"""What may stand in braces in a template."""
+
+
+@dataclass(frozen=True, slots=True)
+class ExportFormat:
+    """A kind of file."""
+
+    suffix: str
+    title: str
+    use: str
+    points: bool = False
+
+
+FORMATS: tuple[ExportFormat, ...] = (
+    ExportFormat(".stl", "STL", QT_TRANSLATE_NOOP("export", "Printing and milling; binary, millimetres")),
+    ExportFormat(".ply", "PLY", QT_TRANSLATE_NOOP("export", "With uncertainty and support of every vertex")),
+    ExportFormat(".obj", "OBJ", QT_TRANSLATE_NOOP("export", "Modelling programs")),
+    ExportFormat(".3mf", "3MF", QT_TRANSLATE_NOOP("export", "Printing; carries its unit")),
+    ExportFormat(".xyz", QT_TRANSLATE_NOOP("export", "Points"), QT_TRANSLATE_NOOP("export", "The registered measured points"), points=True),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class WrittenFile:
+    """What was written."""
+
+    path: Path
+    size_bytes: int
+
+
+def file_name(template: str, values: DraftValues, revision: int, suffix: str, today: date) -> str:
+    """The template filled in; unknown braces stay as they are and the result is a name on every system."""
+    known = {
+        "order": values.order or "order",
+        "side": values.side,
+        "type": values.kind,
+        "date": today.isoformat(),
+        "rev": str(revision),
+        "code": values.patient_code or "code",
+    }
+    return safe_stem(re.sub(r"\{(\w+)\}", lambda found: known.get(found[1], found[0]), template)) + suffix
+
+
+def free_name(folder: Path, template: str, values: DraftValues, suffix: str, today: date) -> Path:
+    """The path with the first revision that is not taken; without ``{rev}`` simply the name."""
+    revision = 1
+    path = folder / file_name(template, values, revision, suffix, today)
+    while "{rev}" in template and path.exists():
+        revision += 1
+        path = folder / file_name(template, values, revision, suffix, today)
+    return path
+
+
+class ExportController(QObject):
+    """Writes; `written` or a sentence in the banner."""
+
+    written = Signal()
+
+    def __init__(
+        self, background: Background, settings: Settings, case: CaseController, tell: Callable[[BaseException], None], parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._background, self._settings, self._case, self._tell = background, settings, case, tell
+        self.busy = False
+        self.last: WrittenFile | None = None
+
+    def write(self, path: Path, *, points: bool, replace: bool) -> None:
+        """Write mesh or points of the open case; an existing file only with `replace`."""
+        mesh = None if self._case.surface is None else self._case.surface.mesh
+        cloud = self._case.cloud
+        self.busy = True
+
+        def work() -> WrittenFile:
+            from scanner_core.errors import UsageError
+            from scanner_core.files import storage_error
+            from scanner_core.mesh_io import write_mesh, write_points
+
+            try:
+                path.parent.mkdir(parents=True, exist_ok=True)
+            except OSError as fault:
+                raise storage_error(path.parent, fault) from fault
+            if points and cloud is not None:
+                write_points(path, cloud, force=replace)
+            elif not points and mesh is not None:
+                write_mesh(path, mesh, force=replace)
+            else:
+                raise UsageError("E-USE-01", what="There is nothing to export yet", do="scan and reconstruct first")
+            return WrittenFile(path, path.stat().st_size)
+
+        self._background.run("export", work, self._done, self._failed)
+
+    def _done(self, written: WrittenFile) -> None:
+        self.busy, self.last = False, written
+        self._settings.export_folder = str(written.path.parent)
+        self.written.emit()
+
+    def _failed(self, fault: Exception) -> None:
+        self.busy = False
+        self.written.emit()
+        self._tell(fault)

@@ -1,0 +1,116 @@
+"""What a person has entered: order, plan and parameters; one frozen value, edited through the undo stack."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QObject, Signal
+from PySide6.QtGui import QUndoCommand, QUndoStack
+
+SIDES = {"left": QT_TRANSLATE_NOOP("draft", "Left"), "right": QT_TRANSLATE_NOOP("draft", "Right")}
+KINDS = {
+    "ear": QT_TRANSLATE_NOOP("draft", "Ear impression"),
+    "arch": QT_TRANSLATE_NOOP("draft", "Dental arch"),
+    "other": QT_TRANSLATE_NOOP("draft", "Other"),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class DraftValues:
+    """Order, plan and parameters as entered.
+
+    Attributes
+    ----------
+    order, patient_code : free text; the code is never a full name by default
+    side : a key of SIDES
+    kind : a key of KINDS
+    views, points : of the scan plan
+    triangles : at most so many, 0 = as many as the points carry
+    tolerance_um : wanted tolerance, 0 = none; it goes before the number of triangles
+    """
+
+    order: str = ""
+    patient_code: str = ""
+    side: str = "left"
+    kind: str = "ear"
+    views: int = 8
+    points: int = 20_000
+    triangles: int = 0
+    tolerance_um: int = 0
+
+
+class Draft(QObject):
+    """The current values; `changed(name)` after every edit, undo and redo."""
+
+    changed = Signal(str)
+
+    def __init__(self, stack: QUndoStack, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._values = DraftValues()
+        self._stack = stack
+
+    @property
+    def values(self) -> DraftValues:
+        return self._values
+
+    def edit(self, name: str, value: object) -> None:
+        """A person's edit: it can be undone."""
+        old = getattr(self._values, name)
+        if value != old:
+            self._stack.push(_Edit(self, name, old, value))
+
+    def load(self, values: DraftValues) -> None:
+        """Values that come with an opened case: nothing to undo before them."""
+        self._stack.clear()
+        self._values = values
+        for name in DraftValues.__dataclass_fields__:
+            self.changed.emit(name)
+
+    def put(self, name: str, value: object) -> None:
+        """Set without a way back; the undo commands use it."""
+        self._values = DraftValues(**{**asdict(self._values), name: value})
+        self.changed.emit(name)
+
+
+_EDIT_TEXTS = {
+    "order": QT_TRANSLATE_NOOP("draft", "Edit order number"),
+    "patient_code": QT_TRANSLATE_NOOP("draft", "Edit patient code"),
+    "side": QT_TRANSLATE_NOOP("draft", "Change side"),
+    "kind": QT_TRANSLATE_NOOP("draft", "Change type"),
+    "views": QT_TRANSLATE_NOOP("draft", "Change number of views"),
+    "points": QT_TRANSLATE_NOOP("draft", "Change number of points"),
+    "triangles": QT_TRANSLATE_NOOP("draft", "Change number of triangles"),
+    "tolerance_um": QT_TRANSLATE_NOOP("draft", "Change tolerance"),
+}
+
+
+class _Edit(QUndoCommand):
+    """One field; typing on in the same field is one step."""
+
+    def __init__(self, draft: Draft, name: str, old: object, new: object) -> None:
+        super().__init__(QCoreApplication.translate("draft", _EDIT_TEXTS[name]))
+        self._draft, self._name, self._old, self.new = draft, name, old, new
+
+    def redo(self) -> None:
+        self._draft.put(self._name, self.new)
+
+    def undo(self) -> None:
+        self._draft.put(self._name, self._old)
+
+    def id(self) -> int:
+        return 1 + list(_EDIT_TEXTS).index(self._name)
+
+    def mergeWith(self, other: QUndoCommand) -> bool:  # noqa: N802 - Qt's name
+        if not isinstance(other, _Edit) or other.id() != self.id() or self._name in ("side", "kind"):
+            return False
+        self.new = other.new
+        return True
+
+
+def first_order(last: str) -> DraftValues:
+    """What the form opens with: a sample on the first start, then the number after the last one."""
+    stem = last.rstrip("0123456789")
+    digits = last[len(stem) :]
+    if not digits:
+        return DraftValues(order="2026-0142", patient_code="P-0142", side="right")
+    return DraftValues(order=f"{stem}{int(digits) + 1:0{len(digits)}d}")

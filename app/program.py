@@ -1,0 +1,146 @@
+"""The running program: makes services, window and pump, and takes them down in one order."""
+
+from __future__ import annotations
+
+import importlib
+import logging
+import time
+from pathlib import Path
+
+from PySide6.QtCore import QLocale, QObject, QTimer, QTranslator
+from PySide6.QtGui import QUndoStack
+from PySide6.QtWidgets import QApplication
+
+from app.background import Background
+from app.controllers.acquisition import AcquisitionController
+from app.controllers.case import CaseController
+from app.controllers.export import ExportController
+from app.controllers.reconstruction import ReconstructionController
+from app.controllers.rig import RigController
+from app.draft import Draft, first_order
+from app.faults import install_hooks, remove_hooks
+from app.heartbeat import Heartbeat
+from app.pump import Pump
+from app.services import Services
+from app.settings import load_settings, save_settings, settings_path
+from app.theme import apply_theme, icon
+from app.views.main_window import MainWindow
+
+_DEADLINE_S = 8.0
+_log = logging.getLogger("impronta")
+
+
+class Program(QObject):
+    """One window and everything behind it."""
+
+    def __init__(
+        self,
+        application: QApplication,
+        *,
+        started_s: float,
+        heartbeat_file: Path | None = None,
+        case: Path | None = None,
+        settings_file: Path | None = None,
+    ) -> None:
+        super().__init__()
+        self._started_s = started_s
+        self._heartbeat_file = heartbeat_file
+        self._settings_file = settings_file or settings_path()
+        self._closed = False
+        self.settings = load_settings(self._settings_file)
+        application.setApplicationName("Impronta")
+        application.setWindowIcon(icon("mark"))
+        self._translator = _translate(application, self.settings.language)
+        apply_theme(application)
+        self.background = Background()
+        self.pump = Pump(self)
+        self.heartbeat = Heartbeat(self)
+        self.undo_stack = QUndoStack(self)
+        draft = Draft(self.undo_stack, self)
+        rig = RigController(self.background, self.tell, self)
+        cases = CaseController(self.background, self.settings, draft, self.tell, self)
+        acquisition = AcquisitionController(self.background, rig, cases, self.tell, self)
+        reconstruction = ReconstructionController(self.background, cases, self.tell, self)
+        export = ExportController(self.background, self.settings, cases, self.tell, self)
+        self.services = Services(self.settings, draft, self.background, rig, cases, acquisition, reconstruction, export)
+        draft.load(first_order(self.settings.last_order))
+        self.window = MainWindow(self.services, self.undo_stack)
+        self.window.closing.connect(self.shut_down)
+        install_hooks(self.tell)
+        for source in (self.background.drain, acquisition.drain, reconstruction.drain):
+            self.pump.add_source(source)
+        self.pump.add_painter(self.window.paint_scene)
+        self.pump.start()
+        if heartbeat_file is not None:
+            self.heartbeat.start()
+        self.window.show()
+        QTimer.singleShot(0, lambda: self._painted(case))
+
+    def tell(self, fault: BaseException) -> None:
+        """From any thread: the sentence into the banner."""
+        self.background.post(lambda: self.window.banner.tell_fault(fault))
+
+    # -------------------------------------------------------------------------------- start
+    def _painted(self, case: Path | None) -> None:
+        """The window stands on the screen: now the slow things may begin."""
+        self.window.repaint()
+        self.heartbeat.notes["first_window_s"] = time.perf_counter() - self._started_s
+        self.background.run("import-3d", _import_scene, lambda _: self._make_scene())
+        self.services.rig.choose(preset=self.settings.preset, specimen=self.settings.specimen, speed=self.settings.speed)
+        if case is not None:
+            self.window.open_case(case)
+
+    def _make_scene(self) -> None:
+        if self._closed:
+            return
+        from app.views.scene_view import SceneView
+
+        self.window.put_scene(SceneView())
+        self.heartbeat.notes["scene_s"] = time.perf_counter() - self._started_s
+        QTimer.singleShot(500, self.heartbeat.forget)
+
+    # -------------------------------------------------------------------------------- end
+    def shut_down(self) -> None:
+        """Pump, runner and capture, laser and devices, job, case, 3D view, window; may be called again."""
+        if self._closed:
+            return
+        self._closed = True
+        services = self.services
+        self.pump.stop()
+        self.heartbeat.stop()
+        if self._heartbeat_file is not None:
+            self.heartbeat.write(self._heartbeat_file)
+        late = []
+        if not services.acquisition.shutdown(_DEADLINE_S):
+            late.append("scan")
+        if not services.rig.shutdown(_DEADLINE_S):
+            late.append("rig")
+        services.reconstruction.shutdown()
+        services.case.close()
+        late += self.background.join(_DEADLINE_S)
+        if late:
+            _log.error("still running at the end: %s", ", ".join(late))
+        if self.window.scene is not None:
+            self.window.scene.close_scene()
+        rig = services.rig.snapshot
+        self.settings.preset, self.settings.specimen, self.settings.speed = rig.preset, rig.specimen, rig.speed
+        save_settings(self.settings, self._settings_file)
+        remove_hooks()
+        self.window.close()
+
+
+def _import_scene() -> None:
+    importlib.import_module("app.views.scene_view")
+
+
+def _translate(application: QApplication, language: str) -> QTranslator | None:
+    """The translation of the settings' language, or of the system's."""
+    from importlib import resources
+
+    locale = QLocale(language) if language else QLocale()
+    translator = QTranslator(application)
+    with resources.as_file(resources.files("resources") / "translations") as folder:
+        if translator.load(locale, "impronta", "_", str(folder)):
+            application.installTranslator(translator)
+            return translator
+    return None

@@ -1,0 +1,28 @@
+"""What the pages are given: settings, draft and one controller an activity."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from app.background import Background
+from app.controllers.acquisition import AcquisitionController
+from app.controllers.case import CaseController
+from app.controllers.export import ExportController
+from app.controllers.reconstruction import ReconstructionController
+from app.controllers.rig import RigController
+from app.draft import Draft
+from app.settings import Settings
+
+
+@dataclass(slots=True, eq=False)
+class Services:
+    """Shared by all pages."""
+
+    settings: Settings
+    draft: Draft
+    background: Background
+    rig: RigController
+    case: CaseController
+    acquisition: AcquisitionController
+    reconstruction: ReconstructionController
+    export: ExportController

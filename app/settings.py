@@ -1,0 +1,92 @@
+"""What the program remembers between two starts: a versioned JSON file in the user's configuration folder.
+
+It is tolerant: a file that is damaged, newer, or not writable never keeps the program from starting.  A damaged one
+is set aside; unknown keys are dropped; a value of a wrong type falls back to its default.
+"""
+
+from __future__ import annotations
+
+import json
+import logging
+import os
+from dataclasses import asdict, dataclass, field, fields
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QStandardPaths
+
+VERSION = 1
+_log = logging.getLogger("impronta")
+
+
+def _documents() -> str:
+    base = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DocumentsLocation) or str(Path.home())
+    return str(Path(base) / "Impronta")
+
+
+@dataclass(slots=True)
+class Settings:
+    """One attribute a setting."""
+
+    version: int = VERSION
+    language: str = ""
+    preset: str = "bench"
+    specimen: str = "ear"
+    speed: str = "max"
+    case_folder: str = field(default_factory=_documents)
+    export_folder: str = field(default_factory=_documents)
+    name_template: str = "{order}_{side}_{type}_{date}-{rev}"
+    recent_cases: list[str] = field(default_factory=list)
+    last_order: str = ""
+    window: list[int] = field(default_factory=list)
+    """Width and height of the window."""
+
+
+def settings_path() -> Path:
+    """Where the file stands."""
+    return Path(QStandardPaths.writableLocation(QStandardPaths.StandardLocation.GenericConfigLocation)) / "impronta" / "settings.json"
+
+
+def load_settings(path: Path) -> Settings:
+    """What is readable of the file, defaults for the rest."""
+    settings = Settings()
+    try:
+        stored = json.loads(path.read_text(encoding="utf-8"))
+        if not isinstance(stored, dict):
+            raise ValueError("no object")
+    except FileNotFoundError:
+        return settings
+    except (OSError, ValueError) as fault:
+        _log.warning("settings %s are not readable (%s): starting with defaults", path, fault)
+        _set_aside(path)
+        return settings
+    for known in fields(Settings):
+        value = stored.get(known.name, None)
+        if known.name != "version" and _fits(value, getattr(settings, known.name)):
+            setattr(settings, known.name, value)
+    return settings
+
+
+def save_settings(settings: Settings, path: Path) -> None:
+    """Written beside, then renamed; a folder that cannot be written is logged and nothing else."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        beside = path.with_name(path.name + ".part")
+        beside.write_text(json.dumps(asdict(settings), indent=1), encoding="utf-8")
+        os.replace(beside, path)
+    except OSError as fault:
+        _log.warning("settings %s were not kept: %s", path, fault)
+
+
+def _fits(value: Any, default: Any) -> bool:
+    if isinstance(default, list):
+        kind = int if default == [] and isinstance(value, list) and value and isinstance(value[0], int) else str
+        return isinstance(value, list) and all(isinstance(entry, kind) for entry in value)
+    return isinstance(value, type(default))
+
+
+def _set_aside(path: Path) -> None:
+    try:
+        os.replace(path, path.with_name(path.name + ".damaged"))
+    except OSError as fault:
+        _log.warning("and could not be set aside: %s", fault)

@@ -1,0 +1,1 @@
+"""Pages and panels: they show values and tell intentions, and compute nothing."""

@@ -1,0 +1,97 @@
+"""One banner for everything that has to be said: a sentence, and the details behind a button."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtWidgets import QApplication, QFrame, QLabel, QPlainTextEdit, QPushButton, QToolButton, QVBoxLayout, QWidget
+
+from app.faults import details_of, sentence_of
+from app.theme import ACCENT, MUTED, WARNING, drawing, icon
+from app.views.parts import button, label, row
+
+
+class Banner(QFrame):
+    """Hidden until something is said; the newest sentence replaces the one before, whose details stay listed."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setProperty("role", "banner")
+        self._mark = QLabel()
+        self._what = label(wrap=True, selectable=True)
+        self._what.setStyleSheet("font-weight: 600;")
+        self._do = label("", "muted", wrap=True, selectable=True)
+        self._toggle = QPushButton(self.tr("Details"))
+        self._toggle.setCheckable(True)
+        self._toggle.toggled.connect(self._unfold)
+        self._copy = button(self.tr("Copy"), "", self._copy_details)
+        close = QToolButton()
+        close.setIcon(icon("cross", MUTED))
+        close.setToolTip(self.tr("Close this message"))
+        close.setAccessibleName(self.tr("Close this message"))
+        close.clicked.connect(self.dismiss)
+        words = QVBoxLayout()
+        words.setSpacing(1)
+        words.addWidget(self._what)
+        words.addWidget(self._do)
+        line = row(self._mark, words, self._copy, self._toggle, close, spacing=12)
+        line.setStretch(1, 1)
+        line.setAlignment(self._mark, Qt.AlignmentFlag.AlignVCenter)
+        self._details = QPlainTextEdit()
+        self._details.setProperty("role", "details")
+        self._details.setReadOnly(True)
+        self._details.setFixedHeight(150)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(16, 9, 12, 9)
+        box.addLayout(line)
+        box.addWidget(self._details)
+        self._before: list[str] = []
+        self.dismiss()
+
+    def tell_fault(self, fault: BaseException) -> None:
+        """The sentence of a fault."""
+        what, do = sentence_of(fault)
+        self._show("fault", what, do, details_of(fault))
+
+    def tell_note(self, what: str, do: str = "") -> None:
+        """Something worth knowing that is no fault."""
+        self._show("note", what, do, "")
+
+    @property
+    def text(self) -> str:
+        """What stands there now, or an empty text."""
+        return f"{self._what.text()} {self._do.text()}".strip() if self.isVisibleTo(self.parentWidget()) else ""
+
+    @property
+    def details(self) -> str:
+        return self._details.toPlainText()
+
+    def dismiss(self) -> None:
+        self._before.clear()
+        self._toggle.setChecked(False)
+        self._details.hide()
+        self._copy.hide()
+        self.hide()
+
+    def _show(self, mood: str, what: str, do: str, details: str) -> None:
+        if self.isVisibleTo(self.parentWidget()) and self._details.toPlainText():
+            self._before = [self._details.toPlainText(), *self._before][:5]
+        self.setProperty("mood", mood)
+        self.style().unpolish(self)
+        self.style().polish(self)
+        self._mark.setPixmap(drawing("note" if mood == "note" else "warning", ACCENT if mood == "note" else WARNING, QSize(22, 22)))
+        self._what.setText(what)
+        self._do.setText(do)
+        self._do.setVisible(bool(do))
+        everything = [part for part in (details, *self._before) if part]
+        self._details.setPlainText("\n\n----------\n\n".join(everything))
+        self._toggle.setVisible(bool(everything))
+        if not everything:
+            self._toggle.setChecked(False)
+        self.show()
+
+    def _unfold(self, on: bool) -> None:
+        self._details.setVisible(on)
+        self._copy.setVisible(on)
+
+    def _copy_details(self) -> None:
+        QApplication.clipboard().setText(f"{self._what.text()} {self._do.text()}\n\n{self._details.toPlainText()}")

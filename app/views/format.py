@@ -1,0 +1,60 @@
+"""Numbers as a technician reads them."""
+
+from __future__ import annotations
+
+from datetime import date, datetime
+
+from PySide6.QtCore import QCoreApplication, QLocale
+
+NARROW = "\u202f"
+NO_VALUE = "–"
+
+
+def count(number: int) -> str:
+    """71 204"""
+    return f"{number:,}".replace(",", NARROW)
+
+
+def left_time(seconds: float | None) -> str:
+    """1:05, 12:40, 1:02:09; a dash while there is no estimate."""
+    if seconds is None:
+        return NO_VALUE
+    whole = max(0, round(seconds))
+    hours, rest = divmod(whole, 3600)
+    minutes, left = divmod(rest, 60)
+    return f"{hours}:{minutes:02d}:{left:02d}" if hours else f"{minutes}:{left:02d}"
+
+
+def micrometres(length_um: float | None) -> str:
+    """24, 7.3; a dash when nothing is known."""
+    if length_um is None:
+        return NO_VALUE
+    return f"{length_um:.0f}" if length_um >= 9.95 else f"{length_um:.1f}"
+
+
+def percent(share: float | None) -> str:
+    return NO_VALUE if share is None else f"{100 * share:.0f}"
+
+
+def day(iso: str) -> str:
+    """A date of a file in the person's own way; what is no date is shown as it is."""
+    moment = _date(iso)
+    return iso if moment is None else QLocale().toString(moment, "d MMM yyyy")
+
+
+def age(iso: str, today: date | None = None) -> str:
+    """today, 1 day, 12 days."""
+    moment = _date(iso)
+    if moment is None:
+        return iso
+    days = ((today or date.today()) - moment).days
+    if days <= 0:
+        return QCoreApplication.translate("format", "today")
+    return QCoreApplication.translate("format", "1 day old") if days == 1 else QCoreApplication.translate("format", "{n} days old").format(n=days)
+
+
+def _date(iso: str) -> date | None:
+    try:
+        return datetime.fromisoformat(iso).date()
+    except ValueError:
+        return None

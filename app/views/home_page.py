@@ -1,0 +1,194 @@
+"""Home: the order first, one primary button, how accurate the rig is, and the recent cases."""
+
+from __future__ import annotations
+
+from datetime import datetime
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, Qt, QTimer
+from PySide6.QtWidgets import QButtonGroup, QGridLayout, QHBoxLayout, QLineEdit, QListWidget, QListWidgetItem, QPushButton, QVBoxLayout, QWidget
+
+from app.draft import KINDS, SIDES
+from app.services import Services
+from app.views import format as fmt
+from app.views.page import Page
+from app.views.parts import BigNumber, button, label, seam
+
+
+class HomePage(Page):
+    """Fills the window."""
+
+    def __init__(self, services: Services) -> None:
+        super().__init__(services)
+        box = QHBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(0)
+        box.addWidget(self._order(), 6)
+        box.addWidget(seam(upright=True))
+        box.addWidget(self._aside(), 5)
+        services.draft.changed.connect(self._show_field)
+        services.rig.changed.connect(self._show_rig)
+        services.acquisition.changed.connect(self._show_start)
+        services.case.opened.connect(self._show_recent)
+        for name in ("order", "patient_code", "side", "kind"):
+            self._show_field(name)
+        self._show_rig()
+        self._show_recent()
+
+    def entered(self) -> None:
+        self._show_recent()
+
+    # -------------------------------------------------------------------------------- parts
+    def _order(self) -> QWidget:
+        draft = self.services.draft
+        self._number = QLineEdit()
+        self._number.setPlaceholderText(self.tr("as on the order form"))
+        self._number.textEdited.connect(lambda text: draft.edit("order", text.strip()))
+        self._code = QLineEdit()
+        self._code.setPlaceholderText(self.tr("a code, not the name"))
+        self._code.textEdited.connect(lambda text: draft.edit("patient_code", text.strip()))
+        for field in (self._number, self._code):
+            field.setMinimumHeight(34)
+        self._sides = self._choices("side", SIDES, side_colours=True)
+        self._kinds = self._choices("kind", KINDS)
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(18)
+        grid.setVerticalSpacing(14)
+        grid.setColumnMinimumWidth(0, 110)
+        grid.setColumnStretch(1, 1)
+        for line, (name, part) in enumerate(
+            (
+                (self.tr("Order number"), self._number),
+                (self.tr("Patient code"), self._code),
+                (self.tr("Side"), self._sides[0]),
+                (self.tr("Type"), self._kinds[0]),
+            )
+        ):
+            caption = label(name, "muted")
+            caption.setBuddy(part)
+            grid.addWidget(caption, line, 0)
+            grid.addWidget(part, line, 1)
+        self._start = button(self.tr("Start scan"), "primary", lambda: self.intent.emit("start_scan"), "play", "#0b1f1b")
+        self._start.setMinimumHeight(46)
+        self._start.setStyleSheet("font-size: 15px;")
+        self._ready = label("", "muted", wrap=True)
+        side = QWidget()
+        side_box = QVBoxLayout(side)
+        side_box.setContentsMargins(40, 38, 40, 30)
+        side_box.setSpacing(0)
+        side_box.addWidget(label(self.tr("New case"), "headline"))
+        side_box.addSpacing(6)
+        side_box.addWidget(label(self.tr("The order goes with every file that leaves this program."), "muted"))
+        side_box.addSpacing(28)
+        side_box.addLayout(grid)
+        side_box.addSpacing(30)
+        side_box.addWidget(self._start)
+        side_box.addSpacing(10)
+        side_box.addWidget(self._ready)
+        side_box.addStretch(1)
+        return side
+
+    def _choices(self, name: str, choices: dict[str, str], *, side_colours: bool = False) -> tuple[QWidget, dict[str, QPushButton]]:
+        holder = QWidget()
+        box = QHBoxLayout(holder)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(8)
+        group = QButtonGroup(holder)
+        buttons = {}
+        for key, word in choices.items():
+            made = button(QCoreApplication.translate("draft", word), "choice", lambda key=key: self.services.draft.edit(name, key))
+            made.setCheckable(True)
+            if side_colours:
+                made.setProperty("side", key)
+            group.addButton(made)
+            box.addWidget(made, 1)
+            buttons[key] = made
+        return holder, buttons
+
+    def _aside(self) -> QWidget:
+        self._accuracy = BigNumber("", "hero")
+        self._accuracy_note = label("", "muted", wrap=True)
+        self._recent = QListWidget()
+        self._recent.setAccessibleName(self.tr("Recent cases"))
+        self._recent.itemActivated.connect(self._open)
+        self._recent.itemClicked.connect(self._open)
+        self._no_recent = label(self.tr("No cases yet. Every scan makes one."), "muted")
+        self._more = button(self.tr("Open another case…"), "link", lambda: self.intent.emit("open_case"))
+        aside = QWidget()
+        box = QVBoxLayout(aside)
+        box.setContentsMargins(36, 38, 36, 30)
+        box.setSpacing(0)
+        box.addWidget(label(self.tr("How accurate is it?"), "section"))
+        box.addWidget(self._accuracy)
+        box.addSpacing(4)
+        box.addWidget(self._accuracy_note)
+        box.addSpacing(22)
+        box.addWidget(seam())
+        box.addSpacing(20)
+        box.addWidget(label(self.tr("Recent cases"), "section"))
+        box.addSpacing(6)
+        box.addWidget(self._no_recent)
+        box.addWidget(self._recent, 1)
+        box.addSpacing(8)
+        box.addWidget(self._more, 0, Qt.AlignmentFlag.AlignLeft)
+        box.addStretch(0)
+        return aside
+
+    # -------------------------------------------------------------------------------- showing
+    def _show_field(self, name: str) -> None:
+        values = self.services.draft.values
+        if name == "order" and self._number.text().strip() != values.order:
+            self._number.setText(values.order)
+        elif name == "patient_code" and self._code.text().strip() != values.patient_code:
+            self._code.setText(values.patient_code)
+        elif name == "side":
+            self._sides[1][values.side].setChecked(True)
+        elif name == "kind":
+            self._kinds[1][values.kind].setChecked(True)
+
+    def _show_rig(self) -> None:
+        calibration = self.services.rig.snapshot.calibration
+        if calibration is None:
+            self._accuracy.show_number(fmt.NO_VALUE)
+            self._accuracy.show_unit(self.tr("not calibrated"))
+            self._accuracy_note.setText(self.tr("The Rig page calibrates it in a few minutes."))
+        else:
+            self._accuracy.show_number(fmt.micrometres(calibration.held_out_rms_um))
+            self._accuracy.show_unit(self.tr("µm rms error of a measured point"))
+            self._accuracy_note.setText(
+                self.tr("Measured on {date} at corners of the calibration board that were not used to calibrate. Rig: {rig}.").format(
+                    date=fmt.day(calibration.date), rig=self.services.rig.snapshot.preset
+                )
+            )
+        self._show_start()
+
+    def _show_start(self) -> None:
+        rig, running = self.services.rig.snapshot, self.services.acquisition.running
+        self._start.setEnabled(rig.connected and rig.calibration is not None and not running)
+        if running:
+            self._ready.setText(self.tr("A scan is running."))
+        elif not rig.connected:
+            self._ready.setText(self.tr("Opening the rig…"))
+        else:
+            self._ready.setText(self.tr("Ready: {rig}, calibrated {date}.").format(rig=rig.preset, date=fmt.day(rig.calibration.date) if rig.calibration else "–"))
+
+    def _show_recent(self) -> None:
+        self._recent.clear()
+        for text in self.services.settings.recent_cases:
+            path = Path(text)
+            try:
+                changed = datetime.fromtimestamp(path.stat().st_mtime)
+            except OSError:
+                continue
+            item = QListWidgetItem(f"{path.stem}\n{fmt.day(changed.isoformat())}  ·  {path.parent}")
+            item.setData(Qt.ItemDataRole.UserRole, text)
+            item.setToolTip(text)
+            self._recent.addItem(item)
+        empty = self._recent.count() == 0
+        self._no_recent.setVisible(empty)
+        self._recent.setVisible(not empty)
+
+    def _open(self, item: QListWidgetItem) -> None:
+        path = Path(item.data(Qt.ItemDataRole.UserRole))
+        QTimer.singleShot(0, lambda: self.services.case.open(path))
+        self.wanted.emit("reconstruct")

@@ -1,0 +1,346 @@
+"""The window: rail, 3D view, the current page, banner and status line; it connects them and computes nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QCoreApplication, Signal
+from PySide6.QtGui import QCloseEvent, QUndoStack
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
+
+from app.actions import fill_menus, make_actions
+from app.services import Services
+from app.views import format as fmt
+from app.views.banner import Banner
+from app.views.page import Page
+from app.views.pages import PAGES
+from app.views.parts import seam
+from app.views.rail import Rail
+from app.views.scan_page import status_words
+from app.views.stage import Stage
+from app.views.status_line import StatusLine
+from scanner_core import __version__
+from scanner_core.acquisition.plan import PlanRequest
+
+if TYPE_CHECKING:
+    from app.views.scene_view import SceneView
+
+SIZE = (1280, 800)
+
+
+class MainWindow(QMainWindow):
+    """Every page of the registry, made once."""
+
+    closing = Signal()
+    """Sent once, before anything is taken down."""
+
+    def __init__(self, services: Services, undo_stack: QUndoStack) -> None:
+        super().__init__()
+        self.services = services
+        self._undo = undo_stack
+        self.scene: SceneView | None = None
+        self.setWindowTitle("Impronta")
+        self.actions_by_id = make_actions(self)
+        fill_menus(self.menuBar(), self.actions_by_id)
+        self.banner = Banner()
+        self.rail = Rail(PAGES, self.show_page, self.laser_off)
+        self.stage = Stage([self.actions_by_id[name] for name in ("show_points", "show_edges", "show_uncertainty", "fit", "front", "top")])
+        self.pages: dict[str, Page] = {}
+        self._stack = QStackedWidget()
+        for info in PAGES:
+            page = info.make(services)
+            page.wanted.connect(self.show_page)
+            page.intent.connect(self._do)
+            self.pages[info.id] = page
+            self._stack.addWidget(page)
+        self._stage_seam = seam(upright=True)
+        middle = QHBoxLayout()
+        middle.setSpacing(0)
+        middle.addWidget(self.stage, 1)
+        middle.addWidget(self._stage_seam)
+        middle.addWidget(self._stack)
+        right = QVBoxLayout()
+        right.setSpacing(0)
+        right.addWidget(self.banner)
+        right.addLayout(middle, 1)
+        upper = QHBoxLayout()
+        upper.setSpacing(0)
+        upper.addWidget(self.rail)
+        upper.addWidget(seam(upright=True))
+        upper.addLayout(right, 1)
+        self.status_line = StatusLine()
+        whole = QWidget()
+        box = QVBoxLayout(whole)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(0)
+        box.addLayout(upper, 1)
+        box.addWidget(self.status_line)
+        self.setCentralWidget(whole)
+        size = services.settings.window
+        self.resize(*(size if len(size) == 2 else SIZE))
+        self._connect()
+        self.show_page(PAGES[0].id)
+        self.actions_by_id["show_points"].setChecked(True)
+        self._show_rig()
+        self._show_undo()
+
+    # -------------------------------------------------------------------------------- the 3D view
+    def put_scene(self, scene: SceneView) -> None:
+        """The 3D view is there: show what has come meanwhile."""
+        self.scene = scene
+        self.stage.put_scene(scene)
+        self._show_case()
+
+    def paint_scene(self) -> float:
+        """For the pump."""
+        return 0.0 if self.scene is None else self.scene.paint()
+
+    # -------------------------------------------------------------------------------- slots of the action table
+    def show_page(self, page_id: str) -> None:
+        info = next(info for info in PAGES if info.id == page_id)
+        page = self.pages[page_id]
+        beside = bool(info.stage)
+        if beside:
+            self._stack.setFixedWidth(page.minimumWidth())
+            self.stage.show_title(QCoreApplication.translate("pages", info.stage))
+        self._stack.setCurrentWidget(page)
+        self.stage.setVisible(beside)
+        self._stage_seam.setVisible(beside)
+        if not beside:
+            self._stack.setMinimumWidth(0)
+            self._stack.setMaximumWidth(16_777_215)
+        self.rail.show_page(page_id)
+        page.entered()
+
+    @property
+    def page_id(self) -> str:
+        current = self._stack.currentWidget()
+        return next(name for name, page in self.pages.items() if page is current)
+
+    def new_case(self) -> None:
+        self.services.case.close()
+        self.show_page("home")
+
+    def choose_case(self) -> None:
+        path, _ = QFileDialog.getOpenFileName(self, self.tr("Open a case"), self.services.settings.case_folder, self.tr("Cases (*.impronta)"))
+        if path:
+            self.open_case(Path(path))
+
+    def open_case(self, path: Path) -> None:
+        self.services.case.open(path)
+        self.show_page("reconstruct")
+
+    def show_export(self) -> None:
+        self.show_page("export")
+
+    def undo(self) -> None:
+        self._undo.undo()
+
+    def redo(self) -> None:
+        self._undo.redo()
+
+    def start_scan(self) -> None:
+        rig, values = self.services.rig.snapshot, self.services.draft.values
+        if self.services.acquisition.running or self.services.reconstruction.running:
+            return
+        self.banner.dismiss()
+        self.show_page("scan")
+        self.services.acquisition.start(
+            PlanRequest(views=values.views, points=values.points, object_radius_mm=rig.specimen_radius_mm, object_height_mm=rig.specimen_height_mm)
+        )
+
+    def pause_scan(self) -> None:
+        self.services.acquisition.pause_or_resume()
+
+    def laser_off(self) -> None:
+        """Esc and the stop buttons: from every page, whatever is going on."""
+        if self.services.acquisition.running:
+            self.services.acquisition.stop()
+        else:
+            self.services.rig.laser_off()
+
+    def start_reconstruction(self) -> None:
+        if not self.services.acquisition.running:
+            self.banner.dismiss()
+            self.show_page("reconstruct")
+            self.services.reconstruction.start(self.services.draft.values)
+
+    def view_fit(self) -> None:
+        self._with_scene(lambda scene: scene.view_fit())
+
+    def view_front(self) -> None:
+        self._with_scene(lambda scene: scene.view_front())
+
+    def view_top(self) -> None:
+        self._with_scene(lambda scene: scene.view_top())
+
+    def show_points(self, on: bool) -> None:
+        self._with_scene(lambda scene: scene.set_points_visible(on))
+        self._show_legend()
+
+    def show_edges(self, on: bool) -> None:
+        self._with_scene(lambda scene: scene.set_edges(on))
+
+    def show_uncertainty(self, on: bool) -> None:
+        self._with_scene(lambda scene: scene.set_uncertainty(on))
+        self._show_legend()
+
+    def show_about(self) -> None:
+        self.banner.tell_note(
+            self.tr("Impronta {version}: from two cameras and a laser spot to a closed surface.").format(version=__version__),
+            self.tr("MIT licence. Reconstruction by adaptive deformation after Tognola et al."),
+        )
+
+    # -------------------------------------------------------------------------------- inside
+    def _with_scene(self, call: Callable[[SceneView], None]) -> None:
+        if self.scene is not None:
+            call(self.scene)
+
+    def _do(self, action_id: str) -> None:
+        self.actions_by_id[action_id].trigger()
+
+    def _connect(self) -> None:
+        services = self.services
+        services.draft.changed.connect(lambda _: self.rail.show_order(services.draft.values))
+        services.rig.changed.connect(self._show_rig)
+        services.acquisition.began.connect(self._begin_scan)
+        services.acquisition.changed.connect(self._show_scan)
+        services.acquisition.ended.connect(self._end_scan)
+        services.acquisition.add_point_sink(lambda points, towards: self._with_scene(lambda scene: scene.append_points(points, towards)))
+        services.case.opened.connect(self._show_case)
+        services.case.meshed.connect(self._show_mesh)
+        services.reconstruction.began.connect(self._begin_reconstruction)
+        services.reconstruction.grown.connect(lambda surface: self._with_scene(lambda scene: scene.show_mesh(surface)))
+        services.reconstruction.ended.connect(self._end_reconstruction)
+        services.reconstruction.changed.connect(self._show_activity)
+        self._undo.canUndoChanged.connect(self._show_undo)
+        self._undo.canRedoChanged.connect(self._show_undo)
+        self._undo.undoTextChanged.connect(self._show_undo)
+        self.rail.show_order(services.draft.values)
+
+    def _show_undo(self) -> None:
+        for name, able, what in (
+            ("undo", self._undo.canUndo(), self._undo.undoText()),
+            ("redo", self._undo.canRedo(), self._undo.redoText()),
+        ):
+            action = self.actions_by_id[name]
+            action.setEnabled(able)
+            plain = self.tr("&Undo") if name == "undo" else self.tr("&Redo")
+            action.setText(f"{plain}: {what}" if able and what else plain)
+
+    def _begin_scan(self) -> None:
+        self._with_scene(lambda scene: scene.clear())
+        self._with_scene(lambda scene: scene.set_live(True))
+        self.actions_by_id["show_points"].setChecked(True)
+        self._show_activity()
+
+    def _show_scan(self) -> None:
+        status = self.services.acquisition.status
+        if status is not None:
+            self.stage.show_facts(status_words(status))
+        self._show_legend()
+        self._show_activity()
+        self._show_actions()
+
+    def _end_scan(self) -> None:
+        self._with_scene(lambda scene: scene.set_live(False))
+        self._show_activity()
+        self._show_actions()
+
+    def _begin_reconstruction(self) -> None:
+        self._with_scene(lambda scene: scene.show_mesh(None))
+        self._with_scene(lambda scene: scene.set_live(True))
+        self._show_activity()
+
+    def _end_reconstruction(self) -> None:
+        self._with_scene(lambda scene: scene.set_live(False))
+        if self.services.case.surface is None:
+            self._with_scene(lambda scene: scene.show_mesh(None))
+        self._show_activity()
+
+    def _show_case(self) -> None:
+        """Everything of the open case, after it was opened or closed."""
+        scene, case = self.scene, self.services.case
+        path = case.path
+        self.setWindowTitle(f"{path.stem} – Impronta" if path is not None else "Impronta")
+        if scene is None:
+            return
+        config = self.services.rig.snapshot.config
+        if not self.services.acquisition.running:
+            scene.clear()
+            if case.cloud is not None:
+                scene.show_cloud(case.cloud)
+        if config is not None:
+            scene.show_table(config.volume.radius_mm)
+        self._show_mesh()
+
+    def _show_mesh(self) -> None:
+        surface = self.services.case.surface
+        if surface is not None:
+            self.actions_by_id["show_points"].setChecked(False)
+        self._with_scene(lambda scene: scene.show_mesh(surface))
+        if surface is not None:
+            self.stage.show_facts(self.tr("{n} triangles").format(n=fmt.count(len(surface.mesh.triangles))))
+        elif self.services.case.cloud is not None:
+            self.stage.show_facts(self.tr("{n} points").format(n=fmt.count(len(self.services.case.cloud))))
+        else:
+            self.stage.show_facts("")
+        self._show_legend()
+        self._show_actions()
+
+    def _show_legend(self) -> None:
+        scene = self.scene
+        bounds = None if scene is None else scene.cloud.bounds_mm
+        if scene is not None and scene.mesh.range_um is not None:
+            self.stage.legend.show_uncertainty(*scene.mesh.range_um)
+        elif bounds is not None and self.actions_by_id["show_points"].isChecked():
+            self.stage.legend.show_height(float(bounds[0, 2]), float(bounds[1, 2]))
+        else:
+            self.stage.legend.hide()
+
+    def _show_actions(self) -> None:
+        running, case = self.services.acquisition.running, self.services.case
+        self.actions_by_id["pause_scan"].setEnabled(running)
+        self.actions_by_id["start_scan"].setEnabled(not running)
+        self.actions_by_id["reconstruct"].setEnabled(case.cloud is not None and not running)
+        for name in ("show_edges", "show_uncertainty"):
+            self.actions_by_id[name].setEnabled(case.surface is not None)
+
+    def _show_activity(self) -> None:
+        services = self.services
+        text = ""
+        if services.acquisition.running:
+            text = self.tr("Scanning")
+        elif services.reconstruction.running:
+            text = self.tr("Reconstructing")
+        elif services.rig.snapshot.calibrating is not None:
+            text = self.tr("Calibrating")
+        self.status_line.show_activity(text)
+
+    def _show_rig(self) -> None:
+        rig, line = self.services.rig.snapshot, self.status_line
+        line.cameras.show_state(*(("good", self.tr("Cameras ready")) if rig.connected else ("idle", self.tr("Cameras opening"))))
+        if rig.laser_on:
+            line.laser.show_state("laser", self.tr("Laser ON"))
+        else:
+            line.laser.show_state("idle", self.tr("Laser off"))
+        self.rail.show_laser(rig.laser_on)
+        if rig.motion is None:
+            line.turntable.show_state("idle", self.tr("Turntable"))
+        else:
+            line.turntable.show_state("good", self.tr("Turntable {angle:.1f}°").format(angle=rig.motion.table_deg))
+        calibration = rig.calibration
+        if calibration is None:
+            line.calibration.show_state("warn", self.tr("Not calibrated"))
+        else:
+            line.calibration.show_state("good", self.tr("Calibration {age}").format(age=fmt.age(calibration.date)))
+        speed = self.tr("full speed") if rig.speed == "max" else f"{rig.speed}×"
+        line.show_rig(self.tr("Virtual rig  ·  {rig}  ·  {speed}").format(rig=rig.preset, speed=speed))
+        self._show_activity()
+
+    def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802 - Qt's name
+        self.services.settings.window = [self.width(), self.height()]
+        self.closing.emit()
+        super().closeEvent(event)

@@ -1,0 +1,47 @@
+"""What all pages have in common."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from app.views.parts import label
+
+if TYPE_CHECKING:
+    from app.services import Services
+
+INSPECTOR_WIDTH = 300
+
+
+class Page(QWidget):
+    """One step of the work.  `wanted(page id)` asks the window for another page."""
+
+    wanted = Signal(str)
+    intent = Signal(str)
+    """Asks the window for an action of the action table."""
+
+    def __init__(self, services: Services) -> None:
+        super().__init__()
+        self.services = services
+        self.setProperty("role", "panel")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+
+    def entered(self) -> None:
+        """The page is shown from now on."""
+
+    def inspector(self, title: str) -> QVBoxLayout:
+        """The layout of a page that stands beside the 3D view."""
+        self.setFixedWidth(INSPECTOR_WIDTH)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(16, 13, 16, 14)
+        box.setSpacing(9)
+        box.addWidget(label(title, "title"))
+        return box
+
+
+class MakePage(Protocol):
+    """The class of a page."""
+
+    def __call__(self, services: Services) -> Page: ...

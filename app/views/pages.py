@@ -1,0 +1,39 @@
+"""The pages in the order of the work: a page is one file and one entry here."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
+from app.views.export_page import ExportPage
+from app.views.home_page import HomePage
+from app.views.page import MakePage
+from app.views.reconstruct_page import ReconstructPage
+from app.views.rig_page import RigPage
+from app.views.scan_page import ScanPage
+
+
+@dataclass(frozen=True, slots=True)
+class PageInfo:
+    """One page.
+
+    Attributes
+    ----------
+    stage : title over the 3D view that stands beside the page, or empty when the page fills the window
+    """
+
+    id: str
+    title: str
+    icon: str
+    make: MakePage
+    stage: str = ""
+
+
+PAGES: tuple[PageInfo, ...] = (
+    PageInfo("home", QT_TRANSLATE_NOOP("pages", "Home"), "home", HomePage),
+    PageInfo("rig", QT_TRANSLATE_NOOP("pages", "Rig"), "rig", RigPage),
+    PageInfo("scan", QT_TRANSLATE_NOOP("pages", "Scan"), "scan", ScanPage, stage=QT_TRANSLATE_NOOP("pages", "Live point cloud")),
+    PageInfo("reconstruct", QT_TRANSLATE_NOOP("pages", "Reconstruct"), "reconstruct", ReconstructPage, stage=QT_TRANSLATE_NOOP("pages", "Surface")),
+    PageInfo("export", QT_TRANSLATE_NOOP("pages", "Export"), "export", ExportPage, stage=QT_TRANSLATE_NOOP("pages", "What is exported")),
+)

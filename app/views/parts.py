@@ -1,0 +1,162 @@
+"""Small parts that the pages are made of: seams, numbers, fields, buttons."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import ClassVar, TypeVar
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLayout, QPushButton, QSizePolicy, QSpinBox, QVBoxLayout, QWidget
+
+from app.theme import GOOD, LASER, LEFT_EAR, MUTED, RIGHT_EAR, TEXT, WARNING, icon
+
+BoxT = TypeVar("BoxT", QHBoxLayout, QVBoxLayout)
+
+
+def label(text: str = "", role: str = "", *, wrap: bool = False, selectable: bool = False) -> QLabel:
+    """A label in one of the theme's roles; its text is plain, never markup."""
+    made = QLabel(text)
+    made.setTextFormat(Qt.TextFormat.PlainText)
+    if role:
+        made.setProperty("role", role)
+    made.setWordWrap(wrap)
+    if selectable:
+        made.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+    return made
+
+
+def seam(*, upright: bool = False) -> QFrame:
+    """A line of one pixel instead of a frame."""
+    made = QFrame()
+    made.setProperty("role", "seam")
+    if upright:
+        made.setFixedWidth(1)
+    else:
+        made.setFixedHeight(1)
+    return made
+
+
+def button(text: str, role: str, clicked: Callable[[], object], drawing: str = "", colour: str = TEXT) -> QPushButton:
+    made = QPushButton(text)
+    if role:
+        made.setProperty("role", role)
+    if drawing:
+        made.setIcon(icon(drawing, colour))
+    made.clicked.connect(lambda: clicked())
+    made.setCursor(Qt.CursorShape.PointingHandCursor)
+    return made
+
+
+def number_field(low: int, high: int, step: int, edited: Callable[[int], None], *, suffix: str = "", special: str = "") -> QSpinBox:
+    """A spin box that tells `edited` what a person entered, and nothing when the program sets it."""
+    made = QSpinBox()
+    made.setRange(low, high)
+    made.setSingleStep(step)
+    made.setGroupSeparatorShown(True)
+    made.setAlignment(Qt.AlignmentFlag.AlignRight)
+    made.setKeyboardTracking(False)
+    made.setMinimumHeight(30)
+    if suffix:
+        made.setSuffix(suffix)
+    if special:
+        made.setSpecialValueText(special)
+    made.valueChanged.connect(edited)
+    return made
+
+
+def row(*parts: QWidget | QLayout | int, spacing: int = 8) -> QHBoxLayout:
+    """Side by side; an integer is a stretch."""
+    return _fill(QHBoxLayout(), parts, spacing)
+
+
+def column(*parts: QWidget | QLayout | int, spacing: int = 8) -> QVBoxLayout:
+    """One below the other; an integer is a stretch."""
+    return _fill(QVBoxLayout(), parts, spacing)
+
+
+def _fill(box: BoxT, parts: tuple[QWidget | QLayout | int, ...], spacing: int) -> BoxT:
+    box.setSpacing(spacing)
+    for part in parts:
+        if isinstance(part, int):
+            box.addStretch(part)
+        elif isinstance(part, QWidget):
+            box.addWidget(part)
+        else:
+            box.addLayout(part)
+    return box
+
+
+class BigNumber(QWidget):
+    """A large number over its small unit."""
+
+    def __init__(self, unit: str, role: str = "number") -> None:
+        super().__init__()
+        self._number = label("–", role)
+        self._unit = label(unit, "unit")
+        box = column(self._number, self._unit, spacing=0)
+        box.setContentsMargins(0, 0, 0, 0)
+        self.setLayout(box)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+
+    def show_number(self, text: str) -> None:
+        self._number.setText(text)
+        self.setAccessibleName(f"{text} {self._unit.text()}")
+
+    def show_unit(self, text: str) -> None:
+        self._unit.setText(text)
+
+    @property
+    def text(self) -> str:
+        return self._number.text()
+
+
+class SideBadge(QLabel):
+    """Left or right as a word in an outlined badge of its colour: blue left, red right."""
+
+    def show_side(self, side: str, word: str) -> None:
+        colour = LEFT_EAR if side == "left" else RIGHT_EAR
+        self.setText(word)
+        self.setStyleSheet(f"color: {colour}; border: 1px solid {colour}; border-radius: 4px; padding: 1px 7px; font-weight: 600;")
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+
+
+class Lamp(QWidget):
+    """A dot with a word; the word says it all, the dot only sooner."""
+
+    COLOURS: ClassVar[dict[str, str]] = {"good": GOOD, "warn": WARNING, "idle": MUTED, "laser": LASER}
+
+    def __init__(self, text: str = "") -> None:
+        super().__init__()
+        self._dot = _Dot()
+        self._word = label(text)
+        box = row(self._dot, self._word, spacing=7)
+        box.setContentsMargins(0, 0, 0, 0)
+        self.setLayout(box)
+
+    def show_state(self, mood: str, text: str) -> None:
+        self._dot.paint_in(self.COLOURS[mood])
+        self._word.setText(text)
+
+    @property
+    def text(self) -> str:
+        return self._word.text()
+
+
+class _Dot(QWidget):
+    def __init__(self) -> None:
+        super().__init__()
+        self.setFixedSize(9, 9)
+        self._colour = QColor(MUTED)
+
+    def paint_in(self, colour: str) -> None:
+        if self._colour != QColor(colour):
+            self._colour = QColor(colour)
+            self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802 - Qt's name
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(self._colour)
+        painter.drawEllipse(self.rect())

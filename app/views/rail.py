@@ -1,0 +1,91 @@
+"""The left rail: which order this is, the pages in the order of the work, and the laser's switch."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from PySide6.QtCore import QCoreApplication, QSize, Qt
+from PySide6.QtWidgets import QButtonGroup, QLabel, QPushButton, QVBoxLayout, QWidget
+
+from app.draft import KINDS, SIDES, DraftValues
+from app.theme import ACCENT, MUTED, TEXT, drawing, icon
+from app.views.pages import PageInfo
+from app.views.parts import SideBadge, button, label, row, seam
+
+WIDTH = 196
+
+
+class Rail(QWidget):
+    """Calls `chosen(page id)` and `laser_off()`."""
+
+    def __init__(self, pages: Sequence[PageInfo], chosen: Callable[[str], None], laser_off: Callable[[], None]) -> None:
+        super().__init__()
+        self.setProperty("role", "panel")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self.setFixedWidth(WIDTH)
+        mark = QLabel()
+        mark.setPixmap(drawing("mark", ACCENT, QSize(26, 26)))
+        head = row(mark, label("Impronta", "title"), 1, spacing=9)
+        head.setContentsMargins(16, 14, 12, 12)
+        self._order = label("", "")
+        self._order.setStyleSheet("font-weight: 600; font-size: 14px;")
+        self._badge = SideBadge()
+        self._kind = label("", "muted")
+        self._code = label("", "faint")
+        order = QVBoxLayout()
+        order.setContentsMargins(18, 12, 12, 14)
+        order.setSpacing(5)
+        order.addWidget(self._order)
+        order.addWidget(self._code)
+        order.addLayout(row(self._badge, self._kind, 1, spacing=8))
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 14)
+        box.setSpacing(0)
+        box.addLayout(head)
+        box.addWidget(seam())
+        box.addLayout(order)
+        box.addWidget(seam())
+        box.addSpacing(8)
+        self._group = QButtonGroup(self)
+        self._steps: dict[str, QPushButton] = {}
+        for number, page in enumerate(pages, start=1):
+            step = QPushButton(QCoreApplication.translate("pages", page.title))
+            step.setProperty("role", "step")
+            step.setCheckable(True)
+            step.setIcon(icon(page.icon, MUTED, TEXT))
+            step.setIconSize(QSize(19, 19))
+            step.setShortcut(f"Ctrl+{number}")
+            step.setToolTip(f"Ctrl+{number}")
+            step.clicked.connect(lambda _=False, id=page.id: chosen(id))
+            self._group.addButton(step)
+            self._steps[page.id] = step
+            box.addWidget(step)
+        box.addStretch(1)
+        self._laser = button(self.tr("Stop · laser off"), "laser", laser_off, "laser", "#ff8589")
+        self._laser.setToolTip(self.tr("Stops every movement and switches the laser off, from every page (Esc)"))
+        foot = QVBoxLayout()
+        foot.setContentsMargins(14, 0, 14, 0)
+        foot.setSpacing(6)
+        foot.addWidget(self._laser)
+        hint = label(self.tr("Esc, from every page"), "faint")
+        hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        foot.addWidget(hint)
+        box.addLayout(foot)
+
+    def show_page(self, page_id: str) -> None:
+        self._steps[page_id].setChecked(True)
+
+    def show_order(self, values: DraftValues) -> None:
+        self._order.setText(values.order or self.tr("No order number"))
+        self._code.setText(values.patient_code)
+        self._code.setVisible(bool(values.patient_code))
+        self._badge.show_side(values.side, QCoreApplication.translate("draft", SIDES[values.side]))
+        self._kind.setText(QCoreApplication.translate("draft", KINDS[values.kind]))
+
+    def show_laser(self, lit: bool) -> None:
+        if self._laser.property("lit") != lit:
+            self._laser.setProperty("lit", lit)
+            self._laser.setText(self.tr("Laser on · stop") if lit else self.tr("Stop · laser off"))
+            self._laser.setIcon(icon("laser", "#ffffff" if lit else "#ff8589"))
+            self._laser.style().unpolish(self._laser)
+            self._laser.style().polish(self._laser)

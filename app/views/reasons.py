@@ -1,0 +1,29 @@
+"""Why a measurement gave no point, in the technician's words."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
+
+_REASONS = {
+    "no_spot": QT_TRANSLATE_NOOP("reasons", "no spot in either camera"),
+    "too_dim": QT_TRANSLATE_NOOP("reasons", "spot too dim"),
+    "too_small": QT_TRANSLATE_NOOP("reasons", "spot too small"),
+    "too_large": QT_TRANSLATE_NOOP("reasons", "spot too large"),
+    "elongated": QT_TRANSLATE_NOOP("reasons", "spot smeared along the surface"),
+    "saturated": QT_TRANSLATE_NOOP("reasons", "spot overexposed"),
+    "cut_by_edge": QT_TRANSLATE_NOOP("reasons", "cut by the picture's edge"),
+    "ambiguous": QT_TRANSLATE_NOOP("reasons", "more than one spot"),
+    "too_bright": QT_TRANSLATE_NOOP("reasons", "picture too bright"),
+    "epipolar": QT_TRANSLATE_NOOP("reasons", "cameras saw different spots"),
+    "hidden_left": QT_TRANSLATE_NOOP("reasons", "hidden from the left camera"),
+    "hidden_right": QT_TRANSLATE_NOOP("reasons", "hidden from the right camera"),
+    "outside_volume": QT_TRANSLATE_NOOP("reasons", "outside the volume"),
+    "table": QT_TRANSLATE_NOOP("reasons", "on the table"),
+    "dropped_frame": QT_TRANSLATE_NOOP("reasons", "picture lost"),
+}
+
+
+def reason_text(name: str) -> str:
+    """The words for a reason; an unknown one as it is called in the files."""
+    text = _REASONS.get(name)
+    return QCoreApplication.translate("reasons", text) if text else name.replace("_", " ")

@@ -1,0 +1,239 @@
+"""Rig: which one, what stands on the virtual table, how fast it runs, what its devices say, and its calibration."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Qt
+from PySide6.QtWidgets import QButtonGroup, QComboBox, QFileDialog, QGridLayout, QHBoxLayout, QLabel, QProgressBar, QPushButton, QVBoxLayout, QWidget
+
+from app.controllers.rig import SPECIMENS, SPEEDS
+from app.services import Services
+from app.views import format as fmt
+from app.views.page import Page
+from app.views.parts import BigNumber, Lamp, button, label, row, seam
+
+PRESET_WORDS = {
+    "bench": QT_TRANSLATE_NOOP("rig", "Bench: 604 × 294 px at 435 mm"),
+    "paper-2003": QT_TRANSLATE_NOOP("rig", "Paper 2003: the published rig at 770 mm"),
+    "workshop": QT_TRANSLATE_NOOP("rig", "Workshop: 1440 × 1080 px at 600 mm"),
+}
+SPECIMEN_WORDS = {
+    "ear": QT_TRANSLATE_NOOP("rig", "Ear impression"),
+    "arch": QT_TRANSLATE_NOOP("rig", "Dental arch"),
+    "heart": QT_TRANSLATE_NOOP("rig", "Heart"),
+    "sphere": QT_TRANSLATE_NOOP("rig", "Reference sphere"),
+}
+SPEED_WORDS = {
+    "1": QT_TRANSLATE_NOOP("rig", "Real time"),
+    "5": QT_TRANSLATE_NOOP("rig", "5 times"),
+    "max": QT_TRANSLATE_NOOP("rig", "As fast as it can"),
+}
+
+
+class RigPage(Page):
+    """Fills the window."""
+
+    def __init__(self, services: Services) -> None:
+        super().__init__(services)
+        box = QHBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(0)
+        box.addWidget(self._left(), 6)
+        box.addWidget(seam(upright=True))
+        box.addWidget(self._right(), 5)
+        services.rig.changed.connect(self._show)
+        services.acquisition.changed.connect(self._show_buttons)
+        self._show()
+
+    # -------------------------------------------------------------------------------- parts
+    def _left(self) -> QWidget:
+        self._preset = QComboBox()
+        for key, word in PRESET_WORDS.items():
+            self._preset.addItem(QCoreApplication.translate("rig", word), key)
+        self._preset.activated.connect(lambda index: self.services.rig.choose(preset=self._preset.itemData(index)))
+        self._specimen = QComboBox()
+        for key in SPECIMENS:
+            self._specimen.addItem(QCoreApplication.translate("rig", SPECIMEN_WORDS[key]), key)
+        self._specimen.activated.connect(lambda index: self.services.rig.choose(specimen=self._specimen.itemData(index)))
+        self._file = button(self.tr("Mesh file…"), "", self._choose_file, "folder")
+        speeds = QHBoxLayout()
+        speeds.setSpacing(8)
+        group = QButtonGroup(self)
+        self._speeds: dict[str, QPushButton] = {}
+        for key in SPEEDS:
+            made = button(QCoreApplication.translate("rig", SPEED_WORDS[key]), "choice", lambda key=key: self.services.rig.choose(speed=key))
+            made.setCheckable(True)
+            group.addButton(made)
+            speeds.addWidget(made, 1)
+            self._speeds[key] = made
+        for field in (self._preset, self._specimen):
+            field.setMinimumHeight(34)
+        form = QGridLayout()
+        form.setHorizontalSpacing(18)
+        form.setVerticalSpacing(14)
+        form.setColumnMinimumWidth(0, 110)
+        form.setColumnStretch(1, 1)
+        form.addWidget(label(self.tr("Rig"), "muted"), 0, 0)
+        form.addWidget(self._preset, 0, 1)
+        form.addWidget(label(self.tr("On the table"), "muted"), 1, 0)
+        form.addLayout(row(self._specimen, self._file), 1, 1)
+        form.addWidget(label(self.tr("Speed"), "muted"), 2, 0)
+        form.addLayout(speeds, 2, 1)
+        self._devices = {name: (Lamp(), label("", "muted")) for name in ("left", "right", "controller", "laser", "turntable")}
+        words = {
+            "left": self.tr("Camera left"),
+            "right": self.tr("Camera right"),
+            "controller": self.tr("Controller"),
+            "laser": self.tr("Laser"),
+            "turntable": self.tr("Turntable"),
+        }
+        devices = QGridLayout()
+        devices.setHorizontalSpacing(18)
+        devices.setVerticalSpacing(12)
+        devices.setColumnMinimumWidth(0, 110)
+        devices.setColumnStretch(2, 1)
+        for line, (name, (lamp, detail)) in enumerate(self._devices.items()):
+            devices.addWidget(label(words[name], "muted"), line, 0)
+            devices.addWidget(lamp, line, 1)
+            devices.addWidget(detail, line, 2, Qt.AlignmentFlag.AlignRight)
+        side = QWidget()
+        side_box = QVBoxLayout(side)
+        side_box.setContentsMargins(40, 38, 40, 30)
+        side_box.setSpacing(0)
+        side_box.addWidget(label(self.tr("Virtual rig"), "headline"))
+        side_box.addSpacing(6)
+        side_box.addWidget(label(self.tr("Two cameras, a laser and a turntable, computed frame by frame; the rest is the real program."), "muted", wrap=True))
+        side_box.addSpacing(28)
+        side_box.addLayout(form)
+        side_box.addSpacing(30)
+        side_box.addWidget(seam())
+        side_box.addSpacing(22)
+        side_box.addWidget(label(self.tr("Devices"), "section"))
+        side_box.addSpacing(12)
+        side_box.addLayout(devices)
+        side_box.addStretch(1)
+        return side
+
+    def _right(self) -> QWidget:
+        self._accuracy = BigNumber(self.tr("µm rms at board corners that were not used"), "hero")
+        self._calibrated = label("", "muted", wrap=True)
+        self._numbers: dict[str, QLabel] = {}
+        grid = QGridLayout()
+        grid.setVerticalSpacing(9)
+        grid.setColumnStretch(0, 1)
+        for line, (key, name) in enumerate(
+            (
+                ("reprojection", self.tr("Reprojection error")),
+                ("views", self.tr("Views of the board")),
+                ("angle", self.tr("Turntable axis, angle")),
+                ("position", self.tr("Turntable axis, position")),
+                ("id", self.tr("Identity")),
+            )
+        ):
+            self._numbers[key] = label("", "", selectable=True)
+            grid.addWidget(label(name, "muted"), line, 0)
+            grid.addWidget(self._numbers[key], line, 1, Qt.AlignmentFlag.AlignRight)
+        self._calibrate = button(self.tr("Calibrate"), "primary", self.services.rig.calibrate, "calibrate", "#0b1f1b")
+        self._cancel = button(self.tr("Cancel"), "", self.services.rig.cancel_calibration)
+        self._bar = QProgressBar()
+        self._bar.setRange(0, 1000)
+        self._bar.setTextVisible(False)
+        self._step = label("", "muted", wrap=True)
+        side = QWidget()
+        box = QVBoxLayout(side)
+        box.setContentsMargins(36, 38, 36, 30)
+        box.setSpacing(0)
+        box.addWidget(label(self.tr("Calibration"), "section"))
+        box.addWidget(self._accuracy)
+        box.addSpacing(4)
+        box.addWidget(self._calibrated)
+        box.addSpacing(22)
+        box.addWidget(seam())
+        box.addSpacing(18)
+        box.addLayout(grid)
+        box.addSpacing(26)
+        box.addWidget(self._bar)
+        box.addSpacing(8)
+        box.addWidget(self._step)
+        box.addSpacing(12)
+        box.addLayout(row(self._calibrate, self._cancel, 1))
+        box.addStretch(1)
+        return side
+
+    # -------------------------------------------------------------------------------- showing
+    def _show(self) -> None:
+        rig = self.services.rig.snapshot
+        self._preset.setCurrentIndex(self._preset.findData(rig.preset))
+        at = self._specimen.findData(rig.specimen)
+        if at < 0:
+            self._specimen.addItem(Path(rig.specimen).name, rig.specimen)
+            at = self._specimen.count() - 1
+        self._specimen.setCurrentIndex(at)
+        self._speeds[rig.speed].setChecked(True)
+        self._show_devices()
+        self._show_calibration()
+        self._show_buttons()
+
+    def _show_devices(self) -> None:
+        rig = self.services.rig.snapshot
+        config, motion = rig.config, rig.motion
+        ready = ("good", self.tr("ready")) if rig.connected else ("idle", self.tr("opening…"))
+        for name in ("left", "right"):
+            lamp, detail = self._devices[name]
+            lamp.show_state(*ready)
+            camera = None if config is None else getattr(config, name)
+            detail.setText("" if camera is None else f"{camera.id}  ·  {camera.exposure_ms:g} ms  ·  {camera.gain_db:g} dB")
+        lamp, detail = self._devices["controller"]
+        lamp.show_state(*(ready if motion is None else ("good", self._state_word(motion.state.value))))
+        detail.setText("" if config is None else config.controller.port)
+        lamp, detail = self._devices["laser"]
+        lamp.show_state("laser" if rig.laser_on else "idle", self.tr("emitting") if rig.laser_on else self.tr("off"))
+        detail.setText(self.tr("as the controller reports it"))
+        lamp, detail = self._devices["turntable"]
+        lamp.show_state("good" if motion is not None else "idle", "–" if motion is None else f"{motion.table_deg:.1f}°")
+        detail.setText("")
+
+    def _state_word(self, state: str) -> str:
+        return {
+            "idle": self.tr("idle"),
+            "moving": self.tr("moving"),
+            "hold": self.tr("held"),
+            "homing": self.tr("homing"),
+            "alarm": self.tr("alarm"),
+            "door": self.tr("door open"),
+        }.get(state, self.tr("unknown"))
+
+    def _show_calibration(self) -> None:
+        calibration = self.services.rig.snapshot.calibration
+        if calibration is None:
+            self._accuracy.show_number(fmt.NO_VALUE)
+            self._calibrated.setText(self.tr("Not calibrated yet."))
+            for shown in self._numbers.values():
+                shown.setText(fmt.NO_VALUE)
+            return
+        self._accuracy.show_number(fmt.micrometres(calibration.held_out_rms_um))
+        self._calibrated.setText(self.tr("Calibrated on {date}, {age}.").format(date=fmt.day(calibration.date), age=fmt.age(calibration.date)))
+        self._numbers["reprojection"].setText(f"{calibration.reprojection_rms_px:.3f} px")
+        self._numbers["views"].setText(str(calibration.views))
+        self._numbers["angle"].setText(f"{calibration.turntable.angle_rms_deg:.4f}°")
+        self._numbers["position"].setText(f"{calibration.turntable.position_rms_um:.1f} µm")
+        self._numbers["id"].setText(calibration.identity())
+
+    def _show_buttons(self) -> None:
+        rig = self.services.rig.snapshot
+        calibrating = rig.calibrating is not None
+        free = rig.connected and not rig.busy and not calibrating
+        self._calibrate.setEnabled(free)
+        self._cancel.setVisible(calibrating)
+        self._bar.setVisible(calibrating)
+        self._step.setVisible(calibrating)
+        self._bar.setValue(round(1000 * (rig.calibrating or 0.0)))
+        self._step.setText(rig.calibration_step)
+        for part in (self._preset, self._specimen, self._file, *self._speeds.values()):
+            part.setEnabled(not rig.busy and not calibrating)
+
+    def _choose_file(self) -> None:
+        path, _ = QFileDialog.getOpenFileName(self, self.tr("A mesh as specimen"), "", self.tr("Meshes (*.stl *.ply *.obj *.vtp *.3mf)"))
+        if path:
+            self.services.rig.choose(specimen=path)

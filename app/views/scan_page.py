@@ -1,0 +1,213 @@
+"""Scan: numbers, both cameras, what was rejected and why, the plan, and the buttons; the live cloud stands beside it."""
+
+from __future__ import annotations
+
+import time
+
+from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtWidgets import QGridLayout, QLabel, QProgressBar, QScrollArea, QVBoxLayout, QWidget
+
+from app.services import Services
+from app.views import format as fmt
+from app.views.camera_preview import CameraPreview
+from app.views.page import Page
+from app.views.parts import BigNumber, button, label, number_field, row, seam
+from app.views.reasons import reason_text
+from scanner_core.acquisition.handover import Preview
+from scanner_core.acquisition.status import FinishReason, ScanState, ScanStatus
+from scanner_core.optics.spot import SpotMiss
+
+PREVIEW_PERIOD_S = 0.1
+"""A preview is repainted no more often than this: it is for the eye, the painting is for the points."""
+
+
+class ScanPage(Page):
+    """Stands beside the live cloud."""
+
+    def __init__(self, services: Services) -> None:
+        super().__init__(services)
+        box = self.inspector(self.tr("Scan"))
+        self._points = BigNumber(self.tr("points"))
+        self._rate = BigNumber(self.tr("points / s"))
+        self._left = BigNumber(self.tr("left"))
+        box.addLayout(row(self._points, self._rate, self._left, spacing=6))
+        self._bar = QProgressBar()
+        self._bar.setRange(0, 1000)
+        self._bar.setTextVisible(False)
+        self._step = label("", "muted")
+        box.addWidget(self._bar)
+        box.addWidget(self._step)
+        self._previews = {"left": CameraPreview(self.tr("Camera left")), "right": CameraPreview(self.tr("Camera right"))}
+        self._shown_s = dict.fromkeys(self._previews, 0.0)
+        for preview in self._previews.values():
+            box.addWidget(preview)
+        self._rejected_title = label(self.tr("Rejected"), "section")
+        self._rejected_total = label("", "muted")
+        box.addLayout(row(self._rejected_title, 1, self._rejected_total))
+        self._reasons = QGridLayout()
+        self._reasons.setContentsMargins(0, 0, 0, 0)
+        self._reasons.setHorizontalSpacing(8)
+        self._reasons.setVerticalSpacing(2)
+        self._reasons.setColumnStretch(0, 1)
+        self._reason_rows: dict[str, tuple[QLabel, QLabel]] = {}
+        inner = QWidget()
+        inner_box = QVBoxLayout(inner)
+        inner_box.setContentsMargins(0, 0, 6, 0)
+        inner_box.addLayout(self._reasons)
+        inner_box.addStretch(1)
+        scroll = QScrollArea()
+        scroll.setWidgetResizable(True)
+        scroll.setWidget(inner)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll.setMinimumHeight(40)
+        box.addWidget(scroll, 1)
+        box.addWidget(seam())
+        draft = services.draft
+        self._views = number_field(1, 360, 1, lambda value: draft.edit("views", value))
+        self._wanted_points = number_field(500, 2_000_000, 1000, lambda value: draft.edit("points", value))
+        plan = QGridLayout()
+        plan.setColumnStretch(0, 1)
+        for line, (name, field) in enumerate(((self.tr("Views"), self._views), (self.tr("Points"), self._wanted_points))):
+            caption = label(name, "muted")
+            caption.setBuddy(field)
+            field.setFixedWidth(120)
+            plan.addWidget(caption, line, 0)
+            plan.addWidget(field, line, 1)
+        box.addLayout(plan)
+        self._start = button(self.tr("Start scan"), "primary", lambda: self.intent.emit("start_scan"))
+        self._pause = button(self.tr("Pause"), "", lambda: self.intent.emit("pause_scan"))
+        self._stop = button(self.tr("Stop · laser off"), "laser", lambda: self.intent.emit("laser_off"))
+        self._next = button(self.tr("Reconstruct"), "primary", self._go_on)
+        box.addWidget(self._next)
+        box.addWidget(self._start)
+        box.addLayout(row(self._pause, self._stop))
+        services.acquisition.add_preview_sink(self._show_preview)
+        services.acquisition.changed.connect(self._show_status)
+        services.acquisition.began.connect(self._begin)
+        services.case.opened.connect(self._show_status)
+        services.rig.changed.connect(self._show_buttons)
+        draft.changed.connect(self._show_field)
+        for name in ("views", "points"):
+            self._show_field(name)
+        self._show_status()
+
+    def entered(self) -> None:
+        self._show_status()
+
+    # -------------------------------------------------------------------------------- showing
+    def _show_field(self, name: str) -> None:
+        values = self.services.draft.values
+        if name == "views":
+            self._views.setValue(values.views)
+        elif name == "points":
+            self._wanted_points.setValue(values.points)
+
+    def _begin(self) -> None:
+        for preview in self._previews.values():
+            preview.clear()
+        self._show_status()
+
+    def _show_preview(self, camera: str, preview: Preview) -> None:
+        now = time.monotonic()
+        widget = self._previews.get(camera)
+        if widget is None or not self.isVisible() or now - self._shown_s[camera] < PREVIEW_PERIOD_S:
+            return
+        self._shown_s[camera] = now
+        widget.show_preview(preview, reason_text(preview.seen.reason.value) if isinstance(preview.seen, SpotMiss) else "")
+
+    def _show_status(self) -> None:
+        status = self.services.acquisition.status
+        cloud = self.services.case.cloud
+        if status is None:
+            self._points.show_number(fmt.count(len(cloud)) if cloud is not None else fmt.NO_VALUE)
+            self._rate.show_number(fmt.NO_VALUE)
+            self._left.show_number(fmt.NO_VALUE)
+            self._bar.setValue(0)
+            self._step.setText(self.tr("Starting…") if self.services.acquisition.running else self.tr("Ready to scan"))
+        else:
+            self._points.show_number(fmt.count(status.counts.measured))
+            self._rate.show_number(f"{status.rate_hz:.0f}" if status.state is ScanState.SCANNING else fmt.NO_VALUE)
+            self._left.show_number(fmt.left_time(status.seconds_left))
+            self._bar.setValue(round(1000 * self._fraction(status)))
+            self._step.setText(self._sentence(status))
+        self._show_rejected(status)
+        self._show_buttons()
+
+    def _fraction(self, status: ScanStatus) -> float:
+        """By points while they are counted against a wish, by trigger ids otherwise."""
+        if status.finish_reason is not None:
+            return 1.0 if status.finish_reason is FinishReason.COMPLETED else min(1.0, status.counts.measured / self.services.draft.values.points)
+        if status.state is ScanState.PREPARING:
+            return 0.0
+        if status.seconds_left is not None:
+            return status.seconds / max(status.seconds + status.seconds_left, 1e-9)
+        return 0.0
+
+    def _sentence(self, status: ScanStatus) -> str:
+        if status.finish_reason is FinishReason.COMPLETED:
+            return self.tr("Complete: {views} views").format(views=status.views)
+        if status.finish_reason is FinishReason.CANCELLED:
+            return self.tr("Stopped; what was measured is kept")
+        if status.finish_reason is FinishReason.FAILED:
+            return self.tr("Ended by a fault; what was measured is kept")
+        return {
+            ScanState.IDLE: self.tr("Starting…"),
+            ScanState.PREPARING: self.tr("Finding the object, view {view} of {views}"),
+            ScanState.SCANNING: self.tr("View {view} of {views}"),
+            ScanState.PAUSED: self.tr("Paused in view {view} of {views}; the laser is dark"),
+            ScanState.FINISHING: self.tr("Bringing the views together…"),
+            ScanState.FAULT: self.tr("A fault: the laser is off"),
+        }[status.state].format(view=min(status.view + 1, status.views), views=status.views)
+
+    def _show_rejected(self, status: ScanStatus | None) -> None:
+        rejected = {} if status is None else status.counts.rejected
+        total = sum(rejected.values())
+        self._rejected_total.setText(fmt.count(total) if total else self.tr("none"))
+        for name in list(self._reason_rows):
+            if name not in rejected:
+                for part in self._reason_rows.pop(name):
+                    part.hide()
+                    self._reasons.removeWidget(part)
+                    part.deleteLater()
+        for name, number in rejected.items():
+            if name not in self._reason_rows:
+                parts = (label(reason_text(name), "muted"), label("", "muted"))
+                line = self._reasons.rowCount()
+                self._reasons.addWidget(parts[0], line, 0)
+                self._reasons.addWidget(parts[1], line, 1, Qt.AlignmentFlag.AlignRight)
+                self._reason_rows[name] = parts
+            self._reason_rows[name][1].setText(fmt.count(number))
+
+    def _show_buttons(self) -> None:
+        acquisition, rig = self.services.acquisition, self.services.rig.snapshot
+        running = acquisition.running
+        done = not running and self.services.case.cloud is not None
+        self._next.setVisible(done)
+        self._start.setVisible(not running)
+        self._start.setText(self.tr("Scan again") if done else self.tr("Start scan"))
+        self._set_role(self._start, "" if done else "primary")
+        self._start.setEnabled(rig.connected and not rig.busy)
+        self._pause.setEnabled(running)
+        self._pause.setText(self.tr("Resume") if acquisition.paused else self.tr("Pause"))
+        self._stop.setEnabled(running or rig.connected)
+        if self._stop.property("lit") != rig.laser_on:
+            self._stop.setProperty("lit", rig.laser_on)
+            self._set_role(self._stop, "laser")
+        for field in (self._views, self._wanted_points):
+            field.setEnabled(not running)
+
+    def _set_role(self, widget: QWidget, role: str) -> None:
+        if widget.property("role") != role or role == "laser":
+            widget.setProperty("role", role)
+            widget.style().unpolish(widget)
+            widget.style().polish(widget)
+
+    def _go_on(self) -> None:
+        self.wanted.emit("reconstruct")
+
+
+def status_words(status: ScanStatus) -> str:
+    """One line about a scan for the header of the 3D view."""
+    return QCoreApplication.translate("ScanPage", "{points} points  ·  view {view} of {views}").format(
+        points=fmt.count(status.counts.measured), view=min(status.view + 1, max(status.views, 1)), views=status.views
+    )

@@ -1,0 +1,101 @@
+"""The middle of the window: the 3D view with its header; a calm sentence until the 3D view is there."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QRect, QSize, Qt
+from PySide6.QtGui import QAction, QColor, QLinearGradient, QPainter, QPaintEvent
+from PySide6.QtWidgets import QHBoxLayout, QStackedLayout, QToolButton, QVBoxLayout, QWidget
+
+from app.theme import MUTED
+from app.views.height_colours import HEIGHT, UNCERTAINTY
+from app.views.parts import label, seam
+
+
+class Stage(QWidget):
+    """Header (title, what is seen, legend, view buttons) over the 3D view."""
+
+    def __init__(self, actions: Sequence[QAction]) -> None:
+        super().__init__()
+        self.setProperty("role", "ground")
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self._title = label("", "title")
+        self._facts = label("", "muted")
+        self.legend = Legend()
+        head = QWidget()
+        head.setProperty("role", "panel")
+        head.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        line = QHBoxLayout(head)
+        line.setContentsMargins(16, 0, 10, 0)
+        line.setSpacing(10)
+        line.addWidget(self._title)
+        line.addWidget(self._facts)
+        line.addStretch(1)
+        line.addWidget(self.legend)
+        for action in actions:
+            tool = QToolButton()
+            tool.setDefaultAction(action)
+            tool.setIconSize(QSize(18, 18))
+            tool.setAccessibleName(action.text().replace("&", ""))
+            line.addWidget(tool)
+        head.setFixedHeight(46)
+        waiting = label(self.tr("Preparing the 3D view…"), "muted")
+        waiting.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._stack = QStackedLayout()
+        self._stack.addWidget(waiting)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(0)
+        box.addWidget(head)
+        box.addWidget(seam())
+        box.addLayout(self._stack, 1)
+
+    def put_scene(self, scene: QWidget) -> None:
+        """The 3D view is there."""
+        self._stack.addWidget(scene)
+        self._stack.setCurrentWidget(scene)
+
+    def show_title(self, title: str) -> None:
+        self._title.setText(title)
+
+    def show_facts(self, facts: str) -> None:
+        self._facts.setText(facts)
+
+
+class Legend(QWidget):
+    """A colour map with the meaning of its ends; hidden while nothing is coloured."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._stops: tuple[str, ...] = HEIGHT
+        self._low = self._high = ""
+        self.setFixedSize(190, 34)
+        self.hide()
+
+    def show_height(self, low_mm: float, high_mm: float) -> None:
+        self._show(HEIGHT, f"{low_mm:.1f}", f"{high_mm:.1f} mm")
+
+    def show_uncertainty(self, low_um: float, high_um: float) -> None:
+        self._show(UNCERTAINTY, f"{low_um:.0f}", f"{high_um:.0f} µm")
+
+    def _show(self, stops: tuple[str, ...], low: str, high: str) -> None:
+        if (stops, low, high) != (self._stops, self._low, self._high) or self.isHidden():
+            self._stops, self._low, self._high = stops, low, high
+            self.show()
+            self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802 - Qt's name
+        painter = QPainter(self)
+        bar = QRect(0, 7, self.width() - 1, 6)
+        fill = QLinearGradient(bar.left(), 0, bar.right(), 0)
+        for i, stop in enumerate(self._stops):
+            fill.setColorAt(i / (len(self._stops) - 1), QColor(stop))
+        painter.fillRect(bar, fill)
+        font = painter.font()
+        font.setPixelSize(11)
+        painter.setFont(font)
+        painter.setPen(QColor(MUTED))
+        words = self.rect().adjusted(0, 16, -1, 0)
+        painter.drawText(words, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, self._low)
+        painter.drawText(words, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop, self._high)
