@@ -52,14 +52,18 @@ class Clock(Protocol):
 
 
 class ScaledClock:
-    """Real time, `speed` times as fast."""
+    """Real time, `speed` times as fast.
 
-    def __init__(self, speed: float = 1.0) -> None:
+    `origin_s` is the value of ``time.monotonic()`` (one clock for all processes of a machine) at which it shows 0; two
+    processes that share it agree about the time.
+    """
+
+    def __init__(self, speed: float = 1.0, origin_s: float | None = None) -> None:
         self.speed = speed
-        self._origin_s = time.monotonic()
+        self.origin_s = time.monotonic() if origin_s is None else origin_s
 
     def now_s(self) -> float:
-        return (time.monotonic() - self._origin_s) * self.speed
+        return (time.monotonic() - self.origin_s) * self.speed
 
     def sleep(self, duration_s: float) -> None:
         time.sleep(max(0.0, duration_s) / self.speed)

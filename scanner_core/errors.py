@@ -10,6 +10,7 @@
      |    +-- DeviceBusyError                     another program holds it
      |    +-- DeviceClosedError                   used after close()
      |    +-- ControllerAlarmError                the controller stopped by itself
+     |    +-- MotionStoppedError                  stop() ended this motion; recover() comes first
      +-- CalibrationError (ValueError)        the views do not allow a calibration, or it was not accepted
      +-- AcquisitionError                     a scan could not go on
      +-- CaseError
@@ -90,6 +91,10 @@ class DeviceClosedError(DeviceError):
 
 class ControllerAlarmError(DeviceError):
     """The controller stopped by itself."""
+
+
+class MotionStoppedError(DeviceError):
+    """``stop()`` ended this motion; nothing moves before ``recover()``."""
 
 
 class CalibrationError(ImprontaError, ValueError):

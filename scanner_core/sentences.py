@@ -52,7 +52,23 @@ SENTENCES: dict[str, Sentence] = {
     "E-MOT-09": Sentence(
         "The controller on {port} restarted by itself.", "The laser is off and the points so far are kept; its position is lost, home it and resume."
     ),
-    "E-MOT-10": Sentence("The safety relay of the serial port stopped.", "It switched the laser off before it went; connect again."),
+    "E-MOT-10": Sentence("The safety relay of the serial port stopped.", "The laser was switched off by a reset; connect again."),
+    "E-MOT-11": Sentence(
+        "The safety relay of the serial port {port} stopped, and the controller could not be reset.",
+        "The laser may be on: switch off its power before you reach into the rig, then connect again.",
+    ),
+    "E-MOT-12": Sentence(
+        "This user may not open the port {port}.",
+        "Nothing was moved; install the rule of packaging/udev or join the group 'dialout', then log in again.",
+    ),
+    "E-MOT-13": Sentence(
+        "The controller on {port} is not in laser mode ($32={value}).",
+        "Nothing was moved; with $32=0 the beam would stand still while lit: send $32=1 to the controller once.",
+    ),
+    "E-MOT-14": Sentence("The controller on {port} has no axis '{axis}' for the table (it has {axes}).", "Nothing was moved; correct 'table_axis' in the rig file."),
+    "E-MOT-15": Sentence("The motion was stopped during '{command}'.", "The laser is off and the points so far are kept; resume when the rig is free."),
+    "E-MOT-16": Sentence("The safety door of the rig is open.", "The laser is off and the points so far are kept; close the door and resume."),
+    "E-MOT-17": Sentence("The laser did not light although it was asked to.", "It was switched off again; check the controller's settings $30 to $32."),
     # ------------------------------------------------------------------------------------------ rig, calibration, plan
     "E-RIG-01": Sentence("The rig file {path} cannot be used: {reason}.", "Nothing was moved; correct the file or take one of the presets."),
     "E-RIG-02": Sentence(

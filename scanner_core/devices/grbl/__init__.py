@@ -1,0 +1,5 @@
+"""GRBL 1.1 and grblHAL boards as motion controllers: beam on X and Y, table on Z or A, laser on the spindle output."""
+
+from scanner_core.devices.grbl.controller import GrblController, open_controller
+
+__all__ = ["GrblController", "open_controller"]

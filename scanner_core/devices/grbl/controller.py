@@ -1,0 +1,291 @@
+"""A GRBL board as the instrument's motion controller."""
+
+from __future__ import annotations
+
+import math
+import threading
+
+from scanner_core.clock import Clock
+from scanner_core.devices.grbl.doctor import ControllerCheck, controller_checks
+from scanner_core.devices.grbl.handshake import shake_hands
+from scanner_core.devices.grbl.link import GrblLink, Halt
+from scanner_core.devices.motion import MotionState, MotionStatus
+from scanner_core.devices.rig import ControllerConfig
+from scanner_core.devices.serial_port import BytePort, DirectPort
+from scanner_core.errors import ControllerAlarmError, DeviceError, UsageError
+
+STANDING_LASER_S = 60.0
+"""Real seconds after which a standing laser is switched off by the host."""
+
+_HOME_DEADLINE_S = 120.0
+_SPARE_S = 5.0
+_MODES = "G21G90G94M5"
+
+
+def open_controller(config: ControllerConfig, clock: Clock) -> GrblController:
+    """Open the port, through a guardian unless it is virtual, and shake hands.
+
+    Raises
+    ------
+    DeviceError
+        E-MOT-03 busy, E-MOT-08 missing, E-MOT-12 not permitted, E-MOT-07 no GRBL, E-MOT-13 no laser mode, E-MOT-14 axis.
+    """
+    port: BytePort
+    if config.port.lower().startswith("virtual://"):
+        port = DirectPort(config.port, config.baud)
+    else:
+        from scanner_core.devices.guardian import GuardedPort
+
+        port = GuardedPort(config.port, config.baud)
+    return GrblController(port, config, clock)
+
+
+class GrblController:
+    """Implements :class:`scanner_core.devices.motion.MotionController` on a port that is open.
+
+    One thread owns it; :meth:`stop` may come from any.  Sweeps use M4 (dark at rest); M3 only lights the standing spot
+    of :meth:`laser`, for :data:`STANDING_LASER_S` real seconds at most.
+    """
+
+    def __init__(self, port: BytePort, config: ControllerConfig, clock: Clock, *, standing_laser_s: float = STANDING_LASER_S) -> None:
+        self._link = GrblLink(port, config.port, clock)
+        self._clock = clock
+        self._standing_laser_s = standing_laser_s
+        self._timer: threading.Timer | None = None
+        self._table_axis = config.table_axis.upper()
+        self._position_known = True
+        self._modes_set = False
+        self._work_offset: tuple[float, ...] = ()
+        self._last: MotionStatus | None = None
+        try:
+            self.identity, state = shake_hands(self._link, self._table_axis)
+            self._table_index = self.identity.axes.index(self._table_axis)
+            if state is not MotionState.ALARM:
+                self._set_modes()
+            self.status()
+        except BaseException:
+            self._link.close()
+            raise
+
+    # ------------------------------------------------------------------------------------------ motion
+    def aim(self, x_deg: float, y_deg: float) -> None:
+        """Move the beam's direction, laser dark; returns when it is there."""
+        target = _words(X=x_deg, Y=y_deg)
+        self._ready()
+        self._darken()
+        self._link.command(f"M5G0{target}")
+        self._link.command("G4P0", self._travel_s({0: x_deg, 1: y_deg}), motion=True)
+        self._arrived(x_deg=x_deg, y_deg=y_deg)
+
+    def sweep(self, x_deg: float, y_deg: float, speed_deg_s: float) -> None:
+        """Begin a straight move with the laser lit; returns when the board has accepted it.
+
+        Raises
+        ------
+        UsageError
+            The speed is beyond the board's maximum rate: it would move slower than planned.
+        """
+        target = _words(X=x_deg, Y=y_deg)
+        if not speed_deg_s > 0.0:
+            raise UsageError("E-USE-01", what=f"A sweep of {speed_deg_s} deg/s goes nowhere", do="give a speed above 0")
+        self._ready()
+        self._check_rate(x_deg, y_deg, speed_deg_s)
+        self._darken()
+        self._link.command(f"M4S{self.full_power:.0f}G1{target}F{speed_deg_s * 60.0:.2f}")
+        self._arrived(x_deg=x_deg, y_deg=y_deg)
+
+    def wait_idle(self, deadline_s: float) -> None:
+        """Wait for the end of the motion."""
+        self._ready()
+        self._link.command("G4P0", deadline_s, motion=True)
+
+    def rotate_to(self, table_deg: float) -> None:
+        """Turn the table, laser dark; returns when it is there."""
+        target = _words(**{self._table_axis: table_deg})
+        self._ready()
+        self._darken()
+        self._link.command(f"M5G0{target}")
+        self._link.command("G4P0", self._travel_s({self._table_index: table_deg}), motion=True)
+        self._arrived(table_deg=table_deg)
+
+    def home(self) -> None:
+        """Find the reference position; also unlocks."""
+        if self._link.halt is not None:
+            self.recover()
+        self._darken()
+        self._link.command("$H", _HOME_DEADLINE_S)
+        self._set_modes()
+        self._position_known = True
+        self._link.restarted = False
+        self.status()
+
+    # ------------------------------------------------------------------------------------------ laser
+    @property
+    def full_power(self) -> float:
+        """S value of full power (``$30``)."""
+        return self.identity.settings.get(30, 1000.0)
+
+    def laser(self, on: bool) -> None:
+        """A standing spot for aiming, or dark.
+
+        Raises
+        ------
+        DeviceError
+            E-MOT-17 when the board's own status does not show it lit.
+        """
+        self._ready()
+        self._darken()
+        if not on:
+            self._link.command("M5", self._travel_s({}), motion=True)
+            return
+        self._link.command(f"G1F60M3S{self.full_power:.0f}", self._travel_s({}), motion=True)
+        if not self.status().laser_power > 0.0:
+            raise self._link.fault(DeviceError("E-MOT-17"))
+        self._timer = threading.Timer(self._standing_laser_s, self._link.stop, args=(Halt.LASER_TIMER,))
+        self._timer.name = "standing-laser"
+        self._timer.daemon = True  # a program that forgets close() must end, which switches the laser off
+        self._timer.start()
+
+    # ------------------------------------------------------------------------------------------ state
+    def status(self) -> MotionStatus:
+        """Ask the board; also possible after a stop."""
+        report = self._link.report()
+        position = report.position
+        self._work_offset = report.work_offset or self._work_offset
+        if position is not None and report.is_work_position and len(self._work_offset) == len(position):
+            position = tuple(p + o for p, o in zip(position, self._work_offset, strict=True))
+        if position is None or len(position) <= self._table_index:
+            last = self._last
+            x_deg, y_deg, table_deg = (last.x_deg, last.y_deg, last.table_deg) if last else (math.nan,) * 3
+        else:
+            x_deg, y_deg, table_deg = position[0], position[1], position[self._table_index]
+        self._last = MotionStatus(report.state, x_deg, y_deg, table_deg, report.laser_power or 0.0, self._clock.now_s())
+        return self._last
+
+    def stop(self) -> None:
+        """Laser off and motion stopped, now, from any thread; then :meth:`recover` comes first."""
+        self._link.stop()
+
+    def recover(self) -> bool:
+        """Back to idle after a stop or an alarm; True when the position is still known.
+
+        Raises
+        ------
+        DeviceTimeoutError, DeviceLostError
+            The board does not come back.
+        ControllerAlarmError
+            E-MOT-16 the door is open.
+        """
+        self._darken()
+        alarmed = self._link.revive()
+        state = self._link.report().state
+        if state is MotionState.DOOR:
+            raise self._link.fault(ControllerAlarmError("E-MOT-16"))
+        if state is MotionState.ALARM:
+            alarmed = True
+            self._link.command("$X")
+        if alarmed or self._link.restarted:
+            self._position_known = False
+        self._set_modes()
+        self.status()
+        return self._position_known
+
+    def transcript(self) -> list[dict[str, object]]:
+        """The last 200 lines: ``t_s`` on the rig's clock, ``direction`` (``out``, ``in``), ``line``."""
+        return self._link.transcript()
+
+    def description(self) -> dict[str, object]:
+        """For ``impronta doctor``."""
+        return {
+            "port": self._link.port_name,
+            "firmware": self.identity.firmware,
+            "version": self.identity.version,
+            "axes": self.identity.axes,
+            "laser_mode": self.identity.laser_mode,
+            "transcript": self.transcript(),
+        }
+
+    def self_checks(self) -> list[ControllerCheck]:
+        """Handshake, motion and laser, each with a verdict; the laser is off afterwards."""
+        return controller_checks(self)
+
+    # ------------------------------------------------------------------------------------------ end
+    def close(self) -> None:
+        """Laser off, release the port; may be called again."""
+        self._darken()
+        self._link.close()
+
+    def __enter__(self) -> GrblController:
+        return self
+
+    def __exit__(self, *exception: object) -> None:
+        self.close()
+
+    # ------------------------------------------------------------------------------------------ inside
+    def _ready(self) -> None:
+        """The laser timer has reset an idle board, which costs nothing: go on as if it had not."""
+        if self._link.halt is Halt.LASER_TIMER:
+            self.recover()
+        if not self._modes_set and self._link.halt is None:
+            self._set_modes()
+
+    def _set_modes(self) -> None:
+        self._modes_set = False
+        self._link.command(_MODES)
+        self._modes_set = True
+
+    def _darken(self) -> None:
+        """Whatever is sent next ends the standing laser."""
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
+
+    def _arrived(self, *, x_deg: float | None = None, y_deg: float | None = None, table_deg: float | None = None) -> None:
+        last = self._last
+        if last is not None:
+            self._last = MotionStatus(
+                last.state,
+                last.x_deg if x_deg is None else x_deg,
+                last.y_deg if y_deg is None else y_deg,
+                last.table_deg if table_deg is None else table_deg,
+                0.0,
+                self._clock.now_s(),
+            )
+
+    def _here(self, axis: int) -> float:
+        last = self._last
+        if last is None:
+            return 0.0
+        value = last.x_deg if axis == 0 else last.y_deg if axis == 1 else last.table_deg
+        return value if math.isfinite(value) else 0.0
+
+    def _rate_deg_s(self, axis: int) -> float:
+        return max(1e-3, self.identity.settings.get(110 + axis, 600.0) / 60.0)
+
+    def _travel_s(self, target: dict[int, float]) -> float:
+        """A deadline that a healthy board keeps: twice the time of the slowest axis, and some."""
+        times = [0.0]
+        for axis, value in target.items():
+            acceleration = max(1e-3, self.identity.settings.get(120 + axis, 10.0))
+            rate = self._rate_deg_s(axis)
+            times.append(abs(value - self._here(axis)) / rate + rate / acceleration)
+        return 2.0 * max(times) + _SPARE_S
+
+    def _check_rate(self, x_deg: float, y_deg: float, speed_deg_s: float) -> None:
+        delta = (x_deg - self._here(0), y_deg - self._here(1))
+        length = math.hypot(*delta)
+        for axis in (0, 1):
+            if length > 0.0 and speed_deg_s * abs(delta[axis]) / length > self._rate_deg_s(axis) * 1.001:
+                raise UsageError(
+                    "E-USE-01",
+                    what=f"A sweep of {speed_deg_s:g} deg/s is faster than axis {'XY'[axis]} of the controller ({self._rate_deg_s(axis):g} deg/s)",
+                    do="lower the sweep speed in the rig file",
+                )
+
+
+def _words(**values: float) -> str:
+    """Axis words with a point and fixed decimals, whatever the locale."""
+    for axis, value in values.items():
+        if not math.isfinite(value):
+            raise UsageError("E-USE-01", what=f"{value} is no position for axis {axis}", do="give a finite number of degrees")
+    return "".join(f"{axis}{value:.4f}" for axis, value in values.items())

@@ -1,0 +1,260 @@
+"""The conversation with a GRBL board: a line out, its one answer in, and a deadline on every wait.
+
+One thread talks; :meth:`GrblLink.stop` may come from any.  After a stop or a fault the board has been reset (laser
+off) and the link is *halted*: nothing is sent any more until :meth:`GrblLink.revive`, so that a thread that has not
+noticed yet cannot start the next move.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections import deque
+from dataclasses import asdict, dataclass
+from enum import Enum
+
+from scanner_core.clock import Clock
+from scanner_core.devices.grbl.line_buffer import LineBuffer
+from scanner_core.devices.grbl.lines import Alarm, Banner, Line, Ok, Refusal, Report, parse_line
+from scanner_core.devices.grbl.meanings import LOCKED, alarm_meaning, refusal_meaning
+from scanner_core.devices.motion import MotionState
+from scanner_core.devices.serial_port import BytePort
+from scanner_core.errors import (
+    ControllerAlarmError,
+    DeviceClosedError,
+    DeviceError,
+    DeviceLostError,
+    DeviceTimeoutError,
+    MotionStoppedError,
+)
+
+RESET = b"\x18"
+ANSWER_S = 2.0
+"""Deadline of an answer that waits for no motion."""
+
+_SLICE_S = 0.2
+_ALIVE_PERIOD_S = 0.5
+_QUIET_S = 0.1
+_TRANSCRIPT_LINES = 200
+_LOCKED_NUMBER = 9
+
+
+class Halt(Enum):
+    """Why nothing is sent."""
+
+    STOPPED = "stop() was called"
+    FAULT = "a fault was raised"
+    LASER_TIMER = "the standing laser had been on for long enough"
+
+
+@dataclass(frozen=True, slots=True)
+class TranscriptLine:
+    """A line as it went over the wire; `direction` is ``out`` or ``in``, `t_s` is on the rig's clock."""
+
+    t_s: float
+    direction: str
+    line: str
+
+
+class GrblLink:
+    """Send-and-wait over an open port."""
+
+    def __init__(self, port: BytePort, port_name: str, clock: Clock) -> None:
+        self.port_name, self.clock = port_name, clock
+        self.restarted = False
+        self._port = port
+        self._buffer = LineBuffer()
+        self._lines: deque[Line] = deque()
+        self._transcript: deque[TranscriptLine] = deque(maxlen=_TRANSCRIPT_LINES)
+        self._write_lock = threading.RLock()
+        self._halt: Halt | None = None
+        self._closed = False
+
+    @property
+    def halt(self) -> Halt | None:
+        return self._halt
+
+    @property
+    def closed(self) -> bool:
+        return self._closed
+
+    def transcript(self) -> list[dict[str, object]]:
+        """The last lines, oldest first."""
+        return [asdict(line) for line in tuple(self._transcript)]
+
+    # ------------------------------------------------------------------------------------------ the one conversation
+    def command(self, text: str, deadline_s: float = ANSWER_S, *, motion: bool = False) -> list[Line]:
+        """Send a line and wait for its answer; the lines that came before ``ok``.
+
+        With `motion` the board is asked twice a second whether it is still there and whether its door is open.
+
+        Raises
+        ------
+        DeviceTimeoutError, DeviceLostError, ControllerAlarmError, MotionStoppedError, DeviceError
+            After each of them the laser is off and the link is halted.
+        """
+        self._send(f"{text}\n".encode("ascii"), text)
+        now_s = self.clock.now_s()
+        end_s, asked_s, heard_s = now_s + deadline_s, now_s, now_s
+        before: list[Line] = []
+        while True:
+            wake_s = min(end_s, asked_s + _ALIVE_PERIOD_S) if motion else end_s
+            line = self._next_line(wake_s, text)
+            now_s = self.clock.now_s()
+            if isinstance(line, Ok):
+                return before
+            if isinstance(line, Refusal):
+                raise self._refused(text, line.number)
+            if isinstance(line, Report):
+                heard_s = now_s
+                if line.state is MotionState.DOOR:
+                    raise self.fault(ControllerAlarmError("E-MOT-16"))
+            elif line is not None:
+                self._expect_no_reset(line, text)
+                before.append(line)
+            if now_s >= end_s:
+                raise self.fault(self._timeout(text, deadline_s))
+            if motion and now_s >= asked_s + _ALIVE_PERIOD_S:
+                if asked_s - heard_s > ANSWER_S:
+                    raise self.fault(self._timeout("?", ANSWER_S))
+                asked_s = now_s
+                self._send(b"?", "?", even_when_halted=True)
+
+    def report(self, deadline_s: float = ANSWER_S) -> Report:
+        """Ask for the status; also while halted.
+
+        Raises
+        ------
+        DeviceTimeoutError, DeviceLostError, ControllerAlarmError
+        """
+        self._send(b"?", "?", even_when_halted=True)
+        end_s = self.clock.now_s() + deadline_s
+        while True:
+            line = self._next_line(end_s, "?", even_when_halted=True)
+            if isinstance(line, Report):
+                return line
+            if line is None:
+                raise self.fault(self._timeout("?", deadline_s))
+            if self._halt is None:
+                self._expect_no_reset(line, "?")
+
+    def listen(self, deadline_s: float) -> Line | None:
+        """The next line whatever it is, or None; for handshake and recovery."""
+        return self._next_line(self.clock.now_s() + deadline_s, "", even_when_halted=True)
+
+    @property
+    def unfinished(self) -> str:
+        """What has come of a line that is not complete."""
+        return self._buffer.unfinished
+
+    # ------------------------------------------------------------------------------------------ reset and after
+    def stop(self, reason: Halt = Halt.STOPPED) -> None:
+        """Reset the board now: laser off, motion stopped.  From any thread; after close() there is nothing to stop."""
+        with self._write_lock:
+            if self._closed:
+                return
+            self._halt = reason
+            self._note("out", "<ctrl-x>")
+            self._port.write(RESET)
+
+    def ask_for_banner(self) -> None:
+        """Reset a board that may not have been reset by the opening of the port."""
+        self._send(RESET, "<ctrl-x>")
+
+    def revive(self, deadline_s: float = ANSWER_S) -> bool:
+        """Reset, wait for the banner, and talk again; True when an alarm or a loss of position was reported on the way.
+
+        Raises
+        ------
+        DeviceTimeoutError, DeviceLostError
+        """
+        with self._write_lock:
+            self.stop(Halt.FAULT)
+            self._halt = None
+        alarmed, greeted = False, False
+        end_s = self.clock.now_s() + deadline_s
+        while not greeted:
+            line = self._next_line(end_s, "reset")
+            if line is None:
+                raise self.fault(self._timeout("reset", deadline_s))
+            greeted = isinstance(line, Banner)
+            alarmed = alarmed or isinstance(line, Alarm)
+        while (line := self._next_line(self.clock.now_s() + _QUIET_S, "reset")) is not None:
+            alarmed = alarmed or isinstance(line, Alarm)  # the banner of an earlier reset may still have been on its way
+        return alarmed
+
+    def fault(self, error: DeviceError) -> DeviceError:
+        """Laser off, halted; returns `error` for raising."""
+        try:
+            self.stop(Halt.FAULT if self._halt is None else self._halt)
+        except DeviceError as second:
+            error.add_note(f"the reset could not be sent: {second}")
+        return error
+
+    def close(self) -> None:
+        """Reset the board, see that it happened where it still answers, release the port."""
+        with self._write_lock:
+            if self._closed:
+                return
+            try:
+                self.stop(Halt.STOPPED)
+                end_s = self.clock.now_s() + 0.5
+                while (line := self._next_line(end_s, "reset", even_when_halted=True)) is not None and not isinstance(line, Banner):
+                    continue
+            except DeviceError as fault:
+                self._note("in", f"(lost: {fault.code})")
+            finally:
+                self._closed = True
+                self._port.close()
+
+    # ------------------------------------------------------------------------------------------ bytes
+    def _send(self, chunk: bytes, text: str, *, even_when_halted: bool = False) -> None:
+        with self._write_lock:
+            self._check_open()
+            if self._halt is not None and not even_when_halted:
+                raise MotionStoppedError("E-MOT-15", command=text)
+            self._note("out", text)
+            self._port.write(chunk)
+
+    def _next_line(self, end_s: float, text: str, *, even_when_halted: bool = False) -> Line | None:
+        """The next line, None when `end_s` comes first."""
+        while True:
+            if self._halt is not None and not even_when_halted:
+                raise MotionStoppedError("E-MOT-15", command=text)
+            if self._lines:
+                return self._lines.popleft()
+            self._check_open()
+            left_s = end_s - self.clock.now_s()
+            if left_s < 0.0:
+                return None
+            for line in self._buffer.feed(self._port.read(min(left_s, _SLICE_S))):
+                self._note("in", line)
+                self._lines.append(parse_line(line))
+            if left_s == 0.0 and not self._lines:
+                return None
+
+    def _check_open(self) -> None:
+        if self._closed:
+            raise DeviceClosedError("E-MOT-04", port=self.port_name)
+
+    def _note(self, direction: str, line: str) -> None:
+        self._transcript.append(TranscriptLine(round(self.clock.now_s(), 4), direction, line))
+
+    # ------------------------------------------------------------------------------------------ faults
+    def _expect_no_reset(self, line: Line, text: str) -> None:
+        if isinstance(line, Alarm | Banner) and self._halt is not None:
+            raise MotionStoppedError("E-MOT-15", command=text)
+        if isinstance(line, Alarm):
+            meaning = alarm_meaning(line.number)
+            self.restarted = True
+            raise self.fault(ControllerAlarmError("E-MOT-05", alarm=line.number, meaning=meaning.text, remedy=meaning.remedy))
+        if isinstance(line, Banner):
+            self.restarted = True
+            raise self.fault(DeviceLostError("E-MOT-09", port=self.port_name, details=line.firmware))
+
+    def _refused(self, text: str, number: int) -> DeviceError:
+        if number == _LOCKED_NUMBER:
+            return self.fault(ControllerAlarmError("E-MOT-05", alarm="lock", meaning=LOCKED.text, remedy=LOCKED.remedy))
+        return self.fault(DeviceError("E-MOT-06", command=text, number=number, meaning=refusal_meaning(number)))
+
+    def _timeout(self, text: str, deadline_s: float) -> DeviceTimeoutError:
+        return DeviceTimeoutError("E-MOT-01", port=self.port_name, command=text, seconds=round(deadline_s, 1))
