@@ -1,0 +1,51 @@
+"""The first thing that runs in the worker process.
+
+Spawning imports this module (and the packages above it) before it runs, and the program's ``__main__`` before that.
+So nothing here, in ``scanner_core/__init__.py`` or in ``scanner_core/jobs/__init__.py`` may import numpy: the number
+of BLAS threads is read once, when numpy is imported.  Solvers here are many small steps, where more than one BLAS
+thread costs time (measured: conjugate gradients 0.45 s with one, up to 5 s with two), and the window needs the other
+core.
+
+``__main__`` of a program that starts workers must be thin for the same reason: imports inside functions,
+``multiprocessing.freeze_support()`` first, and everything behind ``if __name__ == "__main__":``.  A ``__main__`` that
+imports Qt at module level makes every worker import Qt, and one without the guard starts workers without end.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import multiprocessing
+import os
+import signal
+import threading
+from multiprocessing.connection import Connection, wait
+
+BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS", "NUMEXPR_NUM_THREADS")
+
+
+def work(connection: Connection, cancelled_number: ctypes.c_int64, preload: tuple[str, ...]) -> None:
+    """Serve jobs until the pipe closes.
+
+    Parameters
+    ----------
+    connection : the child's end of the pipe
+    cancelled_number : shared; the number of the job that shall stop
+    preload : modules to import before the first job
+    """
+    for name in BLAS_THREADS:
+        os.environ[name] = "1"
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches the whole group; the parent decides what it means
+    os.dup2(2, 1)  # standard output belongs to the program's result; whatever a library prints here goes to the log
+    threading.Thread(target=_die_with_parent, name="parent-watch", daemon=True).start()
+
+    from scanner_core.jobs.serving import serve
+
+    serve(connection, cancelled_number, preload)
+
+
+def _die_with_parent() -> None:
+    """End this process at once when the program is gone, also in the middle of a job."""
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        wait([parent.sentinel])
+        os._exit(1)
