@@ -1,0 +1,182 @@
+"""The virtual rig: cameras, laser, table, and what a person puts before them."""
+
+from __future__ import annotations
+
+import itertools
+import threading
+from collections import OrderedDict
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scanner_core.clock import Clock
+from scanner_core.errors import UsageError
+from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.optics.board import DEFAULT_TARGET, CharucoTarget
+from scanner_core.optics.calibration import StereoCalibration, TurntableAxis
+from scanner_core.optics.camera_model import CameraModel
+from scanner_core.virtual.board import BoardRenderer, flat_on_table, operator_poses
+from scanner_core.virtual.camera import VirtualCamera
+from scanner_core.virtual.exposure import Exposure, Shutter
+from scanner_core.virtual.image_formation import ImageSensor
+from scanner_core.virtual.motion_state import MotionTimeline
+from scanner_core.virtual.presets import VirtualPreset
+from scanner_core.virtual.scene import Scene
+from scanner_core.virtual.specimens.specimen import Specimen
+
+_SIDES = ("left", "right")
+_REMEMBERED = 64
+"""Exposures kept for the other camera."""
+
+
+class VirtualBench:
+    """A rig that exists in numbers only.
+
+    The cameras may be read from two threads; an exposure that both take is computed once.  While the board is shown the
+    room's lamp is on and the laser's light is not rendered.
+
+    Parameters
+    ----------
+    preset : true geometry and image model
+    specimen : what stands on the table, or None
+    clock : shared with the controller
+    timeline : where beam and table are
+    seed : of all noise, speckle and board poses
+    """
+
+    def __init__(
+        self,
+        preset: VirtualPreset,
+        specimen: Specimen | None,
+        clock: Clock,
+        timeline: MotionTimeline,
+        seed: int = 0,
+        target: CharucoTarget = DEFAULT_TARGET,
+    ) -> None:
+        self.preset, self.target, self.seed = preset, target, seed
+        self._clock, self._timeline = clock, timeline
+        self._sensors = (ImageSensor(preset, 0, seed), ImageSensor(preset, 1, seed))
+        self._renderers = tuple(BoardRenderer(sensor, target) for sensor in self._sensors)
+        self._shutter = Shutter(preset, self._sensors, seed)
+        self._scene = Scene(preset, specimen)
+        self._lock = threading.Lock()
+        self._exposures: OrderedDict[tuple[float, float], Exposure] = OrderedDict()
+        self._board: RigidTransform | Literal["table"] | None = None
+        self._board_images: dict[int, tuple[object, NDArray[np.float32]]] = {}
+        self._runs = itertools.count()
+
+    @property
+    def specimen(self) -> Specimen | None:
+        """What stands on the table."""
+        return self._scene.specimen
+
+    def camera(self, side: Literal["left", "right"]) -> VirtualCamera:
+        """One of the two cameras; opened anew by every call."""
+        if side not in _SIDES:
+            raise UsageError("E-USE-01", what=f"The rig has no camera '{side}'", do="choose left or right")
+        index = _SIDES.index(side)
+        p = self.preset
+        return VirtualCamera(side, index, p.cameras[index].size_px, p.rate_hz, p.exposure_ms, self._clock, self)
+
+    # ------------------------------------------------------------------------------------------ a person's operations
+    def change_specimen(self, specimen: Specimen | None) -> None:
+        """Put something else on the table, or nothing."""
+        scene = Scene(self.preset, specimen)
+        with self._lock:
+            self._scene = scene
+            self._exposures.clear()
+
+    def show_board(self, pose: RigidTransform | None) -> None:
+        """Hold the board before the cameras; `pose` takes its frame to the table frame, None takes it away."""
+        with self._lock:
+            self._board = pose
+
+    def lay_board_on_table(self) -> None:
+        """Lay the board flat on the table; it turns with it."""
+        with self._lock:
+            self._board = "table"
+
+    def remove_board(self) -> None:
+        """Take the board away."""
+        self.show_board(None)
+
+    def operator_poses(self, count: int = 24, seed: int | None = None) -> list[RigidTransform]:
+        """How a person would hold the board, see :func:`~scanner_core.virtual.board.operator_poses`."""
+        return operator_poses(self.preset, self.target, count, self.seed if seed is None else seed)
+
+    def board_operator(self) -> BenchOperator:
+        """Somebody who shows the board for a calibration."""
+        return BenchOperator(self)
+
+    # ------------------------------------------------------------------------------------------ the cameras' side
+    def image(self, index: int, start_s: float, exposure_ms: float, gain: float, key: int) -> NDArray[np.uint8]:
+        """The frame of camera `index` (0 left) for an exposure that has ended; `key` chooses its noise."""
+        sensor = self._sensors[index]
+        with self._lock:
+            if self._board is not None:
+                signal = self._board_signal(index, start_s + 0.5e-3 * exposure_ms)
+                return sensor.lit_frame(signal * np.float32(exposure_ms / self.preset.exposure_ms), key, gain)
+            spot = self._expose(start_s, exposure_ms).spots[index]
+        return sensor.frame(spot, key, gain)
+
+    def _expose(self, start_s: float, exposure_ms: float) -> Exposure:
+        instant = (start_s, exposure_ms)
+        exposure = self._exposures.get(instant)
+        if exposure is None:
+            exposure = self._shutter.expose(self._scene, self._timeline, start_s, exposure_ms)
+            self._exposures[instant] = exposure
+            if len(self._exposures) > _REMEMBERED:
+                self._exposures.popitem(last=False)
+        return exposure
+
+    def _board_signal(self, index: int, time_s: float) -> NDArray[np.float32]:
+        board = self._board
+        if isinstance(board, RigidTransform):
+            known: object = board
+            pose = board
+        else:
+            table_deg = self._timeline.instant(time_s).table_deg
+            known, pose = table_deg, flat_on_table(self.target, table_deg)
+        remembered = self._board_images.get(index)
+        if remembered is None or remembered[0] != known:
+            remembered = (known, self._renderers[index].signal(pose))
+            self._board_images[index] = remembered
+        return remembered[1]
+
+    # ------------------------------------------------------------------------------------------ for tests alone
+    def truth_calibration(self) -> StereoCalibration:
+        """The true cameras and axis in the left camera's frame.  Tests compare with it; the product measures its own."""
+        left, right = self.preset.cameras
+        turn = right.rotation @ left.rotation.T
+        return StereoCalibration(
+            left=CameraModel(left.matrix, left.distortion, np.eye(3), np.zeros(3), left.size_px),
+            right=CameraModel(right.matrix, right.distortion, turn, right.translation - turn @ left.translation, right.size_px),
+            turntable=TurntableAxis(left.translation.copy(), left.rotation[:, 2].copy()),
+            date="1970-01-01",
+            views=0,
+            reprojection_rms_px=0.0,
+            held_out_rms_um=0.0,
+        )
+
+
+class BenchOperator:
+    """Shows the board on the virtual bench; see :class:`~scanner_core.optics.calibration_session.BoardOperator`."""
+
+    def __init__(self, bench: VirtualBench) -> None:
+        self._bench = bench
+        self._poses: list[RigidTransform] = []
+
+    def show(self, index: int, count: int) -> None:
+        """Pose `index` of a list of `count` seeded poses."""
+        if len(self._poses) != count:
+            self._poses = self._bench.operator_poses(count)
+        self._bench.show_board(self._poses[index])
+
+    def lay_on_table(self) -> None:
+        """Lay it flat about the table's middle."""
+        self._bench.lay_board_on_table()
+
+    def remove(self) -> None:
+        """Take it away."""
+        self._bench.remove_board()

@@ -1,0 +1,126 @@
+"""The calibration board before the virtual cameras, under ambient light."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.optics.board import CharucoTarget
+from scanner_core.optics.camera_model import CameraModel
+from scanner_core.virtual.image_formation import ImageSensor
+from scanner_core.virtual.presets import TARGET, VirtualPreset
+
+Array = NDArray[np.float64]
+
+WHITE_DN, BLACK_DN, ROOM_DN = 190.0, 22.0, 14.0
+"""Over the black level, at the preset's exposure: paper that faces the lamp, ink, and everything round the board."""
+
+_TEXELS_PER_SQUARE = 200
+_MARGIN_MM = 12.0
+_FINE = 3
+"""Samples per pixel and axis."""
+
+
+class BoardRenderer:
+    """Images of a board by inverse mapping of a fine grid of samples per pixel.
+
+    Each sample's ray is undistorted with the true camera and met with the board's plane (a homography); the texture is
+    read there, blurred like the lens does and averaged over the pixel.
+    """
+
+    def __init__(self, sensor: ImageSensor, target: CharucoTarget) -> None:
+        self._sensor = sensor
+        self._target = target
+        self._per_mm = _TEXELS_PER_SQUARE / target.square_mm
+        size = (target.columns * _TEXELS_PER_SQUARE, target.rows * _TEXELS_PER_SQUARE)
+        self._margin = round(_MARGIN_MM * self._per_mm)
+        paper = np.asarray(target.board().generateImage(size, marginSize=0, borderBits=1))
+        paper = cv2.copyMakeBorder(paper, *(self._margin,) * 4, cv2.BORDER_CONSTANT, value=255)
+        self._texture = (BLACK_DN + (WHITE_DN - BLACK_DN) / 255.0 * paper).astype(np.float32)
+        self._rays: NDArray[np.float32] | None = None
+
+    def signal(self, pose: RigidTransform) -> NDArray[np.float32]:
+        """Noise-free image (H, W) in DN over the black level; `pose` takes the board's frame to the table frame."""
+        camera = self._sensor.camera
+        width, height = camera.size_px
+        rotation = camera.rotation @ pose.rotation
+        origin = camera.rotation @ pose.translation + camera.translation
+        if rotation[:, 2] @ origin <= 0:
+            return np.full((height, width), ROOM_DN, np.float32)
+        # Board (x, y) in mm to normalized image coordinates is [r1 r2 t]; its inverse takes rays to the board.
+        to_board = np.linalg.inv(np.c_[rotation[:, :2], origin])
+        to_texel = np.array([[self._per_mm, 0, self._margin - 0.5], [0, self._per_mm, self._margin - 0.5], [0, 0, 1]])
+        m = (to_texel @ to_board).astype(np.float32)
+        x, y = self._fine_rays()
+        depth = m[2, 0] * x + m[2, 1] * y + m[2, 2]
+        depth[np.abs(depth) < 1e-9] = 1e-9
+        u, v = (m[0, 0] * x + m[0, 1] * y + m[0, 2]) / depth, (m[1, 0] * x + m[1, 1] * y + m[1, 2]) / depth
+        lamp = 0.7 + 0.3 * max(0.0, float(-pose.rotation[2, 2]))
+        fine = cv2.remap(self._texture * np.float32(lamp), u, v, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=ROOM_DN)
+        centre = origin + rotation[:, :2] @ (0.5 * np.array(self._target.size_mm))
+        sigma = self._sensor.lens_sigma(float(max(centre[2], 1.0)))
+        fine = cv2.GaussianBlur(fine, (0, 0), sigmaX=_FINE * sigma[0], sigmaY=_FINE * sigma[1], borderType=cv2.BORDER_REPLICATE)
+        return np.asarray(cv2.resize(fine, (width, height), interpolation=cv2.INTER_AREA), np.float32)
+
+    def _fine_rays(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+        """Undistorted normalized coordinates of the samples, each (fine H, fine W)."""
+        if self._rays is None:
+            width, height = self._sensor.camera.size_px
+            columns = (np.arange(_FINE * width) + 0.5) / _FINE - 0.5
+            rows = (np.arange(_FINE * height) + 0.5) / _FINE - 0.5
+            x, y = np.meshgrid(columns, rows)
+            rays = self._sensor.camera.normalize(np.stack([x.ravel(), y.ravel()], axis=1))
+            self._rays = np.ascontiguousarray(rays.T.reshape(2, *x.shape), np.float32)
+        return self._rays[0], self._rays[1]
+
+
+def flat_on_table(target: CharucoTarget, table_deg: float) -> RigidTransform:
+    """The board's pose when it lies face up on the table, roughly centred and askew, as an operator puts it.
+
+    It is a thin print: its face is at z = 0.
+    """
+    face_up = RigidTransform(np.diag([1.0, -1.0, -1.0]), np.zeros(3))
+    centred = RigidTransform(np.eye(3), -np.array([*(0.5 * np.array(target.size_mm)), 0.0]))
+    laid = RigidTransform(RigidTransform.about_z(94.0).rotation, np.array([3.4, -2.1, 0.0]))
+    return RigidTransform.about_z(table_deg) @ laid @ face_up @ centred
+
+
+def operator_poses(preset: VirtualPreset, target: CharucoTarget, count: int = 24, seed: int = 0) -> list[RigidTransform]:
+    """Board poses (board to table frame) as an operator holds it: through the whole volume, tilted and turned.
+
+    Both cameras see at least half of the board's corners in each, at less than 62 degrees from its normal.
+    """
+    rng = np.random.default_rng([seed, 0xB0A2D])
+    middle = sum((camera.centre_mm() for camera in preset.cameras), np.zeros(3)) / 2
+    room = 0.19 * preset.distance_mm
+    half = np.array([*(0.5 * np.array(target.size_mm)), 0.0])
+    poses: list[RigidTransform] = []
+    while len(poses) < count:
+        place = np.array(TARGET) + rng.uniform(-room, room, 3) * [1.0, 1.0, 0.7]
+        facing = _facing(place, middle)
+        tilt = RigidTransform.from_vector(np.radians([*rng.uniform(-32, 32, 2), rng.uniform(-40, 40)]), np.zeros(3))
+        rotation = facing @ tilt.rotation
+        pose = RigidTransform(rotation, place - rotation @ half)
+        if all(_visible(camera, target, pose) for camera in preset.cameras):
+            poses.append(pose)
+    return poses
+
+
+def _facing(place: Array, eye: Array) -> Array:
+    """Board axes (columns x right, y down, z away) of a board at `place` that faces `eye`."""
+    z = (place - eye) / np.linalg.norm(place - eye)
+    x = np.cross(z, [0.0, 0.0, 1.0])
+    x /= np.linalg.norm(x)
+    return np.stack([x, np.cross(z, x), z], axis=1)
+
+
+def _visible(camera: CameraModel, target: CharucoTarget, pose: RigidTransform) -> bool:
+    points = pose.apply(target.object_points)
+    towards = points.mean(axis=0) - camera.centre_mm()
+    if pose.rotation[:, 2] @ towards < np.cos(np.radians(62)) * np.linalg.norm(towards):
+        return False
+    pixels, size = camera.project(points), np.array(camera.size_px)
+    inside = ((pixels > 8) & (pixels < size - 9)).all(axis=1)
+    return bool(inside.mean() >= 0.5)

@@ -1,0 +1,142 @@
+"""A camera of the virtual rig: it delivers rendered frames at the pace of the rig's clock."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from types import TracebackType
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scanner_core.clock import Clock, Pacer
+from scanner_core.devices.camera import Frame, Trigger
+from scanner_core.errors import DeviceClosedError
+
+BUFFER_FRAMES = 16
+"""Exposures that the camera holds for a slow reader; older ones are lost."""
+
+
+class Exposer(Protocol):
+    """The rig as a camera needs it: the image of an exposure that has ended, and its noise key."""
+
+    def image(self, index: int, start_s: float, exposure_ms: float, gain: float, key: int) -> NDArray[np.uint8]: ...
+
+
+class VirtualCamera:
+    """See :class:`~scanner_core.devices.camera.Camera`.
+
+    Exposure k of a run begins at ``start_s + k / rate``; its frame is there when it ends.  The camera joins the clock when
+    it is armed and leaves it after the last frame, when the run is stopped and when it is closed.  A reader that falls
+    behind by more than :data:`BUFFER_FRAMES` loses the oldest frames; `dropped` counts them.
+    """
+
+    def __init__(self, name: str, index: int, size_px: tuple[int, int], rate_hz: float, exposure_ms: float, clock: Clock, exposer: Exposer) -> None:
+        self._name, self._index, self._size_px, self._rate_hz = name, index, size_px, rate_hz
+        self._exposure_ms, self._gain_db = exposure_ms, 0.0
+        self._clock, self._exposer = clock, exposer
+        self._lock = threading.Lock()
+        self._run: tuple[Trigger, Pacer, int] | None = None
+        self._runs = 0
+        self._grabs = 0
+        self._closed = threading.Event()
+        self.dropped = 0
+
+    @property
+    def name(self) -> str:
+        return self._name
+
+    @property
+    def size_px(self) -> tuple[int, int]:
+        return self._size_px
+
+    @property
+    def rate_hz(self) -> float:
+        return self._rate_hz
+
+    @property
+    def exposure_ms(self) -> float:
+        return self._exposure_ms
+
+    @exposure_ms.setter
+    def exposure_ms(self, value: float) -> None:
+        self._ensure_open()
+        self._exposure_ms = float(np.clip(value, 0.01, 1e3 / self._rate_hz))
+
+    @property
+    def gain_db(self) -> float:
+        return self._gain_db
+
+    @gain_db.setter
+    def gain_db(self, value: float) -> None:
+        self._ensure_open()
+        self._gain_db = float(np.clip(value, 0.0, 24.0))
+
+    def start(self, trigger: Trigger) -> None:
+        self._ensure_open()
+        with self._lock:
+            self._end_run()
+            self._runs += 1
+            self._run = (trigger, self._clock.pace(), self._runs)
+
+    def frames(self, stop: threading.Event) -> Iterator[Frame]:
+        self._ensure_open()
+        with self._lock:
+            run = self._run
+        if run is None:
+            return
+        trigger, pacer, number = run
+        try:
+            k = 0
+            while k < trigger.count:
+                exposure_s = 1e-3 * self._exposure_ms
+                start_s = trigger.start_s + k / self._rate_hz
+                if not pacer.wait_until(start_s + exposure_s, stop) or self._closed.is_set():
+                    break
+                behind = int((self._clock.now_s() - start_s - exposure_s) * self._rate_hz)
+                if behind >= BUFFER_FRAMES:
+                    lost = min(behind - BUFFER_FRAMES + 1, trigger.count - k)
+                    self.dropped += lost
+                    k += lost
+                    continue
+                yield self._frame(start_s, trigger.first_id + k, (number << 40) + trigger.first_id + k)
+                k += 1
+        finally:
+            with self._lock:
+                if self._run is run:
+                    self._end_run()
+        self._ensure_open()
+
+    def grab(self) -> Frame:
+        self._ensure_open()
+        self._grabs += 1
+        start_s = self._clock.now_s()
+        self._clock.wait_until(start_s + 1e-3 * self._exposure_ms)
+        return self._frame(start_s, self._grabs, (1 << 60) + self._grabs)
+
+    def close(self) -> None:
+        with self._lock:
+            self._end_run()
+            self._closed.set()
+
+    def __enter__(self) -> VirtualCamera:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        self.close()
+
+    def _frame(self, start_s: float, trigger_id: int, key: int) -> Frame:
+        gain = 10 ** (self._gain_db / 20)
+        image = self._exposer.image(self._index, start_s, self._exposure_ms, gain, key)
+        return Frame(image, trigger_id, start_s + 0.5e-3 * self._exposure_ms, self._name)
+
+    def _end_run(self) -> None:
+        """With the lock held."""
+        if self._run is not None:
+            self._run[1].close()
+            self._run = None
+
+    def _ensure_open(self) -> None:
+        if self._closed.is_set():
+            raise DeviceClosedError("E-CAM-03", camera=self._name)

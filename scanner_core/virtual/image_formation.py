@@ -1,0 +1,179 @@
+"""From lit points to an 8-bit frame.
+
+Every lit point is imaged through the true camera and its distortion, widened by lens and defocus, and integrated over
+the pixels' boxes (differences of the error function); then come shot noise, read noise, the black level, 8 bits and
+saturation.  Only the window round the light is rendered; the rest is a slice of noise made beforehand.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import ndtr
+
+from scanner_core.optics.camera_model import CameraModel
+from scanner_core.virtual.presets import VirtualPreset
+
+Array = NDArray[np.float64]
+Floats = NDArray[np.floating]
+
+_REACH_SIGMA = 5.0
+_WINDOW_PX = 4096
+"""A window larger than this is rendered point by point (light split by an edge, stray light far away)."""
+_NORMALS = 1 << 18
+_POOL_FRAMES = 3
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ImagePoints:
+    """Lit points in one camera's image.
+
+    Attributes
+    ----------
+    x_px, y_px, flux_dn : (n,)
+    sigma_px : of lens and defocus, x and y; without the pixel's box and without the footprint
+    """
+
+    x_px: Array
+    y_px: Array
+    flux_dn: Array
+    sigma_px: tuple[float, float]
+
+
+class ImageSensor:
+    """One camera's lens and sensor."""
+
+    def __init__(self, preset: VirtualPreset, index: int, seed: int) -> None:
+        self.camera: CameraModel = preset.cameras[index]
+        self._preset = preset
+        rng = np.random.default_rng([seed, index, 0xF00D])
+        width, height = self.camera.size_px
+        self._pixels = width * height
+        self._noise = rng.standard_normal(_POOL_FRAMES * self._pixels, dtype=np.float32)
+        self._dark: dict[float, NDArray[np.uint8]] = {}
+        self._normals = rng.standard_normal(_NORMALS)
+        # The flux of a spot at R that faces the camera, from its peak: the pixel's share of a Gaussian of that size.
+        sx, sy = self.lens_sigma(preset.distance_mm)
+        footprint = preset.beam_sigma_mm / preset.distance_mm
+        matrix = self.camera.matrix
+        share = [2 * ndtr(0.5 / np.hypot(s, f * footprint)) - 1 for s, f in ((sx, matrix[0, 0]), (sy, matrix[1, 1]))]
+        self._flux_dn = preset.peak_dn / float(share[0] * share[1])
+
+    def lens_sigma(self, depth_mm: float) -> tuple[float, float]:
+        """Standard deviation (x, y) px of the image of a point at a depth."""
+        p = self._preset
+        out_of_focus = (1 / depth_mm - 1 / p.focus_mm) / (1 / p.distance_mm - 1 / p.focus_mm)
+        x, y = (float(np.hypot(lens, defocus * out_of_focus)) for lens, defocus in zip(p.lens_sigma_px, p.defocus_sigma_px, strict=True))
+        return x, y
+
+    def image(self, points: Array, normals: Array, shares: Array) -> ImagePoints:
+        """Project lit points (n, 3) mm with normals, both in the table frame; a share of 1 is the whole beam at the preset's exposure."""
+        camera = self.camera
+        local = points @ camera.rotation.T + camera.translation
+        distance2 = np.einsum("ij,ij->i", local, local)
+        cosine = -np.einsum("ij,ij->i", normals @ camera.rotation.T, local) / np.sqrt(distance2)
+        field = local[:, 2] / np.sqrt(distance2)
+        flux = self._flux_dn * shares * np.maximum(cosine, 0.0) * field * self._preset.distance_mm**2 / distance2
+        pixels = camera.project(points)
+        return ImagePoints(pixels[:, 0], pixels[:, 1], flux, self.lens_sigma(float(local[0, 2])))
+
+    def frame(self, points: ImagePoints | None, key: int, gain: float = 1.0) -> NDArray[np.uint8]:
+        """The frame of an exposure in the dark; `key` chooses its noise, `gain` amplifies (1 = 0 dB)."""
+        width, height = self.camera.size_px
+        start = self._noise_start(key)
+        image = self._dark_frames(gain)[start : start + self._pixels].reshape(height, width).copy()
+        if points is None:
+            return image
+        for left, top, signal in self.windows(points):
+            rows, columns = signal.shape
+            start = (key * 40503 + left * 7919 + top) % (_NORMALS - signal.size)
+            normal = self._normals[start : start + signal.size].reshape(rows, columns)
+            image[top : top + rows, left : left + columns] = self._digits(signal, normal, gain)
+        return image
+
+    def lit_frame(self, signal: NDArray[np.float32], key: int, gain: float = 1.0) -> NDArray[np.uint8]:
+        """The frame of a scene in daylight: `signal` (H, W) in DN over black at 0 dB."""
+        start = self._noise_start(key)
+        return self._digits(signal, self._noise[start : start + self._pixels].reshape(signal.shape), gain).astype(np.uint8)
+
+    def _digits(self, signal: Floats, normal: Floats, gain: float) -> Floats:
+        """Photons to counts, still as floats in 0 to 255: storing them as uint8 rounds (half a count is added here)."""
+        p = self._preset
+        sigma = np.sqrt(signal * (1 / p.electrons_per_dn) + p.read_noise_dn**2)
+        digits: Floats = np.clip(gain * (signal + sigma * normal) + (p.black_dn + 0.5), 0, 255)
+        return digits
+
+    def _noise_start(self, key: int) -> int:
+        return key * 2654435761 % ((_POOL_FRAMES - 1) * self._pixels)
+
+    def _dark_frames(self, gain: float) -> NDArray[np.uint8]:
+        """Noise made beforehand; every dark frame is a slice of it."""
+        if gain not in self._dark:
+            self._dark.clear()
+            level = self._noise * np.float32(gain * self._preset.read_noise_dn) + np.float32(self._preset.black_dn + 0.5)
+            self._dark[gain] = np.clip(level, 0, 255).astype(np.uint8)
+        return self._dark[gain]
+
+    def windows(self, points: ImagePoints) -> list[tuple[int, int, Array]]:
+        """Noise-free signal in DN over black: (left, top, (h, w)) for windows inside the image."""
+        x, y, flux = points.x_px, points.y_px, points.flux_dn
+        bright = flux > 1e-2
+        if not bright.all():
+            x, y, flux = x[bright], y[bright], flux[bright]
+        if not len(x):
+            return []
+        window = self._window(x, y, flux, points.sigma_px)
+        if window is not None:
+            return [window] if window[2].size else []
+        return _merged([self._window(x[i : i + 1], y[i : i + 1], flux[i : i + 1], points.sigma_px) for i in range(len(x))])
+
+    def _window(self, x: Array, y: Array, flux: Array, sigma: tuple[float, float]) -> tuple[int, int, Array] | None:
+        """Points rendered together; None when their window would be too large."""
+        width, height = self.camera.size_px
+        reach_x, reach_y = _REACH_SIGMA * sigma[0] + 1, _REACH_SIGMA * sigma[1] + 1
+        left, right = max(0, int(x.min() - reach_x)), min(width - 1, int(x.max() + reach_x) + 1)
+        top, bottom = max(0, int(y.min() - reach_y)), min(height - 1, int(y.max() + reach_y) + 1)
+        columns, rows = max(0, right - left + 1), max(0, bottom - top + 1)
+        if columns * rows > _WINDOW_PX and len(x) > 1:
+            return None
+        edges_x = (np.arange(left, left + columns + 1) - 0.5 - x[:, None]) / sigma[0]
+        edges_y = (np.arange(top, top + rows + 1) - 0.5 - y[:, None]) / sigma[1]
+        across, down = ndtr(edges_x), ndtr(edges_y)
+        signal: Array = ((down[:, 1:] - down[:, :-1]) * flux[:, None]).T @ (across[:, 1:] - across[:, :-1])
+        return left, top, signal
+
+
+def _merged(windows: list[tuple[int, int, Array] | None]) -> list[tuple[int, int, Array]]:
+    """Windows that overlap are added up into their common bounding box, so that none overwrites another."""
+    separate: list[tuple[int, int, Array]] = []
+    for window in windows:
+        if window is None or not window[2].size:
+            continue
+        grown = True
+        while grown:
+            grown = False
+            for other in separate:
+                if _overlap(window, other):
+                    separate.remove(other)
+                    window = _added(window, other)
+                    grown = True
+                    break
+        separate.append(window)
+    return separate
+
+
+def _overlap(a: tuple[int, int, Array], b: tuple[int, int, Array]) -> bool:
+    (ha, wa), (hb, wb) = a[2].shape, b[2].shape
+    return bool(a[0] < b[0] + wb and b[0] < a[0] + wa and a[1] < b[1] + hb and b[1] < a[1] + ha)
+
+
+def _added(a: tuple[int, int, Array], b: tuple[int, int, Array]) -> tuple[int, int, Array]:
+    left, top = min(a[0], b[0]), min(a[1], b[1])
+    right = max(w[0] + w[2].shape[1] for w in (a, b))
+    bottom = max(w[1] + w[2].shape[0] for w in (a, b))
+    total = np.zeros((bottom - top, right - left))
+    for x, y, signal in (a, b):
+        total[y - top : y - top + signal.shape[0], x - left : x - left + signal.shape[1]] += signal
+    return left, top, total

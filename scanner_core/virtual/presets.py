@@ -1,0 +1,280 @@
+"""The true geometry and the image model of the virtual rigs.
+
+A preset is what stands on the virtual table: cameras and laser where they really are, not where the rig file believes
+them to be.  The product never reads it; it calibrates.  All image terms are physical, with their equations below.
+Positions are in the table frame (see :mod:`scanner_core`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.optics.camera_model import CameraModel
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class VirtualPreset:
+    """One virtual rig.
+
+    Attributes
+    ----------
+    cameras
+        Left and right, true; their "rig" frame is here the table frame: ``camera = rotation @ table + translation``.
+    rate_hz, exposure_ms
+        Triggered frames a second, and the exposure at which `peak_dn` holds.
+    distance_mm
+        R, from the cameras to the middle of the volume.
+    laser_position_mm, laser_target_mm
+        Pivot of the beam, and the point that it hits at X0 Y0, (3,).
+    beam_diameter_mm
+        1/e^2 diameter of the collimated Gaussian beam; its standard deviation is a quarter of it.
+    beam_nodes
+        3 or 5: Gauss-Hermite nodes per axis at which the profile is sampled (exact to degree 5 or 9).
+    focal_length_mm, f_number, wavelength_um
+        Lens and light; sin u = focal_length / (2 f_number distance) is the lens's half aperture seen from the object.
+    lens_sigma_px
+        Gaussian standard deviation of the lens (x, y) that does not depend on the distance (aberrations, electronics).
+    defocus_sigma_px, focus_mm
+        Defocus (x, y) at R, for a lens focused at `focus_mm`; at depth z it is
+        ``defocus_sigma |1/z - 1/focus| / |1/R - 1/focus|`` (circle of confusion, thin lens).
+    peak_dn
+        Brightest pixel of a spot at R on a matt white surface that faces the camera, at `exposure_ms` and 0 dB,
+        over the black level.  The spot's flux is
+        ``flux0 power albedo (exposure / exposure_ms) 10^(gain / 20) cos(normal, view) cos(field) (R / d)^2``:
+        a Lambertian scatterer of all the beam's light, seen through a lens of foreshortened aperture.
+    electrons_per_dn
+        At 0 dB; the shot noise's variance is ``signal / electrons_per_dn`` DN^2.
+    read_noise_dn, black_dn
+        At 0 dB, rms; and the level of a dark frame.
+    speckle
+        Share of the fully developed, unpolarized speckle: 1 gives centroid shifts of
+        ``0.65 wavelength / (2 pi sin u)`` rms on the surface per camera and axis (Dorsch, Haeusler, Herrmann 1994), and a
+        lognormal flux of contrast ``0.65 / sqrt(speckles in the spot)``; both are fields on the surface with the
+        correlation length ``wavelength R f_number / focal_length``, so they repeat where the beam comes back.
+    surface_um
+        rms of the optical surface about the geometric one along the normal (translucence, coating grain), a field with
+        a correlation length of `surface_cell_mm`; both cameras see the same.
+    specular
+        Share of the light that leaves as a mirror reflection and makes a stray spot where it hits again.
+    """
+
+    name: str
+    cameras: tuple[CameraModel, CameraModel]
+    rate_hz: float
+    exposure_ms: float
+    distance_mm: float
+    laser_position_mm: Array
+    laser_target_mm: Array
+    beam_diameter_mm: float
+    beam_nodes: int
+    focal_length_mm: float
+    f_number: float
+    wavelength_um: float
+    lens_sigma_px: tuple[float, float]
+    defocus_sigma_px: tuple[float, float]
+    focus_mm: float
+    peak_dn: float
+    electrons_per_dn: float
+    read_noise_dn: float
+    black_dn: float
+    speckle: float
+    surface_um: float
+    surface_cell_mm: float
+    specular: float
+
+    @property
+    def beam_sigma_mm(self) -> float:
+        return self.beam_diameter_mm / 4
+
+    @property
+    def sin_aperture(self) -> float:
+        """sin u of the lens's half aperture seen from the object."""
+        return self.focal_length_mm / (2 * self.f_number * self.distance_mm)
+
+    @property
+    def speckle_cell_mm(self) -> float:
+        """Correlation length of the speckle on the surface."""
+        return 1e-3 * self.wavelength_um / (2 * self.sin_aperture)
+
+    @property
+    def speckle_shift_mm(self) -> float:
+        """rms shift of the centroid on the surface, per camera and axis."""
+        return self.speckle * 0.65e-3 * self.wavelength_um / (2 * np.pi * self.sin_aperture)
+
+    @property
+    def speckle_contrast(self) -> float:
+        """Relative rms of a spot's flux."""
+        speckles = np.pi * (0.5 * self.beam_diameter_mm) ** 2 / self.speckle_cell_mm**2
+        return float(self.speckle * 0.65 / np.sqrt(max(1.0, speckles)))
+
+
+def look_at(position: ArrayLike, target: ArrayLike) -> RigidTransform:
+    """Table frame to the frame of an upright camera at `position` whose optical axis meets `target`, both (3,) mm."""
+    eye = np.asarray(position, np.float64)
+    forward = np.asarray(target, np.float64) - eye
+    forward /= np.linalg.norm(forward)
+    right = np.cross(forward, [0.0, 0.0, 1.0])
+    right /= np.linalg.norm(right)
+    rotation = np.stack([right, np.cross(forward, right), forward])
+    return RigidTransform(rotation, -rotation @ eye)
+
+
+def spherical(distance_mm: float, azimuth_deg: float, elevation_deg: float, target: ArrayLike) -> Array:
+    """The point at a distance, azimuth (about +z, from +x) and elevation from `target`, (3,) mm."""
+    a, e = np.radians(azimuth_deg), np.radians(elevation_deg)
+    return np.asarray(target, np.float64) + distance_mm * np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
+
+
+TARGET = (0.0, 0.0, 25.0)
+"""Middle of the volume, where all nominal axes meet."""
+ELEVATION_DEG = 30.0
+LASER_ELEVATION_DEG = 38.0
+
+
+def camera_azimuth_deg(half_convergence_deg: float) -> float:
+    """Azimuth of a camera at :data:`ELEVATION_DEG` whose axis makes `half_convergence_deg` with the plane between the two."""
+    e = np.radians(ELEVATION_DEG)
+    whole = np.cos(np.radians(2 * half_convergence_deg))
+    return float(0.5 * np.degrees(np.arccos((whole - np.sin(e) ** 2) / np.cos(e) ** 2)))
+
+
+# What the mounting got wrong, the same for every preset: rotation vectors in rad (camera frame), offsets in mm.
+_MISALIGNED = (
+    (RigidTransform.from_vector([0.0061, -0.0043, 0.0035], [0.0, 0.0, 0.0]), np.array([1.9, -2.6, 1.2])),
+    (RigidTransform.from_vector([-0.0048, 0.0057, -0.0041], [0.0, 0.0, 0.0]), np.array([-2.3, 1.4, -1.7])),
+)
+_LASER_MISPLACED = np.array([2.4, -1.7, 1.9])
+_LASER_MISAIMED = np.array([0.6, 0.9, -0.5])
+
+
+def _cameras(
+    distance_mm: float,
+    half_convergence_deg: float,
+    size_px: tuple[int, int],
+    focal_px: tuple[float, float],
+    distortions: tuple[ArrayLike, ArrayLike],
+) -> tuple[CameraModel, CameraModel]:
+    """Both cameras as they really stand; the table frame's +x points to the middle between them, by its definition."""
+    azimuth = camera_azimuth_deg(half_convergence_deg)
+    poses = []
+    for side, (turned, offset) in zip((-1, 1), _MISALIGNED, strict=True):
+        nominal = look_at(spherical(distance_mm, side * azimuth, ELEVATION_DEG, TARGET), TARGET)
+        centre = -nominal.rotation.T @ nominal.translation + offset
+        rotation = turned.rotation @ nominal.rotation
+        poses.append((rotation, centre))
+    middle = 0.5 * (poses[0][1] + poses[1][1])
+    onto_x = RigidTransform.about_z(-float(np.degrees(np.arctan2(middle[1], middle[0])))).rotation
+    cameras = []
+    width, height = size_px
+    for (rotation, centre), scale, off, distortion in zip(
+        poses, ((1.0043, 1.0021), (0.9968, 0.9982)), ((0.0071, -0.0106), (-0.0058, 0.0119)), distortions, strict=True
+    ):
+        fx, fy = focal_px[0] * scale[0], focal_px[1] * scale[1]
+        cx, cy = 0.5 * (width - 1) + off[0] * width, 0.5 * (height - 1) + off[1] * height
+        matrix = np.array([[fx, 0.0, cx], [0.0, fy, cy], [0.0, 0.0, 1.0]])
+        turned_rotation = rotation @ onto_x.T
+        cameras.append(CameraModel(matrix, np.asarray(distortion, np.float64), turned_rotation, -turned_rotation @ (onto_x @ centre), size_px))
+    return cameras[0], cameras[1]
+
+
+_DISTORTIONS = ((-0.112, 0.094, 0.00042, -0.00031, 0.0), (-0.104, 0.081, -0.00035, 0.00047, 0.0))
+
+
+def _bench() -> VirtualPreset:
+    """604 x 294 pixels of 10 x 15.6 um behind 8.5 mm, R = 435 mm; a slight defocus makes the spot sigma 1.0 x 0.8 px.
+
+    That sigma holds footprint (0.29 x 0.19 px), lens and the pixel's own box (1/sqrt(12) px).
+    """
+    return VirtualPreset(
+        name="bench",
+        cameras=_cameras(435.0, 36.5, (604, 294), (850.0, 545.0), _DISTORTIONS),
+        rate_hz=60.0,
+        exposure_ms=2.0,
+        distance_mm=435.0,
+        laser_position_mm=spherical(450.0, 0.0, LASER_ELEVATION_DEG, TARGET) + _LASER_MISPLACED,
+        laser_target_mm=np.array(TARGET) + _LASER_MISAIMED,
+        beam_diameter_mm=0.6,
+        beam_nodes=3,
+        focal_length_mm=8.5,
+        f_number=4.0,
+        wavelength_um=0.633,
+        lens_sigma_px=(0.45, 0.36),
+        defocus_sigma_px=(0.795, 0.626),
+        focus_mm=250.0,
+        peak_dn=198.0,
+        electrons_per_dn=80.0,
+        read_noise_dn=1.4,
+        black_dn=8.0,
+        speckle=1.0,
+        surface_um=0.0,
+        surface_cell_mm=0.3,
+        specular=0.02,
+    )
+
+
+def _paper_2003() -> VirtualPreset:
+    """The published rig: R = 770 mm, a sharp lens at f/8, 50 um of surface term; the spot is smaller than a pixel."""
+    return VirtualPreset(
+        name="paper-2003",
+        cameras=_cameras(770.0, 36.5, (604, 294), (850.0, 545.0), _DISTORTIONS),
+        rate_hz=60.0,
+        exposure_ms=2.0,
+        distance_mm=770.0,
+        laser_position_mm=spherical(780.0, 0.0, LASER_ELEVATION_DEG, TARGET) + _LASER_MISPLACED,
+        laser_target_mm=np.array(TARGET) + _LASER_MISAIMED,
+        beam_diameter_mm=0.6,
+        beam_nodes=5,
+        focal_length_mm=8.5,
+        f_number=8.0,
+        wavelength_um=0.633,
+        lens_sigma_px=(0.20, 0.13),
+        defocus_sigma_px=(0.05, 0.03),
+        focus_mm=700.0,
+        peak_dn=198.0,
+        electrons_per_dn=80.0,
+        read_noise_dn=1.4,
+        black_dn=8.0,
+        speckle=1.0,
+        surface_um=50.0,
+        surface_cell_mm=0.3,
+        specular=0.02,
+    )
+
+
+def _workshop() -> VirtualPreset:
+    """A present-day camera: 1440 x 1080 pixels of 3.45 um behind 8 mm, R = 600 mm, half angle 30 deg."""
+    return VirtualPreset(
+        name="workshop",
+        cameras=_cameras(600.0, 30.0, (1440, 1080), (2320.0, 2320.0), _DISTORTIONS),
+        rate_hz=60.0,
+        exposure_ms=2.0,
+        distance_mm=600.0,
+        laser_position_mm=spherical(610.0, 0.0, LASER_ELEVATION_DEG, TARGET) + _LASER_MISPLACED,
+        laser_target_mm=np.array(TARGET) + _LASER_MISAIMED,
+        beam_diameter_mm=0.6,
+        beam_nodes=3,
+        focal_length_mm=8.0,
+        f_number=4.0,
+        wavelength_um=0.633,
+        lens_sigma_px=(0.5, 0.5),
+        defocus_sigma_px=(0.565, 0.565),
+        focus_mm=480.0,
+        peak_dn=198.0,
+        electrons_per_dn=40.0,
+        read_noise_dn=1.0,
+        black_dn=6.0,
+        speckle=1.0,
+        surface_um=10.0,
+        surface_cell_mm=0.3,
+        specular=0.02,
+    )
+
+
+PRESETS: dict[str, VirtualPreset] = {preset.name: preset for preset in (_bench(), _paper_2003(), _workshop())}
+"""By name; the same names as in :data:`scanner_core.devices.rig.PRESETS`."""

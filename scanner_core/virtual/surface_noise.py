@@ -1,0 +1,39 @@
+"""Random fields that are fixed to a place in space: what repeats where the beam comes back to the same spot."""
+
+from __future__ import annotations
+
+from math import floor
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+_ROWS = 1 << 14
+
+
+class SpatialNoise:
+    """Independent standard normal fields with a correlation length, the same for the same seed and place.
+
+    Normal variates hang at the nodes of a cubic lattice (Perlin's value noise, hashed); between them they are weighted
+    trilinearly and scaled so that the variance is 1 everywhere.
+    """
+
+    def __init__(self, seed: int, fields: int, cell_mm: float) -> None:
+        self._nodes = np.random.default_rng([seed, 0x5EED]).standard_normal((_ROWS, fields))
+        self._per_mm = 1.0 / cell_mm
+
+    def at(self, x: float, y: float, z: float) -> Array:
+        """The fields (fields,) at a place in the object frame, mm."""
+        x, y, z = x * self._per_mm, y * self._per_mm, z * self._per_mm
+        i, j, k = floor(x), floor(y), floor(z)
+        u, v, w = x - i, y - j, z - k
+        rows, weights = [], []
+        for a, wa in ((i, 1 - u), (i + 1, u)):
+            for b, wb in ((j, 1 - v), (j + 1, v)):
+                for c, wc in ((k, 1 - w), (k + 1, w)):
+                    rows.append((a * 73856093 ^ b * 19349663 ^ c * 83492791) % _ROWS)
+                    weights.append(wa * wb * wc)
+        weight = np.array(weights)
+        mixed: Array = weight @ self._nodes[rows] / np.sqrt(weight @ weight)
+        return mixed
