@@ -34,9 +34,12 @@ SENTENCES: dict[str, Sentence] = {
     # ------------------------------------------------------------------------------------------ controller
     "E-MOT-01": Sentence(
         "The controller on {port} did not answer '{command}' within {seconds} s.",
-        "The laser was switched off by a reset; check the cable and the controller's power.",
+        "A reset was sent to switch the laser off; see that it is dark, then check the cable and the controller's power.",
     ),
-    "E-MOT-02": Sentence("The connection to the controller on {port} was lost.", "The laser is off; check the cable, then connect again."),
+    "E-MOT-02": Sentence(
+        "The connection to the controller on {port} was lost.",
+        "A sweep ends dark by itself, a standing spot may stay lit: see that the laser is off, check the cable, then connect again.",
+    ),
     "E-MOT-03": Sentence("The port {port} is used by another program.", "Nothing was moved; close the other program and connect again."),
     "E-MOT-04": Sentence("The controller on {port} was used after it had been closed.", "The laser is off; open the rig again."),
     "E-MOT-05": Sentence("The controller reports ALARM:{alarm} ({meaning}).", "The laser is off and the points so far are kept; {remedy}."),
@@ -65,10 +68,17 @@ SENTENCES: dict[str, Sentence] = {
         "The controller on {port} is not in laser mode ($32={value}).",
         "Nothing was moved; with $32=0 the beam would stand still while lit: send $32=1 to the controller once.",
     ),
-    "E-MOT-14": Sentence("The controller on {port} has no axis '{axis}' for the table (it has {axes}).", "Nothing was moved; correct 'table_axis' in the rig file."),
-    "E-MOT-15": Sentence("The motion was stopped during '{command}'.", "The laser is off and the points so far are kept; resume when the rig is free."),
+    "E-MOT-14": Sentence(
+        "The controller on {port} has no axis '{axis}' for the table (it has {axes}).",
+        "Nothing was moved; correct 'table_axis' in the rig file.",
+    ),
+    "E-MOT-15": Sentence(
+        "The motion was stopped during '{command}'.", "The laser is off and the points so far are kept; resume when the rig is free."
+    ),
     "E-MOT-16": Sentence("The safety door of the rig is open.", "The laser is off and the points so far are kept; close the door and resume."),
-    "E-MOT-17": Sentence("The laser did not light although it was asked to.", "It was switched off again; check the controller's settings $30 to $32."),
+    "E-MOT-17": Sentence(
+        "The laser did not light although it was asked to.", "It was switched off again; check the controller's settings $30 to $32."
+    ),
     # ------------------------------------------------------------------------------------------ rig, calibration, plan
     "E-RIG-01": Sentence("The rig file {path} cannot be used: {reason}.", "Nothing was moved; correct the file or take one of the presets."),
     "E-RIG-02": Sentence(

@@ -6,23 +6,14 @@ rig's clock.  Every other port (``/dev/ttyUSB0``, ``COM3``, ``socket://...``) be
 
 from __future__ import annotations
 
-import errno
 import threading
 from typing import Protocol
 
 import serial
 
+from scanner_core.devices.port_faults import OPEN_FAULTS, TRANSPORT_FAULTS, fault_kind
 from scanner_core.errors import DeviceBusyError, DeviceError, DeviceLostError
 
-try:
-    import termios
-
-    TRANSPORT_FAULTS: tuple[type[BaseException], ...] = (OSError, termios.error)
-except ImportError:
-    TRANSPORT_FAULTS = (OSError,)
-"""What an unplugged port raises, by call and platform (SerialException is an OSError; termios.error is not)."""
-
-_OPEN_FAULTS: tuple[type[BaseException], ...] = (*TRANSPORT_FAULTS, ValueError)
 _WRITE_TIMEOUT_S = 1.0
 
 
@@ -58,8 +49,8 @@ class DirectPort:
             self._serial = serial.serial_for_url(url, do_not_open=True, baudrate=baud, timeout=0.0, write_timeout=_WRITE_TIMEOUT_S)
             self._serial.exclusive = True
             self._serial.open()
-        except _OPEN_FAULTS as fault:
-            raise open_fault(url, fault) from fault
+        except OPEN_FAULTS as fault:
+            raise open_error(url, fault_kind(fault), repr(fault)) from fault
 
     def read(self, timeout_s: float) -> bytes:
         try:
@@ -81,20 +72,6 @@ class DirectPort:
             self._serial.close()
         except TRANSPORT_FAULTS as fault:
             raise DeviceLostError("E-MOT-02", port=self._url, details=repr(fault)) from fault
-
-
-def open_fault(url: str, fault: BaseException) -> DeviceError:
-    """The typed error for a port that did not open."""
-    return open_error(url, fault_kind(fault), repr(fault))
-
-
-def fault_kind(fault: BaseException) -> str:
-    """``busy``, ``permission`` or ``missing``."""
-    number = getattr(fault, "errno", None)
-    text = str(fault).lower()
-    if number in (errno.EBUSY, errno.EAGAIN) or "exclusively lock" in text or "access is denied" in text:
-        return "busy"
-    return "permission" if number in (errno.EACCES, errno.EPERM) else "missing"
 
 
 def open_error(url: str, kind: str, details: str) -> DeviceError:
