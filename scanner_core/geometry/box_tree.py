@@ -56,6 +56,38 @@ class BoxTree:
         pairs = np.concatenate(found) if found else np.empty((0, 2), np.int64)
         return np.sort(pairs, axis=1)
 
+    def boxes_within(self, points: NDArray[np.float64], reach: NDArray[np.float64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        """All pairs of a point and a box no farther from it than its reach.
+
+        Parameters
+        ----------
+        points : (n, 3) mm
+        reach : (n,) mm
+
+        Returns
+        -------
+        Indices of points, rising, and of boxes, each (k,).
+        """
+        squared = reach * reach * (1 + 1e-12)  # a box exactly at the reach is not lost to rounding
+        which = np.arange(len(points))
+        node = np.zeros(len(points), np.int64)
+        for level in range(self.depth + 1):
+            low, high = self.levels[level]
+            distance = np.zeros(len(which))
+            for axis in range(3):
+                place = points[which, axis]
+                outside = np.maximum(low[node, axis] - place, place - high[node, axis])
+                np.maximum(outside, 0.0, out=outside)
+                outside *= outside
+                distance += outside
+            near = distance <= squared[which]
+            which, node = which[near], node[near]
+            if level < self.depth:
+                which = np.repeat(which, 2)
+                node = np.repeat(2 * node, 2)
+                node[1::2] += 1
+        return which, self.order[node]
+
 
 def _morton(points: NDArray[np.float64]) -> NDArray[np.uint64]:
     """Position of each point (n, 3) along a space-filling curve, 21 bits an axis."""
