@@ -16,20 +16,24 @@ def main(argv: Sequence[str] | None = None) -> int:
     Parameters
     ----------
     argv
-        The arguments behind the command's name; those of this process when None.  Without any, the window opens;
-        otherwise they are a headless subcommand, ``--help`` or ``--version``.
+        The arguments behind the command's name; those of this process when None.  Without any, or with a case file or
+        an option of the window first, the window opens; otherwise they are a headless subcommand, ``--help`` or ``--version``.
     """
     import multiprocessing
 
     multiprocessing.freeze_support()
     arguments = list(sys.argv[1:] if argv is None else argv)
-    if arguments:
+    if arguments and not _is_for_the_window(arguments[0]):
         from scanner_core.__main__ import main as run_headless
 
         return run_headless(arguments)
     from app.main import run_window
 
-    return run_window()
+    return run_window(arguments)
+
+
+def _is_for_the_window(argument: str) -> bool:
+    return argument.endswith(".impronta") or argument.split("=")[0] in ("--settings", "--heartbeat")
 
 
 if __name__ == "__main__":

@@ -84,8 +84,14 @@ def _set_up(extras: frozenset[str], programs: Sequence[str]) -> tuple[Environmen
 
 
 def _system_packages(missing: Sequence[str], venv: Sequence[str]) -> None:
+    """Install what is missing or say how; only what the environment itself needs stops the set-up."""
     if system_libraries.can_install():
-        system_libraries.install(missing)
+        try:
+            system_libraries.install(missing)
+        except SetupError as error:
+            if venv:
+                raise
+            say(f"      {error}\n      Going on without them.")
         if venv and system_libraries.missing_venv():
             raise SetupError(f"{sys.executable} still cannot make environments. Start this command with the system's own Python: /usr/bin/python3")
         return

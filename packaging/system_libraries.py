@@ -31,6 +31,9 @@ WINDOW_LIBRARIES = {
 }
 TEST_PROGRAMS = {"xvfb-run": "xvfb", "xauth": "xauth"}
 
+_DISK_FULL = ("No space left on device", "enough free space")
+_UNREACHABLE = ("Temporary failure resolving", "Could not resolve", "Could not connect", "Failed to fetch")
+
 
 def missing_libraries() -> list[str]:
     """Debian packages whose library cannot be loaded here; empty where Qt and VTK bring their own."""
@@ -95,24 +98,24 @@ def install(packages: Sequence[str]) -> None:
         When apt-get could not do it; what is already installed stays.
     """
     environment = {**os.environ, "DEBIAN_FRONTEND": "noninteractive", "LC_ALL": "C.UTF-8"}
-    # A package list that is absent or old shows as a package that cannot be found or fetched.
-    apt_install = ["apt-get", "install", "-y", "--no-install-recommends", "-o", "DPkg::Lock::Timeout=300", *packages]
-    code, _ = run_and_follow(apt_install, show=_show_apt, environment=environment)
+    wait_for_others = ["-o", "DPkg::Lock::Timeout=300"]
+    apt_install = ["apt-get", "install", "-y", "--no-install-recommends", *wait_for_others, *packages]
+    code, _ = run_and_follow(apt_install, show=_show_progress, environment=environment)
     if code == 0:
         return
+    # A package list that is absent or old shows as a package that cannot be found or fetched.
     say("      fetching the package lists first")
-    update_code, update_lines = run_and_follow(["apt-get", "update", "-o", "DPkg::Lock::Timeout=300"], show=_show_apt, environment=environment)
-    code, lines = run_and_follow(apt_install, show=_show_apt, environment=environment)
+    update_code, update_lines = run_and_follow(["apt-get", "update", *wait_for_others], show=_show_progress, environment=environment)
+    code, lines = run_and_follow(apt_install, show=_show_progress, environment=environment)
     if code == 0:
         return
     text = "\n".join([*update_lines, *lines])
-    if "No space left on device" in text or "enough free space" in text:
+    if any(sign in text for sign in _DISK_FULL):
         raise SetupError("The disk is full; the system packages were not installed completely. Make room, then run this command again.")
-    unreachable = any(sign in text for sign in ("Temporary failure resolving", "Could not resolve", "Could not connect", "Failed to fetch"))
-    if unreachable or update_code != 0:
+    if update_code != 0 or any(sign in text for sign in _UNREACHABLE):
         raise SetupError(
-            "The system's package server could not be reached; nothing was changed. "
-            f"Check the network, then run this command again, or run: apt-get install {' '.join(packages)}\n{last_lines(lines)}"
+            "The system's package server could not be reached; nothing was changed. Check the network, then run this command again. "
+            f"It is about these packages: {' '.join(packages)}"
         )
     raise SetupError(f"apt-get could not install {' '.join(packages)}. Solve what it says, then run this command again:\n{last_lines(lines)}")
 
@@ -125,5 +128,5 @@ def _loads(library: str) -> bool:
     return True
 
 
-def _show_apt(line: str) -> str | None:
-    return line if line.startswith(("Need to get", "After this operation", "Fetched", "E: ", "Err:")) else None
+def _show_progress(line: str) -> str | None:
+    return line if line.startswith(("Need to get", "After this operation", "Fetched")) else None
