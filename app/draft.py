@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import asdict, dataclass
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QObject, Signal
+from PySide6.QtCore import QCoreApplication, QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
+
+from app.translation import QT_TRANSLATE_NOOP
 
 SIDES = {"left": QT_TRANSLATE_NOOP("draft", "Left"), "right": QT_TRANSLATE_NOOP("draft", "Right")}
 KINDS = {

@@ -17,6 +17,7 @@ from app.controllers.case import CaseController
 from app.controllers.export import ExportController
 from app.controllers.reconstruction import ReconstructionController
 from app.controllers.rig import RigController
+from app.controllers.shading import Shading
 from app.draft import Draft, first_order
 from app.faults import install_hooks, remove_hooks
 from app.heartbeat import Heartbeat
@@ -57,7 +58,7 @@ class Program(QObject):
         self.heartbeat = Heartbeat(self)
         self.undo_stack = QUndoStack(self)
         draft = Draft(self.undo_stack, self)
-        rig = RigController(self.background, self.tell, self)
+        rig = RigController(self.background, self._settings_file.parent / "rigs", self.tell, self)
         cases = CaseController(self.background, self.settings, draft, self.tell, self)
         acquisition = AcquisitionController(self.background, rig, cases, self.tell, self)
         reconstruction = ReconstructionController(self.background, cases, self.tell, self)
@@ -67,7 +68,8 @@ class Program(QObject):
         self.window = MainWindow(self.services, self.undo_stack)
         self.window.closing.connect(self.shut_down)
         install_hooks(self.tell)
-        for source in (self.background.drain, acquisition.drain, reconstruction.drain):
+        self._shading = Shading(self.background)
+        for source in (self.background.drain, acquisition.drain, reconstruction.drain, self._shading.tick):
             self.pump.add_source(source)
         self.pump.add_painter(self.window.paint_scene)
         self.pump.start()
@@ -95,8 +97,11 @@ class Program(QObject):
             return
         from app.views.scene_view import SceneView
 
-        self.window.put_scene(SceneView())
+        scene = SceneView()
+        self.window.put_scene(scene)
+        self._shading.watch(scene)
         self.heartbeat.notes["scene_s"] = time.perf_counter() - self._started_s
+        self.services.reconstruction.prewarm()
         QTimer.singleShot(500, self.heartbeat.forget)
 
     # -------------------------------------------------------------------------------- end

@@ -16,6 +16,7 @@ from scanner_core.acquisition.handover import Preview
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.status import ScanState, ScanStatus
 from scanner_core.errors import ImprontaError, UsageError
+from scanner_core.geometry.view_directions import seen_from
 
 if TYPE_CHECKING:
     from scanner_core.acquisition.rig_session import OpenRig
@@ -124,8 +125,7 @@ class AcquisitionController(QObject):
         if not len(points):
             return
         self._taken += len(points)
-        turn = -np.deg2rad(360.0 / max(1, runner.status().views)) * views
-        towards = np.stack([0.85 * np.cos(turn), 0.85 * np.sin(turn), np.full(len(turn), 0.52)], axis=1)
+        towards = seen_from(views, runner.status().views)
         for sink in self._point_sinks:
             sink(points, towards)
 

@@ -139,7 +139,8 @@ def _open(path: Path, before: DraftValues) -> OpenedCase:
         side = order.side if order.side in ("left", "right") else before.side
         kind = order.type if order.type in ("ear", "arch", "other") else "other"
         values = replace(before, order=order.number, patient_code=order.patient_code, side=side, kind=kind)
-        cloud, surface, provenance = None, None, {}
+        cloud, surface = None, None
+        provenance: dict[str, object] = {}
         try:
             cloud = case_cloud(store)
             mesh, provenance = store.mesh()

@@ -8,12 +8,13 @@ from dataclasses import dataclass
 from datetime import date
 from pathlib import Path
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QObject, Signal
+from PySide6.QtCore import QObject, Signal
 
 from app.background import Background
 from app.controllers.case import CaseController, safe_stem
 from app.draft import DraftValues
 from app.settings import Settings
+from app.translation import QT_TRANSLATE_NOOP
 
 FIELDS = ("order", "side", "type", "date", "rev", "code")
 """What may stand in braces in a template."""

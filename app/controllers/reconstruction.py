@@ -5,7 +5,9 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from dataclasses import asdict
+from functools import partial
+from typing import TYPE_CHECKING, cast
 
 from PySide6.QtCore import QObject, Signal
 
@@ -17,12 +19,13 @@ from scanner_core.acquisition.handover import LatestSlot
 from scanner_core.jobs.progress import Cancelled, Progress
 
 if TYPE_CHECKING:
-    from scanner_core.reconstruction.pipeline import Reconstruction
-
     from scanner_core.geometry.point_cloud import PointCloud
+    from scanner_core.jobs.messages import JobEvent
+    from scanner_core.jobs.worker import JobHandle, Worker
+    from scanner_core.reconstruction.parameters import ReconstructionParameters
+    from scanner_core.reconstruction.report import Reconstruction
 
 PHASES = ("inflate", "refine", "smooth")
-_PREVIEW_PERIOD_S = 0.2
 LEAST_TRIANGLES = 200
 
 
@@ -45,7 +48,9 @@ class ReconstructionController(QObject):
         self._cancelled = threading.Event()
         self._progress: LatestSlot[Progress] = LatestSlot()
         self._surfaces: LatestSlot[Surface] = LatestSlot()
-        self._drawn_s = 0.0
+        self._starting = threading.Lock()
+        self._worker: Worker | None = None
+        self._job: JobHandle | None = None
         self._phase_begun_s = 0.0
         self.running = False
         self.progress: Progress | None = None
@@ -62,20 +67,30 @@ class ReconstructionController(QObject):
         cloud = self._case.cloud
         if self.running or cloud is None:
             return
-        self.running, self.progress, self.phase_seconds, self.shown_triangles = True, None, {}, None
+        self.running, self.progress, self.phase_seconds, self.shown_triangles, self._job = True, None, {}, None, None
         self._cancelled.clear()
         self._phase_begun_s = time.monotonic()
         self.began.emit()
-        self._background.run("reconstruction", lambda: self._work(cloud, values), self._done, self._failed)
+        self._background.run("reconstruction-start", lambda: self._submit(cloud, values), None, self._failed)
 
     def cancel(self) -> None:
         """Ask the worker to stop; it is replaced when it does not."""
         self._cancelled.set()
+        if self._job is not None:
+            self._job.cancel()
         self.changed.emit()
 
+    def prewarm(self) -> None:
+        """Start the worker process, so that the first reconstruction need not wait for its imports."""
+        self._background.run("worker-start", self._ready_worker)
+
     def shutdown(self) -> None:
-        """Cancel what runs and end the worker."""
+        """Cancel what runs and end the worker; a worker that was still starting is waited for."""
         self._cancelled.set()
+        with self._starting:
+            worker = self._worker
+        if worker is not None:
+            worker.close()
 
     # -------------------------------------------------------------------------------- pump
     def drain(self) -> None:
@@ -94,33 +109,47 @@ class ReconstructionController(QObject):
             self.progress = progress
             self.changed.emit()
 
-    # -------------------------------------------------------------------------------- the job's thread
-    def _work(self, cloud: PointCloud, values: DraftValues) -> tuple[Reconstruction, dict[str, object]]:
-        from scanner_core.reconstruction.pipeline import Reconstruction
-        from scanner_core.reconstruction.request import ReconstructionRequest
-
-        from scanner_core.jobs.worker import run_in_worker
+    # -------------------------------------------------------------------------------- other threads
+    def _submit(self, cloud: PointCloud, values: DraftValues) -> None:
+        from scanner_core.reconstruction.job import ReconstructionRequest
         from scanner_core.reconstruction.parameters import ReconstructionParameters
 
         tolerance_um = float(values.tolerance_um) if values.tolerance_um else None
         triangles = max(LEAST_TRIANGLES, values.triangles) if values.triangles and tolerance_um is None else None
         parameters = ReconstructionParameters(triangles=triangles, tolerance_um=tolerance_um)
-        result = run_in_worker("reconstruct", ReconstructionRequest(cloud, parameters), progress=self._hear, cancelled=self._cancelled.is_set)
-        if not isinstance(result, Reconstruction):
-            raise TypeError(f"the worker answered with {type(result).__name__}")
-        return result, {"parameters": parameters.as_dict(), "report": result.report.as_dict(), "seed": parameters.seed}
+        self._job = self._ready_worker().submit("reconstruct", ReconstructionRequest(cloud, parameters), partial(self._hear, parameters))
+        if self._cancelled.is_set():
+            self._job.cancel()
 
-    def _hear(self, progress: Progress) -> None:
-        self._progress.put(progress)
-        now_s = time.monotonic()
-        if progress.preview is not None and now_s - self._drawn_s >= _PREVIEW_PERIOD_S:
-            self._drawn_s = now_s
-            self._surfaces.put(Surface.of(progress.preview, growing=True))
+    def _ready_worker(self) -> Worker:
+        from scanner_core.jobs.worker import Worker
+
+        with self._starting:
+            if self._worker is None:
+                self._worker = Worker("reconstruction")
+            return self._worker
+
+    def _hear(self, parameters: ReconstructionParameters, event: JobEvent) -> None:
+        """In the worker's listener thread."""
+        from scanner_core.jobs.messages import JobCancelled, JobDone, JobFailed, JobProgress
+
+        match event:
+            case JobProgress(progress):
+                self._progress.put(progress)
+                if progress.preview is not None:
+                    self._surfaces.put(Surface.of(progress.preview, growing=True))
+            case JobDone(result):
+                self._background.post(partial(self._done, cast("Reconstruction", result), parameters))
+            case JobCancelled():
+                self._background.post(partial(self._failed, Cancelled()))
+            case JobFailed(error):
+                self._background.post(partial(self._failed, error))
 
     # -------------------------------------------------------------------------------- back in the GUI thread
-    def _done(self, result: tuple[Reconstruction, dict[str, object]]) -> None:
+    def _done(self, result: Reconstruction, parameters: ReconstructionParameters) -> None:
         self.running = False
-        self._case.keep_mesh(result[0].mesh, result[1])
+        provenance = {"parameters": asdict(parameters), "report": result.report.as_dict(), "seed": parameters.seed}
+        self._case.keep_mesh(result.mesh, provenance)
         self.ended.emit()
 
     def _failed(self, fault: Exception) -> None:

@@ -6,9 +6,11 @@ The open rig has one owner at a time: this controller's device thread, or the sc
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
@@ -17,6 +19,7 @@ from app.background import Background
 from app.controllers.device_thread import DeviceThread
 from scanner_core.devices.motion import MotionState, MotionStatus
 from scanner_core.errors import ImprontaError
+from scanner_core.jobs.progress import Cancelled, Progress
 
 if TYPE_CHECKING:
     from scanner_core.acquisition.rig_session import OpenRig
@@ -41,7 +44,7 @@ class RigSnapshot:
     connected : cameras and controller are open
     busy : a scan owns it
     motion : the controller's newest report
-    calibrating : progress of the running calibration, 0 to 1, or None
+    calibrating, calibration_left_s : progress of the running calibration, 0 to 1, or None; estimate of the rest
     specimen_radius_mm, specimen_height_mm : of what stands on the virtual table
     """
 
@@ -53,7 +56,7 @@ class RigSnapshot:
     busy: bool = False
     motion: MotionStatus | None = None
     calibrating: float | None = None
-    calibration_step: str = ""
+    calibration_left_s: float | None = None
     specimen_radius_mm: float | None = None
     specimen_height_mm: float | None = None
 
@@ -71,9 +74,10 @@ class RigController(QObject):
 
     changed = Signal()
 
-    def __init__(self, background: Background, tell: Callable[[BaseException], None], parent: QObject | None = None) -> None:
+    def __init__(self, background: Background, folder: Path, tell: Callable[[BaseException], None], parent: QObject | None = None) -> None:
+        """`folder` keeps the rigs as they were calibrated here."""
         super().__init__(parent)
-        self._background, self._tell = background, tell
+        self._background, self._folder, self._tell = background, folder, tell
         self.snapshot = RigSnapshot()
         self._rig: OpenRig | None = None
         self._loaned = threading.Event()
@@ -92,7 +96,7 @@ class RigController(QObject):
     def calibrate(self) -> None:
         """Calibrate with rendered boards, in the device thread."""
         self._cancel_calibration.clear()
-        self._news(replace(self.snapshot, calibrating=0.0, calibration_step=""))
+        self._news(replace(self.snapshot, calibrating=0.0))
         self._device.call(self._calibrate)
 
     def cancel_calibration(self) -> None:
@@ -127,11 +131,10 @@ class RigController(QObject):
     # -------------------------------------------------------------------------------- the device thread
     def _reopen(self, preset: str, specimen_name: str, speed: str) -> None:
         from scanner_core.acquisition.rig_session import open_rig
-        from scanner_core.devices.rig import load_preset
         from scanner_core.virtual.specimens import check_fits, load_specimen
 
         try:
-            config = load_preset(preset)
+            config = self._load(preset)
             specimen = load_specimen(specimen_name)
             check_fits(specimen, config.volume)
             self._close()
@@ -139,8 +142,49 @@ class RigController(QObject):
         except ImprontaError as fault:
             self._background.post(partial(self._failed, fault))
             return
-        self._background.post(lambda: self._opened(config, specimen))
+        self._background.post(partial(self._opened, config, specimen))
         self._watch()
+        if config.calibration is None:
+            self._calibrate()
+
+    def _load(self, preset: str) -> RigConfig:
+        """The rig as it was calibrated here, or else as it was shipped."""
+        from scanner_core.devices.rig import load_preset, load_rig
+
+        own = self._folder / f"{preset}.toml"
+        if own.exists():
+            try:
+                return load_rig(own)
+            except ImprontaError as fault:
+                self._tell(fault)
+        return load_preset(preset)
+
+    def _calibrate(self) -> None:
+        from scanner_core.acquisition.calibrating import calibrate_rig
+        from scanner_core.devices.rig import dump_rig
+        from scanner_core.files import replaced_when_whole
+
+        rig = self._rig
+        if rig is None:
+            return
+        began_s = time.monotonic()
+
+        def tell(told: Progress) -> None:
+            self._background.post(partial(self._calibrating, told.fraction, began_s))
+
+        try:
+            calibration = calibrate_rig(rig, progress=tell, cancelled=self._cancel_calibration.is_set)
+            rig.calibration = calibration
+            rig.config = rig.config.with_calibration(calibration)
+            self._background.post(partial(self._calibrated, rig.config))
+            self._folder.mkdir(parents=True, exist_ok=True)
+            with replaced_when_whole(self._folder / f"{self.snapshot.preset}.toml", force=True) as partial_file:
+                partial_file.write_text(dump_rig(rig.config), encoding="utf-8")
+        except Cancelled:
+            self._background.post(partial(self._calibrated, None))
+        except (ImprontaError, OSError) as fault:
+            self._background.post(partial(self._calibrated, None))
+            self._tell(fault)
 
     def _watch(self) -> None:
         rig = self._rig
@@ -167,6 +211,15 @@ class RigController(QObject):
         self._news(
             replace(self.snapshot, config=config, connected=True, specimen_radius_mm=specimen.radius_mm, specimen_height_mm=specimen.height_mm)
         )
+
+    def _calibrating(self, fraction: float, began_s: float) -> None:
+        spent_s = time.monotonic() - began_s
+        left_s = spent_s * (1 - fraction) / fraction if fraction > 0.03 else None
+        self._news(replace(self.snapshot, calibrating=fraction, calibration_left_s=left_s))
+
+    def _calibrated(self, config: RigConfig | None) -> None:
+        """None: it was cancelled or it failed, and the calibration in use stays."""
+        self._news(replace(self.snapshot, calibrating=None, calibration_left_s=None, config=config or self.snapshot.config))
 
     def _heard(self, status: MotionStatus) -> None:
         self._news(replace(self.snapshot, motion=status))

@@ -59,7 +59,7 @@ class Banner(QFrame):
     @property
     def text(self) -> str:
         """What stands there now, or an empty text."""
-        return f"{self._what.text()} {self._do.text()}".strip() if self.isVisibleTo(self.parentWidget()) else ""
+        return f"{self._what.text()} {self._do.text()}".strip() if not self.isHidden() else ""
 
     @property
     def details(self) -> str:
@@ -73,7 +73,7 @@ class Banner(QFrame):
         self.hide()
 
     def _show(self, mood: str, what: str, do: str, details: str) -> None:
-        if self.isVisibleTo(self.parentWidget()) and self._details.toPlainText():
+        if not self.isHidden() and self._details.toPlainText():
             self._before = [self._details.toPlainText(), *self._before][:5]
         self.setProperty("mood", mood)
         self.style().unpolish(self)

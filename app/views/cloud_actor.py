@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 from app.views.height_colours import HEIGHT, table
+from app.views.vtk_arrays import copied, copied_ids, shared
 
 LIVE_LIMIT = 60_000
 """Points drawn while the cloud grows."""
@@ -30,6 +30,7 @@ class CloudActor:
 
     def __init__(self) -> None:
         self._all = np.empty((4096, 3), np.float32)
+        self._towards = np.empty((4096, 3), np.float32)
         self._count = 0
         self._live = _Drawn(LIVE_LIMIT)
         self._stride = 1
@@ -79,7 +80,9 @@ class CloudActor:
         if end > len(self._all):
             room = max(end, 2 * len(self._all))
             self._all = np.concatenate([self._all[:start], np.empty((room - start, 3), np.float32)])
+            self._towards = np.concatenate([self._towards[:start], np.empty((room - start, 3), np.float32)])
         self._all[start:end] = points
+        self._towards[start:end] = towards
         self._count = end
         self._corners[0] = np.minimum(self._corners[0], points.min(axis=0))
         self._corners[1] = np.maximum(self._corners[1], points.max(axis=0))
@@ -94,13 +97,15 @@ class CloudActor:
         self._still = None
         self.actor.SetMapper(self._live.mapper)
 
-    def live_points(self) -> Floats:
-        """A copy of the points in the live buffer, (m, 3) mm."""
-        return self._live.points()
+    def live_points(self) -> tuple[Floats, Floats]:
+        """Copies of the points in the live buffer, (m, 3) mm, and of the directions to where they were seen from."""
+        kept = slice(0, self._count, self._stride)
+        return self._all[kept].copy(), self._towards[kept].copy()
 
-    def all_points(self) -> Floats:
-        """A copy of all points, thinned to what is drawn when nothing moves, (m, 3) mm."""
-        return self._all[: self._count : self._still_stride()].copy()
+    def all_points(self) -> tuple[Floats, Floats]:
+        """The same for all points, thinned to what is drawn when nothing moves."""
+        kept = slice(0, self._count, self._still_stride())
+        return self._all[kept].copy(), self._towards[kept].copy()
 
     def light_live(self, normals: NDArray[np.float64], generation: int) -> None:
         """Normals (m, 3) of the first m live points, unless the buffer was thinned meanwhile."""
@@ -141,15 +146,15 @@ class _Drawn:
         self.count = 0
         self._step = 1
         self._places = vtkPoints()
-        self._places.SetData(numpy_to_vtk(self._points))
-        self._vtk_normals = numpy_to_vtk(self._normals)
-        self._vtk_heights = numpy_to_vtk(self._heights)
+        self._places.SetData(shared(self._points))
+        self._vtk_normals = shared(self._normals)
+        self._vtk_heights = shared(self._heights)
         self._poly = vtkPolyData()
         self._poly.SetPoints(self._places)
         self._poly.GetPointData().SetNormals(self._vtk_normals)
         self._poly.GetPointData().SetScalars(self._vtk_heights)
         lookup = vtkLookupTable()
-        lookup.SetTable(numpy_to_vtk(table(HEIGHT), deep=True))
+        lookup.SetTable(copied(table(HEIGHT)))
         self.mapper = vtkPolyDataMapper()
         self.mapper.SetInputData(self._poly)
         self.mapper.SetLookupTable(lookup)
@@ -186,9 +191,6 @@ class _Drawn:
         self._vtk_normals.Modified()
         self._poly.Modified()
 
-    def points(self) -> Floats:
-        return self._points[: self.count].copy()
-
     def thin(self, step: int) -> None:
         if step != self._step:
             self._step = max(1, step)
@@ -201,7 +203,7 @@ class _Drawn:
         drawn = np.arange(0, self.count, self._step, dtype=np.int64)
         cells = vtkCellArray()
         if len(drawn):
-            cells.SetData(numpy_to_vtkIdTypeArray(np.array([0, len(drawn)], np.int64), deep=True), numpy_to_vtkIdTypeArray(drawn, deep=True))
+            cells.SetData(copied_ids(np.array([0, len(drawn)], np.int64)), copied_ids(drawn))
         self._poly.SetVerts(cells)
         for part in (self._places.GetData(), self._vtk_normals, self._vtk_heights):
             part.Modified()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from datetime import date
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QUrl
@@ -31,7 +32,7 @@ class ExportPage(Page):
         kinds.setSpacing(6)
         first: list[QPushButton] = []
         for kind in FORMATS:
-            choice = button(QCoreApplication.translate("export", kind.title), "choice", lambda kind=kind: self._choose(kind))
+            choice = button(QCoreApplication.translate("export", kind.title), "choice", partial(self._choose, kind))
             choice.setCheckable(True)
             choice.setToolTip(QCoreApplication.translate("export", kind.use))
             group.addButton(choice)
@@ -124,7 +125,8 @@ class ExportPage(Page):
         self._name.setText(path.name)
         exists = "{rev}" not in self._template.text() and path.exists()
         if not there:
-            self._note.setText(self.tr("Scan first: there are no points yet.") if self._format.points else self.tr("Reconstruct first: there is no surface yet."))
+            missing = self.tr("Scan first: there are no points yet."), self.tr("Reconstruct first: there is no surface yet.")
+            self._note.setText(missing[0] if self._format.points else missing[1])
         elif exists:
             self._note.setText(self.tr("This file exists already. With {rev} in the name every export gets its own number."))
         elif self._format.points:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from datetime import date, datetime
 
-from PySide6.QtCore import QCoreApplication, QLocale
+from PySide6.QtCore import QCoreApplication, QDate, QLocale
 
 NARROW = "\u202f"
 NO_VALUE = "–"
@@ -39,7 +39,7 @@ def percent(share: float | None) -> str:
 def day(iso: str) -> str:
     """A date of a file in the person's own way; what is no date is shown as it is."""
     moment = _date(iso)
-    return iso if moment is None else QLocale().toString(moment, "d MMM yyyy")
+    return iso if moment is None else QLocale().toString(QDate(moment.year, moment.month, moment.day), "d MMM yyyy")
 
 
 def age(iso: str, today: date | None = None) -> str:

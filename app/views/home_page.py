@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, Qt, QTimer
@@ -96,7 +97,7 @@ class HomePage(Page):
         group = QButtonGroup(holder)
         buttons = {}
         for key, word in choices.items():
-            made = button(QCoreApplication.translate("draft", word), "choice", lambda key=key: self.services.draft.edit(name, key))
+            made = button(QCoreApplication.translate("draft", word), "choice", partial(self.services.draft.edit, name, key))
             made.setCheckable(True)
             if side_colours:
                 made.setProperty("side", key)
@@ -169,8 +170,11 @@ class HomePage(Page):
             self._ready.setText(self.tr("A scan is running."))
         elif not rig.connected:
             self._ready.setText(self.tr("Opening the rig…"))
+        elif rig.calibration is None:
+            self._ready.setText(self.tr("The rig has to be calibrated first."))
         else:
-            self._ready.setText(self.tr("Ready: {rig}, calibrated {date}.").format(rig=rig.preset, date=fmt.day(rig.calibration.date) if rig.calibration else "–"))
+            what = Path(rig.specimen).name
+            self._ready.setText(self.tr("Ready. On the table of the virtual rig: {specimen}.").format(specimen=what))
 
     def _show_recent(self) -> None:
         self._recent.clear()

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 from app.views.height_colours import INFLATING, SUPPORTED, UNCERTAINTY, UNSUPPORTED, rgb, table
 from app.views.surface import Surface
+from app.views.vtk_arrays import copied, copied_ids
 
 
 class MeshActor:
@@ -22,7 +22,7 @@ class MeshActor:
         """What the ends of the colour map mean, or None when it is not shown."""
         self._mapper = vtkPolyDataMapper()
         lookup = vtkLookupTable()
-        lookup.SetTable(numpy_to_vtk(table(UNCERTAINTY), deep=True))
+        lookup.SetTable(copied(table(UNCERTAINTY)))
         self._mapper.SetLookupTable(lookup)
         self._mapper.SetUseLookupTableScalarRange(False)
         self.actor = vtkActor()
@@ -48,15 +48,15 @@ class MeshActor:
             self.range_um = None
             return
         places = vtkPoints()
-        places.SetData(numpy_to_vtk(surface.mesh.vertices.astype(np.float32), deep=True))
+        places.SetData(copied(surface.mesh.vertices.astype(np.float32)))
         triangles = np.ascontiguousarray(surface.mesh.triangles, np.int64)
         cells = vtkCellArray()
         offsets = np.arange(0, 3 * len(triangles) + 1, 3, dtype=np.int64)
-        cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True), numpy_to_vtkIdTypeArray(triangles.ravel(), deep=True))
+        cells.SetData(copied_ids(offsets), copied_ids(triangles.ravel()))
         poly = vtkPolyData()
         poly.SetPoints(places)
         poly.SetPolys(cells)
-        poly.GetPointData().SetNormals(numpy_to_vtk(surface.normals, deep=True))
+        poly.GetPointData().SetNormals(copied(surface.normals))
         self._mapper.SetInputData(poly)
         self._paint()
 
@@ -79,7 +79,7 @@ class MeshActor:
             finite = spread[np.isfinite(spread)]
             low, high = (float(v) for v in np.percentile(finite, (1, 99))) if len(finite) else (0.0, 1.0)
             self.range_um = (low, max(high, low + 0.1))
-            values.SetScalars(numpy_to_vtk(np.nan_to_num(spread, nan=high, posinf=high), deep=True))
+            values.SetScalars(copied(np.nan_to_num(spread, nan=high, posinf=high)))
             self._mapper.SetScalarRange(*self.range_um)
             self._mapper.SetColorModeToMapScalars()
         else:
@@ -89,6 +89,6 @@ class MeshActor:
             supported = attributes.get("supported")
             if supported is not None and not surface.growing:
                 colours[np.asarray(supported) == 0] = rgb(UNSUPPORTED)
-            values.SetScalars(numpy_to_vtk(colours, deep=True))
+            values.SetScalars(copied(colours))
             self._mapper.SetColorModeToDirectScalars()
         self._mapper.Modified()

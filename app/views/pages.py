@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP
-
+from app.translation import QT_TRANSLATE_NOOP
 from app.views.export_page import ExportPage
 from app.views.home_page import HomePage
 from app.views.page import MakePage

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
+from PySide6.QtCore import QCoreApplication
+
+from app.translation import QT_TRANSLATE_NOOP
 
 _REASONS = {
     "no_spot": QT_TRANSLATE_NOOP("reasons", "no spot in either camera"),

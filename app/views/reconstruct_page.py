@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QSize, Qt
+from PySide6.QtCore import QCoreApplication, QSize, Qt
 from PySide6.QtWidgets import QGridLayout, QLabel, QProgressBar, QWidget
 
 from app.controllers.reconstruction import PHASES
 from app.services import Services
 from app.theme import ACCENT, FAINT, drawing
+from app.translation import QT_TRANSLATE_NOOP
 from app.views import format as fmt
 from app.views.page import Page
 from app.views.parts import BigNumber, button, label, number_field, row, seam
@@ -102,7 +103,7 @@ class ReconstructPage(Page):
         self._triangles.show_number(fmt.NO_VALUE if shown is None else fmt.count(int(shown)))
         seconds = job.phase_seconds if job.running or job.phase_seconds else {}
         if not job.running and report:
-            seconds = {str(phase["name"]): float(phase["seconds"]) for phase in _list(report, "phases")}
+            seconds = {str(phase["name"]): _number(phase, "seconds") or 0.0 for phase in _list(report, "phases")}
         now = job.progress.phase if job.running and job.progress is not None else ""
         for name, line in self._phases.items():
             line.show_phase(active=name == now, seconds=seconds.get(name))

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, Qt
+from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import QButtonGroup, QComboBox, QFileDialog, QGridLayout, QHBoxLayout, QLabel, QProgressBar, QPushButton, QVBoxLayout, QWidget
 
 from app.controllers.rig import SPECIMENS, SPEEDS
 from app.services import Services
+from app.translation import QT_TRANSLATE_NOOP
 from app.views import format as fmt
 from app.views.page import Page
 from app.views.parts import BigNumber, Lamp, button, label, row, seam
@@ -62,7 +64,7 @@ class RigPage(Page):
         group = QButtonGroup(self)
         self._speeds: dict[str, QPushButton] = {}
         for key in SPEEDS:
-            made = button(QCoreApplication.translate("rig", SPEED_WORDS[key]), "choice", lambda key=key: self.services.rig.choose(speed=key))
+            made = button(QCoreApplication.translate("rig", SPEED_WORDS[key]), "choice", partial(self.services.rig.choose, speed=key))
             made.setCheckable(True)
             group.addButton(made)
             speeds.addWidget(made, 1)
@@ -103,7 +105,8 @@ class RigPage(Page):
         side_box.setSpacing(0)
         side_box.addWidget(label(self.tr("Virtual rig"), "headline"))
         side_box.addSpacing(6)
-        side_box.addWidget(label(self.tr("Two cameras, a laser and a turntable, computed frame by frame; the rest is the real program."), "muted", wrap=True))
+        about = self.tr("Two cameras, a laser and a turntable, computed frame by frame; the rest is the real program.")
+        side_box.addWidget(label(about, "muted", wrap=True))
         side_box.addSpacing(28)
         side_box.addLayout(form)
         side_box.addSpacing(30)
@@ -229,7 +232,7 @@ class RigPage(Page):
         self._bar.setVisible(calibrating)
         self._step.setVisible(calibrating)
         self._bar.setValue(round(1000 * (rig.calibrating or 0.0)))
-        self._step.setText(rig.calibration_step)
+        self._step.setText(self.tr("Showing the board and turning the table; {left} left").format(left=fmt.left_time(rig.calibration_left_s)))
         for part in (self._preset, self._specimen, self._file, *self._speeds.values()):
             part.setEnabled(not rig.busy and not calibrating)
 

@@ -8,6 +8,7 @@ in a thread first: pyvista alone takes seconds.
 from __future__ import annotations
 
 import time
+from typing import Any
 
 import numpy as np
 import pyvista as pv
@@ -16,14 +17,15 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 from pyvistaqt import QtInteractor
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 from app.theme import GROUND, MUTED, RAISED, SEAM
 from app.views.cloud_actor import CloudActor
 from app.views.mesh_actor import MeshActor
 from app.views.surface import Surface
+from app.views.vtk_arrays import bytes_of
 from scanner_core.geometry.point_cloud import PointCloud
+from scanner_core.geometry.view_directions import seen_from
 
 GRID_MM = 10.0
 _REFIT = 1.15
@@ -39,7 +41,7 @@ class SceneView(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._engine: QtInteractor | None = QtInteractor(self, auto_update=False, multi_samples=0, line_smoothing=False)
+        self._engine: Any = QtInteractor(self, auto_update=False, multi_samples=0, line_smoothing=False)
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.addWidget(self._engine)
@@ -77,8 +79,8 @@ class SceneView(QWidget):
 
     def show_cloud(self, cloud: PointCloud) -> None:
         """All points of a case at once."""
-        outwards = cloud.points - cloud.points.mean(axis=0)
-        self.append_points(cloud.points, outwards / np.maximum(np.linalg.norm(outwards, axis=1), 1e-9)[:, None])
+        views = np.zeros(len(cloud), np.int32) if cloud.views is None else cloud.views
+        self.append_points(cloud.points, seen_from(views, int(views.max(initial=0)) + 1))
 
     def clear(self) -> None:
         """No points, no mesh; the camera follows what comes next."""
@@ -115,6 +117,10 @@ class SceneView(QWidget):
     def still(self) -> bool:
         """Nothing moves: there is time for the whole cloud."""
         return not (self._live or self._moving)
+
+    @property
+    def closed(self) -> bool:
+        return self._engine is None
 
     def light_live(self, normals: NDArray[np.float64], generation: int) -> None:
         self.cloud.light_live(normals, generation)
@@ -155,7 +161,7 @@ class SceneView(QWidget):
         reader.Update()
         image = reader.GetOutput()
         width, height, _ = image.GetDimensions()
-        pixels: NDArray[np.uint8] = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 3)[::-1].copy()
+        pixels: NDArray[np.uint8] = bytes_of(image.GetPointData().GetScalars()).reshape(height, width, 3)[::-1].copy()
         return pixels
 
     def close_scene(self) -> None:
@@ -169,12 +175,12 @@ class SceneView(QWidget):
         super().closeEvent(event)
 
     # -------------------------------------------------------------------------------- inside
-    def _open(self) -> QtInteractor:
+    def _open(self) -> Any:
         if self._engine is None:
             raise SceneClosedError("the 3D view is closed")
         return self._engine
 
-    def _prepare(self, engine: QtInteractor) -> None:
+    def _prepare(self, engine: Any) -> None:
         engine.set_background(GROUND, top=RAISED)
         engine.enable_terrain_style(mouse_wheel_zooms=True)
         engine.add_actor(self.cloud.actor, render=False)
@@ -202,7 +208,9 @@ class SceneView(QWidget):
         self.pictures += 1
 
     def _bounds(self) -> NDArray[np.float64] | None:
-        both = [part for part in (self.cloud.bounds_mm, None if self.mesh.surface is None else np.array(self.mesh.surface.mesh.bounds())) if part is not None]
+        surface = self.mesh.surface
+        parts = (self.cloud.bounds_mm, None if surface is None else np.array(surface.mesh.bounds()))
+        both = [part for part in parts if part is not None]
         return np.array([np.min([b[0] for b in both], axis=0), np.max([b[1] for b in both], axis=0)]) if both else None
 
     def _follow_bounds(self, bounds: NDArray[np.float64] | None) -> None:
