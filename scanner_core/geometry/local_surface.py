@@ -1,0 +1,90 @@
+"""The surface that scattered points of one view lie on, near any place: a weighted quadratic through the neighbours.
+
+A plane through the nearest point is off by the sag of the surface over a point's spacing (0.1 mm on a 10 mm sphere at
+1.5 mm); a quadratic follows the curvature and averages the points' noise (Levin, "The approximation power of moving
+least-squares", Math. Comp. 67, 1998).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+Array = NDArray[np.float64]
+
+NEIGHBOURS = 18
+"""Three times the six unknowns of a quadratic."""
+_MAX_OFF_CENTRE = 0.35
+"""Distance from a place to the middle of its neighbours over their reach: beyond, the place lies off the border."""
+_MAX_FLATNESS = 0.2
+"""Least over middle principal sigma of the neighbours: beyond, they are no surface patch."""
+_MAX_LEVERAGE = 0.6
+"""Variance of the quadratic's height over a point's: beyond, the place is badly surrounded."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SurfaceDistance:
+    """Distance of m places to a local surface.
+
+    Attributes
+    ----------
+    signed_mm : (m,) along `normals`
+    normals : (m, 3) unit normals of the surface, of arbitrary sign
+    leverage : (m,) variance of the surface's height as a part of a point's variance
+    valid : (m,) False where the places are not over the view's surface
+    """
+
+    signed_mm: Array
+    normals: Array
+    leverage: Array
+    valid: NDArray[np.bool_]
+
+
+class LocalSurface:
+    """The surface under one view's points (n, 3) mm; n may be small, then nothing is valid."""
+
+    def __init__(self, points: Array) -> None:
+        self.points = points
+        self._tree = cKDTree(points) if len(points) > NEIGHBOURS else None
+        if self._tree is not None:
+            reach = self._tree.query(points, NEIGHBOURS)[0][:, -1]
+            self._max_reach = 2.0 * float(np.median(reach))
+
+    def distance(self, places: Array) -> SurfaceDistance:
+        """Distance of places (m, 3) mm to the surface."""
+        m = len(places)
+        if self._tree is None or m == 0:
+            return SurfaceDistance(np.zeros(m), np.zeros((m, 3)), np.ones(m), np.zeros(m, bool))
+        far, index = self._tree.query(places, NEIGHBOURS)
+        reach = far[:, -1]
+        about = self.points[index] - places[:, None]  # (m, k, 3)
+        weight = np.exp(-2.0 * (far / reach[:, None]) ** 2)
+        weight /= weight.sum(axis=1, keepdims=True)
+        middle = (weight[..., None] * about).sum(axis=1)
+        spread = about - middle[:, None]
+        principal, axes = np.linalg.eigh((weight[..., None] * spread).transpose(0, 2, 1) @ spread)
+        normal, along = axes[:, :, 0], axes[:, :, 1:]
+
+        plane = (about @ along) / reach[:, None, None]  # (m, k, 2)
+        height = (about @ normal[..., None])[..., 0]
+        x, y = plane[..., 0], plane[..., 1]
+        design = np.stack([np.ones_like(x), x, y, x * x, x * y, y * y], axis=-1)
+        weighted = design * weight[..., None]
+        inverse = np.linalg.inv(weighted.transpose(0, 2, 1) @ design + 1e-6 * np.eye(6))
+        weights_of_height = inverse[:, :3] @ weighted.transpose(0, 2, 1)  # (m, 3, k): the first three coefficients by height
+        level, slope_x, slope_y = (weights_of_height @ height[..., None])[..., 0].T
+        tilted = normal - (along @ np.stack([slope_x, slope_y], axis=-1)[..., None])[..., 0] / reach[:, None]
+        length = np.linalg.norm(tilted, axis=1)
+        leverage = (weights_of_height[:, 0] ** 2).sum(axis=1)
+
+        off_centre = np.linalg.norm(middle - (middle * normal).sum(axis=1)[:, None] * normal, axis=1)
+        valid = (
+            (reach < self._max_reach)
+            & (off_centre < _MAX_OFF_CENTRE * reach)
+            & (principal[:, 0] < _MAX_FLATNESS**2 * principal[:, 1])
+            & (leverage < _MAX_LEVERAGE)
+        )
+        return SurfaceDistance(-level / length, tilted / length[:, None], leverage, valid)

@@ -1,0 +1,326 @@
+"""Brings the views of one object together, after the turntable's pose has brought them close.
+
+Every view gets a small rigid correction.  Corrections minimize, over all pairs of views that overlap, the robustly
+weighted distances of one view's points to the other's local surface (point to plane: Chen & Medioni 1992; all views at
+once: Pulli 1999), plus what is known beforehand: the table's pose is right to a stated standard uncertainty.  That prior
+fixes the gauge and holds every motion that the shapes do not determine, so a sphere or a cylinder does not drift.
+
+Calibration errors are the same for neighbouring points, and thousands of them do not average out.  A pair of views is
+therefore not believed beyond `systematic_um`, however many points it has.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scanner_core.geometry.local_surface import LocalSurface
+from scanner_core.geometry.point_cloud import PointCloud
+from scanner_core.geometry.rigid import RigidTransform
+
+Array = NDArray[np.float64]
+
+_TUKEY = 4.685
+"""Residuals beyond so many standard deviations count for nothing; 95 % efficient on clean ones (Beaton & Tukey 1974)."""
+_MIN_PAIR = 30
+"""Correspondences between two views: fewer say nothing about six unknowns."""
+_STEPS = 4
+"""Reweighted steps between two searches for correspondences."""
+_SETTLED_MM = 5e-4
+_GAIN = 0.99
+"""A smaller gain is within the residual's own uncertainty, and means that the views were good to a seventh of it."""
+_SHIFTS_FIRST = 4
+"""Rounds without turns: a sphere that still lies beside its surface seems to tell something about its turn."""
+_SEED = 20_031
+"""Of the choice of points: the same cloud gives the same result."""
+
+
+@dataclass(frozen=True, slots=True)
+class RegistrationParameters:
+    """What is known beforehand, and what may be spent.
+
+    Attributes
+    ----------
+    prior_position_um, prior_angle_deg : standard uncertainty of a view's pose as the turntable gives it, per coordinate
+    systematic_um : standard uncertainty of the distance between two views that does not average out
+    max_distance_mm : farther surfaces are not the same surface
+    queries : distances that are evaluated in a round, over all pairs of views
+    partners : views that a view is compared with, those with the largest overlap
+    rounds : at most; in each the places on the surfaces are found anew
+    """
+
+    prior_position_um: float = 30.0
+    prior_angle_deg: float = 0.02
+    systematic_um: float = 5.0
+    max_distance_mm: float = 1.0
+    queries: int = 20_000
+    partners: int = 4
+    rounds: int = 8
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RegistrationResult:
+    """How the views were brought together.
+
+    Attributes
+    ----------
+    corrections : by view, object frame to object frame; the identity when `applied` is False
+    residual_before_um, residual_after_um : robust standard deviation of the distance between overlapping views, at points
+        that were not used in the fit
+    overlap_fraction : by view, the part of its points that lie over another view's surface
+    converged : the corrections stopped changing
+    iterations : rounds spent
+    applied : False when the corrections were not used, for the `reason`
+    """
+
+    corrections: tuple[RigidTransform, ...]
+    residual_before_um: float
+    residual_after_um: float
+    overlap_fraction: tuple[float, ...]
+    converged: bool
+    iterations: int
+    applied: bool
+    reason: str = ""
+
+    def as_dict(self) -> dict[str, object]:
+        """For JSON."""
+        return {
+            "views": len(self.corrections),
+            "residual_before_um": round(self.residual_before_um, 2),
+            "residual_after_um": round(self.residual_after_um, 2),
+            "overlap_fraction": [round(fraction, 3) for fraction in self.overlap_fraction],
+            "largest_shift_um": round(1e3 * max((float(np.linalg.norm(c.translation)) for c in self.corrections), default=0.0), 2),
+            "largest_angle_deg": round(max((c.angle_deg() for c in self.corrections), default=0.0), 5),
+            "converged": self.converged,
+            "iterations": self.iterations,
+            "applied": self.applied,
+            "reason": self.reason,
+        }
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Matches:
+    """Correspondences of a pair of views: points of `first` against the surface of `second`."""
+
+    first: int
+    second: int
+    points: Array
+    """(n, 3) mm, moved by the first view's correction."""
+    distance: Array
+    """(n,) signed, mm."""
+    normals: Array
+    relative_variance: Array
+    """(n,), of the distance in units of a typical point's variance."""
+
+
+def register_views(cloud: PointCloud, parameters: RegistrationParameters | None = None) -> RegistrationResult:
+    """Small rigid corrections of the views of a cloud in the object frame.
+
+    Parameters
+    ----------
+    cloud : with `views` numbered from 0; its covariances, when known, weigh the points
+    parameters : prior and cost
+
+    Returns
+    -------
+    RegistrationResult
+        One correction for every view number up to the largest.  That the views do not overlap, that the iteration did
+        not settle or that it gained nothing is said in it.
+    """
+    p = parameters or RegistrationParameters()
+    number = np.zeros(len(cloud), np.int32) if cloud.views is None else cloud.views
+    count = int(number.max()) + 1 if len(cloud) else 0
+    identity = tuple(RigidTransform.identity() for _ in range(count))
+    rng = np.random.default_rng(_SEED)
+    members = [rng.permutation(np.flatnonzero(number == view)) for view in range(count)]
+    surfaces = [LocalSurface(cloud.points[np.sort(m)]) for m in members]
+    pairs = _overlapping([cloud.points[m] for m in members], p.partners)
+    share = max(p.queries // max(len(pairs), 1), 2 * _MIN_PAIR)
+    half = [min(share, len(m) // 2) for m in members]
+    fit_points = [m[:n] for m, n in zip(members, half, strict=True)]
+    check_points = [m[n : 2 * n] for m, n in zip(members, half, strict=True)]
+
+    before = _match(cloud, check_points, surfaces, pairs, identity, p)
+    if not before:
+        return RegistrationResult(identity, 0.0, 0.0, (0.0,) * count, False, 0, False, "the views do not overlap")
+    overlap = _overlap(before, check_points, count)
+    centre = np.mean([matches.points.mean(axis=0) for matches in before], axis=0)
+    radius = float(np.sqrt(np.mean([((m.points - centre) ** 2).sum(axis=1).mean() for m in before])))
+
+    corrections, converged, iterations = identity, False, 0
+    for iteration in range(p.rounds):
+        iterations = iteration + 1
+        matches = _match(cloud, fit_points, surfaces, pairs, corrections, p)
+        if not matches:
+            break
+        corrections, moved_mm = _solve(matches, corrections, centre, radius, p)
+        if moved_mm < _SETTLED_MM:
+            converged = True
+            break
+    after = _match(cloud, check_points, surfaces, pairs, corrections, p)
+    residual_before, residual_after = _residual_um(before), _residual_um(after) if after else float("inf")
+    if not converged or not residual_after < _GAIN * residual_before:
+        reason = "the refinement gained nothing" if converged else "the refinement did not settle"
+        return RegistrationResult(identity, residual_before, residual_before, overlap, converged, iterations, False, reason)
+    return RegistrationResult(corrections, residual_before, residual_after, overlap, True, iterations, True)
+
+
+def fit_rigid_to_surface(
+    points: Array, closest: Callable[[Array], tuple[Array, Array]], *, iterations: int = 50, tolerance_mm: float = 1e-6
+) -> RigidTransform:
+    """The rigid motion that brings points (n, 3) mm closest to a surface: least squares, point to plane, from the identity.
+
+    Motions that the surface does not determine (the turns of a sphere) are left at zero.
+
+    Parameters
+    ----------
+    closest : (n, 3) points -> their closest points on the surface (n, 3) mm and its unit normals there (n, 3)
+    """
+    motion = RigidTransform.identity()
+    centre = points.mean(axis=0)
+    radius = float(np.sqrt(((points - centre) ** 2).sum(axis=1).mean()))
+    for iteration in range(iterations):
+        moved = motion.apply(points)
+        about = moved - motion.apply(centre)
+        foot, normals = closest(moved)
+        jacobian = np.hstack([np.cross(about, normals) / radius, normals])
+        if iteration < _SHIFTS_FIRST:
+            jacobian[:, :3] = 0.0
+        values, vectors = np.linalg.eigh(jacobian.T @ jacobian)
+        known = values > 1e-4 * values[-1]
+        right = vectors.T @ (jacobian.T @ ((foot - moved) * normals).sum(axis=1))
+        step = vectors[:, known] @ (right[known] / values[known])
+        motion = _about(step[:3] / radius, step[3:], motion.apply(centre)) @ motion
+        if iteration >= _SHIFTS_FIRST and float(np.abs(step).max()) < tolerance_mm:
+            break
+    return motion
+
+
+def _about(rotation_vector: Array, shift: Array, centre: Array) -> RigidTransform:
+    """Turn about `centre`, then shift."""
+    turn = RigidTransform.from_vector(rotation_vector, np.zeros(3))
+    return RigidTransform(turn.rotation, centre - turn.rotation @ centre + shift)
+
+
+def _overlapping(views: list[Array], partners: int) -> list[tuple[int, int]]:
+    """Ordered pairs of views to compare: each view with those that share the most cells of space with it."""
+    filled = [v for v in views if len(v)]
+    if len(filled) < 2:
+        return []
+    every = np.concatenate(filled)
+    low = every.min(axis=0)
+    cell = max(float((every.max(axis=0) - low).max()) / 40, 1e-6)
+    cells = []
+    for points in views:
+        i, j, k = np.floor((points - low) / cell).astype(np.int64).T if len(points) else np.empty((3, 0), np.int64)
+        cells.append(np.unique(i + 64 * (j + 64 * k)))
+    shared = np.array([[0 if a is b else len(np.intersect1d(a, b, assume_unique=True)) for b in cells] for a in cells])
+    pairs = set()
+    for view in range(len(views)):
+        for partner in np.argsort(-shared[view], kind="stable")[:partners]:
+            if shared[view, partner] > 0:
+                pairs |= {(view, int(partner)), (int(partner), view)}
+    return sorted(pairs)
+
+
+def _match(
+    cloud: PointCloud,
+    chosen: list[NDArray[np.int64]],
+    surfaces: list[LocalSurface],
+    pairs: list[tuple[int, int]],
+    corrections: tuple[RigidTransform, ...],
+    p: RegistrationParameters,
+) -> list[_Matches]:
+    """Distances of the chosen points to the other views' surfaces, with the corrections so far."""
+    found = []
+    typical = _typical_variance(cloud)
+    for first, second in pairs:
+        index = chosen[first]
+        moved = corrections[first].apply(cloud.points[index])
+        back = corrections[second].inverse()
+        near = surfaces[second].distance(back.apply(moved))
+        keep = near.valid & (np.abs(near.signed_mm) < p.max_distance_mm)
+        if np.count_nonzero(keep) < _MIN_PAIR:
+            continue
+        normals = corrections[second].rotate(near.normals[keep])
+        variance = np.ones(len(normals))
+        if cloud.covariances is not None:
+            own = np.einsum("ni,nij,nj->n", normals, cloud.covariances[index[keep]], normals)
+            variance = np.clip(own / typical, 0.25, 16.0)
+        found.append(_Matches(first, second, moved[keep], near.signed_mm[keep], normals, variance + near.leverage[keep]))
+    return found
+
+
+def _typical_variance(cloud: PointCloud) -> float:
+    """Median variance of a coordinate, mm^2."""
+    if cloud.covariances is None:
+        return 1.0
+    return max(float(np.median(np.trace(cloud.covariances, axis1=1, axis2=2))) / 3, 1e-12)
+
+
+def _residual_um(matches: list[_Matches]) -> float:
+    return 1e3 * 1.4826 * float(np.median(np.abs(np.concatenate([m.distance for m in matches]))))
+
+
+def _solve(
+    matches: list[_Matches], corrections: tuple[RigidTransform, ...], centre: Array, radius: float, p: RegistrationParameters
+) -> tuple[tuple[RigidTransform, ...], float]:
+    """Corrections for these correspondences by reweighted least squares; also the largest change of a view, mm.
+
+    Unknowns of a view: its turn about `centre` times `radius`, and its shift, both in mm.  The motions are so small that
+    a distance is linear in them.
+    """
+    n = len(corrections)
+    jacobians = [np.hstack([np.cross(m.points - centre, m.normals) / radius, m.normals]) for m in matches]
+    so_far = np.array([np.concatenate([radius * _rotation_vector(c), c.apply(centre) - centre]) for c in corrections])
+    prior = 1.0 / np.repeat([radius * np.radians(p.prior_angle_deg), 1e-3 * p.prior_position_um], 3) ** 2
+    change = np.zeros((n, 6))
+    for _ in range(_STEPS):
+        distances = [m.distance + j @ (change[m.first] - change[m.second]) for m, j in zip(matches, jacobians, strict=True)]
+        ratios = np.concatenate([d / np.sqrt(m.relative_variance) for d, m in zip(distances, matches, strict=True)])
+        scale = max(1.4826 * float(np.median(np.abs(ratios))), 1e-5)
+        normal, right = np.zeros((n, 6, n, 6)), np.zeros((n, 6))
+        for m, jacobian, distance in zip(matches, jacobians, distances, strict=True):
+            weight = _weights(distance, scale**2 * m.relative_variance, 1e-3 * p.systematic_um)
+            weighted = jacobian * weight[:, None]
+            block, pull = weighted.T @ jacobian, weighted.T @ distance
+            i, j = m.first, m.second
+            normal[i, :, i] += block
+            normal[j, :, j] += block
+            normal[i, :, j] -= block
+            normal[j, :, i] -= block
+            right[i] -= pull
+            right[j] += pull
+        for view in range(n):
+            normal[view, :, view] += np.diag(prior)
+        right -= prior * (so_far + change)
+        change += np.linalg.solve(normal.reshape(6 * n, 6 * n), right.ravel()).reshape(n, 6)
+    moved = tuple(_about(turn / radius, shift, centre) @ c for turn, shift, c in zip(change[:, :3], change[:, 3:], corrections, strict=True))
+    return moved, float(np.linalg.norm(change, axis=1).max())
+
+
+def _weights(distance: Array, variance: Array, systematic_mm: float) -> Array:
+    """Tukey's weights over the variance, in which a common error of all n distances is shared out.
+
+    n points of a six-parameter motion so weigh no more than 6 / systematic^2.
+    """
+    u = distance / (_TUKEY * np.sqrt(variance))
+    robust = np.where(np.abs(u) < 1, (1 - u * u) ** 2, 0.0)
+    return np.asarray(robust / (variance + robust.sum() / 6 * systematic_mm**2), np.float64)
+
+
+def _rotation_vector(transform: RigidTransform) -> Array:
+    """Of a small rotation, (3,) radians."""
+    r = transform.rotation
+    return 0.5 * np.array([r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]])
+
+
+def _overlap(matches: list[_Matches], chosen: list[NDArray[np.int64]], count: int) -> tuple[float, ...]:
+    """By view, the largest part of its chosen points that one partner's surface covers."""
+    best = [0.0] * count
+    for m in matches:
+        best[m.first] = max(best[m.first], len(m.distance) / max(len(chosen[m.first]), 1))
+    return tuple(best)
