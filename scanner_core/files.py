@@ -62,6 +62,19 @@ def replaced_when_whole(path: Path | str, force: bool = False) -> Iterator[Path]
             partial.unlink(missing_ok=True)
 
 
+def check_free(path: Path | str, force: bool = False) -> None:
+    """Say before long work whether its result can appear at `path`; raises what :func:`replaced_when_whole` would."""
+    place = Path(os.path.realpath(path))
+    if place.is_dir():
+        raise StorageError("E-DISK-02", path=path, reason="it is a folder")
+    if place.exists() and not force:
+        raise StorageError("E-DISK-03", path=path)
+    if not place.parent.is_dir():
+        raise StorageError("E-DISK-02", path=path, reason="its folder does not exist")
+    if not os.access(place.parent, os.W_OK):
+        raise StorageError("E-DISK-02", path=path, reason="its folder cannot be written")
+
+
 def storage_error(path: Path | str, fault: OSError) -> StorageError:
     """What an ``OSError`` while writing `path` means to a person: E-DISK-01 disk full, E-DISK-02 anything else."""
     if fault.errno in _NO_SPACE:

@@ -18,8 +18,8 @@ from scanner_core.acquisition.aiming import beam_angles, cylinder_outline, row_r
 from scanner_core.acquisition.plan import COARSE_TO_FINE, PlanRequest, Row, ScanPlan, ViewPlan
 from scanner_core.devices.rig import RigConfig
 
-SPARE = 1.06
-"""Planned over wanted points: what grazing light and shadow take, so that the quotas are reached."""
+_SPARE = 1.06
+"""Planned over wanted points, beside the uncertainty of the located area, so that the quotas are reached."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +63,9 @@ def scan_plan(rig: RigConfig, request: PlanRequest, rate_hz: float, located: Sca
     covers = [_cover(view, hit_ids) for view in located.views]
     areas = np.array([_area(view, hit_ids) for view in located.views])
     total = float(areas.sum())
-    step = float(np.sqrt(total / (SPARE * request.points)))
+    # The located area is a count of hits: two and a half of its standard deviations are planned on top.
+    spare = _SPARE + 2.5 / np.sqrt(max(len(hits), 1))
+    step = float(np.sqrt(total / (spare * request.points)))
     step = min(step, rig.limits.sweep_speed_deg_s / rate_hz)
     quotas = _quotas(areas, request.points)
     views, next_id = [], first_id
@@ -104,7 +106,7 @@ def _dense_outline(angles: NDArray[np.float64], step: float) -> NDArray[np.float
 
 
 def _cover(view: ViewPlan, hits: set[int]) -> list[tuple[float, float, float]]:
-    """(y, x low, x high) in degrees per coarse row that the object meets, one coarse step wider on each side."""
+    """(y, x low, x high) in degrees per coarse row: what the object meets, one coarse step wider on every side."""
     spans: list[tuple[float, float] | None] = []
     for row in view.rows:
         columns = [i for i in range(row.count) if row.first_id + i in hits]
@@ -112,7 +114,8 @@ def _cover(view: ViewPlan, hits: set[int]) -> list[tuple[float, float, float]]:
         spans.append((row.x_from_deg + (columns[0] - 1) * step, row.x_from_deg + (columns[-1] + 1) * step) if columns else None)
     cover = []
     for i, row in enumerate(view.rows):
-        near = [span for span in spans[max(0, i - 1) : i + 2] if span is not None]
+        # A row that meets nothing itself borders on one that does: the object's edge lies between them.
+        near = [span for span in ([spans[i]] if spans[i] else spans[max(0, i - 1) : i + 2]) if span is not None]
         if near:
             cover.append((row.y_deg, min(low for low, _ in near), max(high for _, high in near)))
     return cover
@@ -136,17 +139,20 @@ def _quotas(areas: NDArray[np.float64], points: int) -> NDArray[np.int64]:
 
 
 def _coarse_to_fine(cover: Sequence[tuple[float, float, float]], step: float) -> list[tuple[float, float, float]]:
-    """Rows (y, x low, x high) every `step` degrees over the cover, in eight interleaved combs."""
+    """Rows (y, x low, x high) every `step` degrees over the cover, in eight interleaved combs.
+
+    A row between two coarse rows is as wide as both together.
+    """
     if not cover:
         return []
     known = np.array(cover)
-    pitch = float(np.min(np.diff(known[:, 0]))) if len(known) > 1 else step
-    bottom, top = known[0, 0] - 0.5 * pitch, known[-1, 0] + 0.5 * pitch
+    pitch = float(np.min(np.diff(known[:, 0]))) if len(known) > 1 else 2 * step
+    bottom, top = known[0, 0], known[-1, 0]
     fine = bottom + (np.arange(max(1, round((top - bottom) / step))) + 0.5) * step
     rows = []
     for comb in COARSE_TO_FINE:
         for y_deg in fine[comb::8]:
-            nearest = int(np.argmin(np.abs(known[:, 0] - y_deg)))
-            if abs(known[nearest, 0] - y_deg) <= 0.51 * pitch + step:
-                rows.append((float(y_deg), float(known[nearest, 1]), float(known[nearest, 2])))
+            near = known[np.abs(known[:, 0] - y_deg) < pitch]
+            if len(near):
+                rows.append((float(y_deg), float(near[:, 1].min()), float(near[:, 2].max())))
     return rows

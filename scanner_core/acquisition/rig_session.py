@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import itertools
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from scanner_core.clock import Clock, Speed
+from scanner_core.clock import Clock, Speed, make_clock
 from scanner_core.devices.camera import Camera
+from scanner_core.devices.grbl import open_controller
 from scanner_core.devices.motion import MotionController
 from scanner_core.devices.rig import RigConfig
 from scanner_core.errors import ImprontaError, UsageError
 from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.virtual.bench import VirtualBench
+from scanner_core.virtual.firmware import Firmware
+from scanner_core.virtual.firmware_registry import register_firmware, unregister_firmware
+from scanner_core.virtual.motion_state import MotionTimeline
 from scanner_core.virtual.presets import PRESETS
 from scanner_core.virtual.specimens import Specimen
 
+_VIRTUAL = "virtual://"
 _numbers = itertools.count(1)
 
 
@@ -22,7 +27,7 @@ _numbers = itertools.count(1)
 class OpenRig:
     """Everything that a scan needs.  A context manager: leaving it switches the laser off and releases the devices.
 
-    `bench` is the virtual rig, or None for hardware; only the person's operations on it (change the specimen, show the
+    `bench` is the virtual rig, or None for hardware; only a person's operations on it (change the specimen, show the
     calibration board) go through it, never a measurement.
     """
 
@@ -33,6 +38,8 @@ class OpenRig:
     clock: Clock
     calibration: StereoCalibration | None
     bench: VirtualBench | None = None
+    firmware: str | None = None
+    """Name of the firmware model inside this process."""
 
     def close(self) -> None:
         """Laser and controller first, then the cameras."""
@@ -41,6 +48,8 @@ class OpenRig:
                 device.close()
             except ImprontaError:
                 continue  # one device that fails to close must not keep the others open
+        if self.firmware is not None:
+            unregister_firmware(self.firmware)
 
     def __enter__(self) -> OpenRig:
         return self
@@ -55,7 +64,7 @@ def open_rig(config: RigConfig, specimen: Specimen | None = None, speed: Speed =
     Parameters
     ----------
     specimen : what stands on the virtual rig's table
-    speed : of the virtual rig: 1, 5, or ``"max"``; ignored by hardware
+    speed : of the virtual rig: 1, 5, or ``"max"``; hardware and a firmware model in its own process keep their own time
     seed : of the virtual rig's noise
 
     Raises
@@ -66,4 +75,36 @@ def open_rig(config: RigConfig, specimen: Specimen | None = None, speed: Speed =
         raise UsageError("E-RIG-01", path=config.name, reason=f"there is no driver for cameras of the kind '{config.left.driver}'")
     if config.virtual not in PRESETS:
         raise UsageError("E-RIG-01", path=config.name, reason=f"'virtual' must be one of {', '.join(PRESETS)}")
-    return _open_virtual(config, specimen, speed, seed)
+    if config.controller.port.lower().startswith(_VIRTUAL):
+        clock = make_clock(speed)
+        # A name of its own, so that two rigs can be open in one process.
+        name = f"{config.controller.port[len(_VIRTUAL):]}-{next(_numbers)}"
+        firmware = Firmware(clock)
+        register_firmware(name, firmware)
+        controller = replace(config.controller, port=_VIRTUAL + name)
+        try:
+            motion = open_controller(controller, clock)
+        except BaseException:
+            unregister_firmware(name)
+            raise
+        return _with_bench(config, motion, clock, firmware, specimen, seed, name)
+    return _open_remote(config, specimen, seed)
+
+
+def _open_remote(config: RigConfig, specimen: Specimen | None, seed: int) -> OpenRig:
+    """A firmware model in a process of its own, reached through the guardian; its side channel tells where the beam is."""
+    from scanner_core.virtual.remote_timeline import RemoteTimeline
+
+    host, _, port = config.controller.witness.rpartition(":")
+    if not host or not port.isdigit():
+        raise UsageError("E-RIG-01", path=config.name, reason="a virtual rig on a real port needs 'witness = \"host:port\"' of the firmware process")
+    timeline = RemoteTimeline(host, int(port))
+    motion = open_controller(config.controller, timeline.clock)
+    return _with_bench(config, motion, timeline.clock, timeline, specimen, seed, None)
+
+
+def _with_bench(
+    config: RigConfig, motion: MotionController, clock: Clock, timeline: MotionTimeline, specimen: Specimen | None, seed: int, name: str | None
+) -> OpenRig:
+    bench = VirtualBench(PRESETS[config.virtual or ""], specimen, clock, timeline, seed)
+    return OpenRig(config, bench.camera("left"), bench.camera("right"), motion, clock, config.calibration, bench, name)

@@ -7,13 +7,14 @@ import os
 import shutil
 import sys
 import tempfile
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from importlib import metadata
 from pathlib import Path
 
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
 from scanner_core.commands.console import Console
 from scanner_core.devices.camera import Camera
+from scanner_core.devices.check import Check
 from scanner_core.devices.rig import RigConfig, load_rig_or_preset
 from scanner_core.errors import ImprontaError
 from scanner_core.optics.spot import Spot
@@ -22,16 +23,6 @@ from scanner_core.virtual.specimens import load_specimen
 
 _LIBRARIES = ("numpy", "scipy", "opencv-contrib-python-headless", "vtk", "pyserial", "pyvista", "pyvistaqt", "PySide6_Essentials")
 _DISK_GIB = 1.0
-
-
-@dataclass(frozen=True, slots=True)
-class Check:
-    """One check: `verdict` is ``pass``, ``warn`` or ``fail``."""
-
-    name: str
-    verdict: str
-    detail: str
-    remedy: str = ""
 
 
 def run(given: argparse.Namespace, console: Console) -> int:

@@ -8,9 +8,8 @@ from pathlib import Path
 from scanner_core.case.points import case_cloud
 from scanner_core.case.store import CaseStore
 from scanner_core.commands.console import Console
-from scanner_core.files import check_writable
-from scanner_core.mesh_io import write_mesh, write_points
-from scanner_core.mesh_io.formats import check_mesh_suffix
+from scanner_core.files import check_free
+from scanner_core.mesh_io import check_suffix, write_mesh, write_points
 
 _POINT_SUFFIXES = (".xyz",)
 
@@ -19,8 +18,8 @@ def run(given: argparse.Namespace, console: Console) -> int:
     out = Path(given.out).resolve()
     points_wanted = out.suffix.lower() in _POINT_SUFFIXES
     if not points_wanted:
-        check_mesh_suffix(out)
-    check_writable(out, force=given.force)
+        check_suffix(out)
+    check_free(out, given.force)
     with CaseStore.open(Path(given.case)) as store:
         if points_wanted:
             cloud = case_cloud(store)

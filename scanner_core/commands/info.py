@@ -10,8 +10,8 @@ from scanner_core.case.store import SUFFIX, CaseStore
 from scanner_core.commands.console import Console
 from scanner_core.errors import InputFileError
 from scanner_core.geometry.checks import check_mesh
+from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.mesh_io import read_mesh, read_points
-from scanner_core.mesh_io.formats import MESH_SUFFIXES, holds_triangles
 
 _POINT_ONLY = (".xyz", ".txt", ".csv", ".asc", ".npy")
 
@@ -23,12 +23,10 @@ def run(given: argparse.Namespace, console: Console) -> int:
         values = _case(path)
     elif not path.exists():
         raise InputFileError("E-FILE-01", path=path)
-    elif suffix in _POINT_ONLY or (suffix == ".ply" and not holds_triangles(path)):
+    elif suffix in _POINT_ONLY:
         values = _points(path)
-    elif suffix in MESH_SUFFIXES:
-        values = _mesh(path)
     else:
-        raise InputFileError("E-FILE-05", path=path, reason=f"files of the kind '{suffix}' are not known")
+        values = _mesh_or_points(path)
     console.result(values, [f"{name}: {value}" for name, value in values.items()])
     return 0
 
@@ -54,8 +52,16 @@ def _case(path: Path) -> dict[str, object]:
         return values
 
 
-def _mesh(path: Path) -> dict[str, object]:
-    mesh = read_mesh(path)
+def _mesh_or_points(path: Path) -> dict[str, object]:
+    try:
+        return _mesh(path, read_mesh(path))
+    except InputFileError as error:
+        if error.code != "E-FILE-03":
+            raise
+        return _points(path)  # a PLY without triangles is a cloud
+
+
+def _mesh(path: Path, mesh: TriangleMesh) -> dict[str, object]:
     low, high = mesh.bounds()
     checks = check_mesh(mesh)
     return {

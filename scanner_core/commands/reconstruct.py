@@ -9,10 +9,9 @@ from scanner_core.case.points import case_cloud
 from scanner_core.case.store import SUFFIX, CaseStore
 from scanner_core.commands.console import Console
 from scanner_core.commands.reconstructing import reconstruction_summary, run_reconstruction
-from scanner_core.files import check_writable
+from scanner_core.files import check_free
 from scanner_core.geometry.point_cloud import PointCloud
-from scanner_core.mesh_io import read_points, write_mesh
-from scanner_core.mesh_io.formats import check_mesh_suffix
+from scanner_core.mesh_io import check_suffix, read_points, write_mesh
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.reconstruction.pipeline import Reconstruction
 
@@ -21,8 +20,8 @@ _MM = {"mm": 1.0, "m": 1000.0, "inch": 25.4}
 
 def run(given: argparse.Namespace, console: Console) -> int:
     source, out = Path(given.input), Path(given.out).resolve()
-    check_mesh_suffix(out)
-    check_writable(out, force=given.force)
+    check_suffix(out)
+    check_free(out, given.force)
     parameters = ReconstructionParameters(triangles=given.triangles, tolerance_um=given.tolerance_um, open_holes=given.open_holes, seed=given.seed)
     if source.suffix.lower() == SUFFIX:
         with CaseStore.open(source) as store:

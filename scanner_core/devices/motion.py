@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 from typing import Protocol
+
+from scanner_core.devices.check import Check
 
 
 class MotionState(Enum):
@@ -79,6 +82,14 @@ class MotionController(Protocol):
 
     def recover(self) -> bool:
         """Back to idle after a stop or an alarm; True when the position is still known."""
+        ...
+
+    def self_checks(self) -> Sequence[Check]:
+        """Handshake, motion and laser, each with a verdict; the laser is off afterwards."""
+        ...
+
+    def description(self) -> dict[str, object]:
+        """Port, firmware, axes and the transcript of the last lines."""
         ...
 
     def close(self) -> None:

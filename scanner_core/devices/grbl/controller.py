@@ -6,7 +6,8 @@ import math
 import threading
 
 from scanner_core.clock import Clock
-from scanner_core.devices.grbl.doctor import ControllerCheck, controller_checks
+from scanner_core.devices.check import Check
+from scanner_core.devices.grbl.doctor import controller_checks
 from scanner_core.devices.grbl.handshake import shake_hands
 from scanner_core.devices.grbl.link import GrblLink, Halt
 from scanner_core.devices.motion import MotionState, MotionStatus
@@ -205,7 +206,7 @@ class GrblController:
             "transcript": self.transcript(),
         }
 
-    def self_checks(self) -> list[ControllerCheck]:
+    def self_checks(self) -> list[Check]:
         """Handshake, motion and laser, each with a verdict; the laser is off afterwards."""
         return controller_checks(self)
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from scanner_core.devices.check import Check
 from scanner_core.devices.motion import MotionState
 from scanner_core.errors import DeviceError
 
@@ -15,36 +15,26 @@ _STEP_DEG = 1.0
 _TOLERANCE_DEG = 0.01
 
 
-@dataclass(frozen=True, slots=True)
-class ControllerCheck:
-    """One check: `verdict` is ``pass``, ``warn`` or ``fail``."""
-
-    name: str
-    verdict: str
-    detail: str
-    remedy: str = ""
-
-
-def controller_checks(controller: GrblController) -> list[ControllerCheck]:
+def controller_checks(controller: GrblController) -> list[Check]:
     """Handshake, a small move of beam and table and back, laser on and off.  Leaves the laser off, whatever happens."""
     checks = [_handshake(controller)]
     for name, check in (("controller move", _move), ("controller laser", _laser), ("controller laser left off", _left_off)):
         try:
             checks.append(check(controller))
         except DeviceError as error:
-            checks.append(ControllerCheck(name, "fail", error.message, error.hint))
+            checks.append(Check(name, "fail", error.message, error.hint))
     return checks
 
 
-def _handshake(controller: GrblController) -> ControllerCheck:
+def _handshake(controller: GrblController) -> Check:
     identity = controller.identity
-    return ControllerCheck("controller handshake", "pass", f"{identity.firmware}, axes {identity.axes}, laser mode on.")
+    return Check("controller handshake", "pass", f"{identity.firmware}, axes {identity.axes}, laser mode on.")
 
 
-def _move(controller: GrblController) -> ControllerCheck:
+def _move(controller: GrblController) -> Check:
     start = controller.status()
     if start.state is MotionState.ALARM:
-        return ControllerCheck("controller move", "warn", "it is locked, so nothing was moved.", "Home the rig, then run the doctor again.")
+        return Check("controller move", "warn", "it is locked, so nothing was moved.", "Home the rig, then run the doctor again.")
     goal = (start.x_deg + _STEP_DEG, start.y_deg + _STEP_DEG, start.table_deg + _STEP_DEG)
     controller.aim(goal[0], goal[1])
     controller.rotate_to(goal[2])
@@ -54,25 +44,25 @@ def _move(controller: GrblController) -> ControllerCheck:
     error_deg = max(abs(a - b) for a, b in zip((there.x_deg, there.y_deg, there.table_deg), goal, strict=True))
     if not error_deg <= _TOLERANCE_DEG:
         detail = f"beam or table ended {error_deg:.3f} deg beside the goal."
-        return ControllerCheck("controller move", "fail", detail, "Check $100 to $132 of the board.")
-    return ControllerCheck("controller move", "pass", f"beam and table went {_STEP_DEG:g} deg and back.")
+        return Check("controller move", "fail", detail, "Check $100 to $132 of the board.")
+    return Check("controller move", "pass", f"beam and table went {_STEP_DEG:g} deg and back.")
 
 
-def _laser(controller: GrblController) -> ControllerCheck:
+def _laser(controller: GrblController) -> Check:
     if controller.status().state is MotionState.ALARM:
-        return ControllerCheck("controller laser", "warn", "it is locked, so the laser was not lit.", "Home the rig, then run the doctor again.")
+        return Check("controller laser", "warn", "it is locked, so the laser was not lit.", "Home the rig, then run the doctor again.")
     controller.laser(True)
     try:
         lit = controller.status().laser_power
     finally:
         controller.laser(False)
-    return ControllerCheck("controller laser", "pass", f"on (S{lit:.0f} by the controller's own status) and off.")
+    return Check("controller laser", "pass", f"on (S{lit:.0f} by the controller's own status) and off.")
 
 
-def _left_off(controller: GrblController) -> ControllerCheck:
+def _left_off(controller: GrblController) -> Check:
     power = controller.status().laser_power
     if power > 0.0:
         controller.stop()
         remedy = "Switch off the laser's power and check its driver."
-        return ControllerCheck("controller laser left off", "fail", f"it still reported S{power:.0f}.", remedy)
-    return ControllerCheck("controller laser left off", "pass", "the controller reports no power.")
+        return Check("controller laser left off", "fail", f"it still reported S{power:.0f}.", remedy)
+    return Check("controller laser left off", "pass", "the controller reports no power.")
