@@ -32,7 +32,7 @@ def start(arguments: Sequence[str]) -> int:
     if not chosen and not (window_possible and system_libraries.display_answers()):
         say("No display here: running the whole job headless (impronta demo).")
         chosen = ["demo"]
-    return _run([str(ready.command), *chosen], environment.variables())
+    return _become([str(ready.command), *chosen], environment.variables())
 
 
 def check(arguments: Sequence[str]) -> int:
@@ -51,13 +51,16 @@ def check(arguments: Sequence[str]) -> int:
     if lint:
         for tool, command in (("ruff", ["-m", "ruff", "check", "."]), ("mypy", ["-m", "mypy"])):
             say(f"{tool}: python {' '.join(command)}")
-            if _run([python, *command], variables, ROOT) != 0:
+            code = _run([python, *command], variables, ROOT)
+            if code == 130:
+                return _interrupted()
+            if code != 0:
                 say(f"{tool} found the faults above; the tests were not run. Correct them, then run this command again.")
                 return 1
     if sys.platform.startswith("linux"):
         variables["QT_QPA_PLATFORM"] = "xcb"  # "offscreen" paints noise where 3D should be
         variables.pop("WAYLAND_DISPLAY", None)
-    return _run([*screen, python, "-m", "pytest", *passed_on], variables, ROOT)
+    return _become([*screen, python, "-m", "pytest", *passed_on], variables, ROOT)
 
 
 def _set_up(extras: frozenset[str], programs: Sequence[str]) -> tuple[Environment, bool]:
@@ -128,6 +131,15 @@ def _run(command: Sequence[str], variables: dict[str, str], folder: Path | None 
         except KeyboardInterrupt:
             continue  # Ctrl-C reached the child as well; it stops cleanly and says so
     return code if code >= 0 else 128 - code
+
+
+def _become(command: Sequence[str], variables: dict[str, str], folder: Path | None = None) -> int:
+    """Run a command in the place of this one, so that a signal meant for it reaches it."""
+    if sys.platform == "win32":
+        return _run(command, variables, folder)
+    if folder is not None:
+        os.chdir(folder)
+    os.execvpe(command[0], list(command), variables)
 
 
 def _give_up(error: SetupError) -> int:

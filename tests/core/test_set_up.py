@@ -147,6 +147,7 @@ def test_what_is_started(
     monkeypatch.setattr(launcher, "_set_up", lambda extras, programs: (ready, True))
     monkeypatch.setattr(launcher.system_libraries, "display_answers", lambda: display)
     monkeypatch.setattr(launcher, "_run", lambda command, variables, folder=None: ran.append(command) or 0)
+    monkeypatch.setattr(launcher, "_become", lambda command, variables, folder=None: ran.append(command) or 0)
     assert launcher.start(arguments) == 0
     assert ran == [[str(ready.command), *expected]]
 
@@ -163,6 +164,7 @@ def test_what_is_checked(
     monkeypatch.setattr(launcher, "_set_up", lambda extras, programs: (modules["environment"].Environment(tmp_path), True))
     monkeypatch.setattr(launcher, "_screen", lambda window_possible: [])
     monkeypatch.setattr(launcher, "_run", lambda command, variables, folder=None: ran.append(command) or 0)
+    monkeypatch.setattr(launcher, "_become", lambda command, variables, folder=None: ran.append(command) or 0)
     assert launcher.check(arguments) == 0
     assert [command[2] for command in ran] == tools
     assert "--lint" not in ran[-1]
