@@ -57,8 +57,8 @@ class VirtualBench:
         self.preset, self.target, self.seed = preset, target, seed
         self._clock, self._timeline = clock, timeline
         self._sensors = (ImageSensor(preset, 0, seed), ImageSensor(preset, 1, seed))
-        self._renderers = tuple(BoardRenderer(sensor, target) for sensor in self._sensors)
-        self._shutter = Shutter(preset, self._sensors, seed)
+        self._renderers = (BoardRenderer(preset, 0, target), BoardRenderer(preset, 1, target))
+        self._shutter = Shutter(preset, seed)
         self._scene = Scene(preset, specimen)
         self._lock = threading.Lock()
         self._exposures: OrderedDict[tuple[float, float], Exposure] = OrderedDict()

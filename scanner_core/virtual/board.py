@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.board import CharucoTarget
 from scanner_core.optics.camera_model import CameraModel
-from scanner_core.virtual.image_formation import ImageSensor
 from scanner_core.virtual.presets import TARGET, VirtualPreset
+from scanner_core.virtual.projection import lens_sigma_px
 
 Array = NDArray[np.float64]
 
@@ -30,8 +30,8 @@ class BoardRenderer:
     read there, blurred like the lens does and averaged over the pixel.
     """
 
-    def __init__(self, sensor: ImageSensor, target: CharucoTarget) -> None:
-        self._sensor = sensor
+    def __init__(self, preset: VirtualPreset, index: int, target: CharucoTarget) -> None:
+        self._preset, self._camera = preset, preset.cameras[index]
         self._target = target
         self._per_mm = _TEXELS_PER_SQUARE / target.square_mm
         size = (target.columns * _TEXELS_PER_SQUARE, target.rows * _TEXELS_PER_SQUARE)
@@ -43,7 +43,7 @@ class BoardRenderer:
 
     def signal(self, pose: RigidTransform) -> NDArray[np.float32]:
         """Noise-free image (H, W) in DN over the black level; `pose` takes the board's frame to the table frame."""
-        camera = self._sensor.camera
+        camera = self._camera
         width, height = camera.size_px
         rotation = camera.rotation @ pose.rotation
         origin = camera.rotation @ pose.translation + camera.translation
@@ -60,18 +60,18 @@ class BoardRenderer:
         lamp = 0.7 + 0.3 * max(0.0, float(-pose.rotation[2, 2]))
         fine = cv2.remap(self._texture * np.float32(lamp), u, v, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=ROOM_DN)
         centre = origin + rotation[:, :2] @ (0.5 * np.array(self._target.size_mm))
-        sigma = self._sensor.lens_sigma(float(max(centre[2], 1.0)))
+        sigma = lens_sigma_px(self._preset, float(max(centre[2], 1.0)))
         fine = cv2.GaussianBlur(fine, (0, 0), sigmaX=_FINE * sigma[0], sigmaY=_FINE * sigma[1], borderType=cv2.BORDER_REPLICATE)
         return np.asarray(cv2.resize(fine, (width, height), interpolation=cv2.INTER_AREA), np.float32)
 
     def _fine_rays(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
         """Undistorted normalized coordinates of the samples, each (fine H, fine W)."""
         if self._rays is None:
-            width, height = self._sensor.camera.size_px
+            width, height = self._camera.size_px
             columns = (np.arange(_FINE * width) + 0.5) / _FINE - 0.5
             rows = (np.arange(_FINE * height) + 0.5) / _FINE - 0.5
             x, y = np.meshgrid(columns, rows)
-            rays = self._sensor.camera.normalize(np.stack([x.ravel(), y.ravel()], axis=1))
+            rays = self._camera.normalize(np.stack([x.ravel(), y.ravel()], axis=1))
             self._rays = np.ascontiguousarray(rays.T.reshape(2, *x.shape), np.float32)
         return self._rays[0], self._rays[1]
 

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from math import ceil
+from dataclasses import dataclass
+from math import ceil, hypot, radians
 
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.geometry.rigid import RigidTransform
-from scanner_core.virtual.image_formation import ImagePoints, ImageSensor
 from scanner_core.virtual.motion_state import MotionInstant, MotionTimeline
 from scanner_core.virtual.presets import VirtualPreset
+from scanner_core.virtual.projection import ImagePoints, StereoProjection
 from scanner_core.virtual.scene import Footprint, Scene
 from scanner_core.virtual.speckle import SpeckleField
 from scanner_core.virtual.surface_noise import SpatialNoise
@@ -38,9 +37,9 @@ class Exposure:
 class Shutter:
     """Collects the light of a scene over exposures; the beam's motion smears the spot."""
 
-    def __init__(self, preset: VirtualPreset, sensors: tuple[ImageSensor, ImageSensor], seed: int) -> None:
+    def __init__(self, preset: VirtualPreset, seed: int) -> None:
         self._preset = preset
-        self._sensors = sensors
+        self._projection = StereoProjection(preset)
         self._speckle = SpeckleField(preset, seed)
         self._grain = SpatialNoise(seed + 1, 1, preset.surface_cell_mm) if preset.surface_um > 0 else None
 
@@ -54,41 +53,30 @@ class Shutter:
             return Exposure((None, None), middle.table_deg)
         level = exposure_ms / self._preset.exposure_ms / len(instants)
         speckle = self._speckle.at(lit[len(lit) // 2][1].centre())
-        points, normals, shares, seen = self._in_table_frame(lit)
-        left, right = (
-            self._spot(sensor, points, normals, shares * mask * (level * flux), shift)
-            for sensor, mask, flux, shift in zip(self._sensors, seen, speckle.fluxes, speckle.shifts_mm, strict=True)
-        )
-        return Exposure((left, right), middle.table_deg)
+        points, normals, shares, seen = self._in_table_frame(scene, lit)
+        spots = self._projection.image(points, normals, seen * shares * (level * speckle.fluxes)[:, None], speckle.shifts_mm)
+        return Exposure(spots, middle.table_deg)
 
     def _instants(self, timeline: MotionTimeline, middle: MotionInstant, start_s: float, duration_s: float) -> list[MotionInstant]:
         """One instant while the beam stands or creeps, more when it smears the spot by half its sigma or is switched."""
         first, last = timeline.instant(start_s), timeline.instant(start_s + duration_s)
-        turn = np.hypot(last.x_deg - first.x_deg, last.y_deg - first.y_deg)
-        smear = np.radians(turn) * self._preset.distance_mm / self._preset.beam_sigma_mm
+        turn = hypot(last.x_deg - first.x_deg, last.y_deg - first.y_deg)
+        smear = radians(turn) * self._preset.distance_mm / self._preset.beam_sigma_mm
         if smear < 0.5 and first.laser_power == middle.laser_power == last.laser_power:
             return [middle]
         count = min(_MOST_INSTANTS, max(3, ceil(smear)))
         return [timeline.instant(start_s + duration_s * (i + 0.5) / count) for i in range(count)]
 
-    def _in_table_frame(self, lit: list[tuple[MotionInstant, Footprint]]) -> tuple[Array, Array, Array, NDArray[np.bool_]]:
+    def _in_table_frame(self, scene: Scene, lit: list[tuple[MotionInstant, Footprint]]) -> tuple[Array, Array, Array, NDArray[np.bool_]]:
         parts = []
         for instant, footprint in lit:
             points, normals = footprint.points, footprint.normals
             if self._grain is not None:
                 x, y, z = footprint.centre().tolist()
                 points = points + 1e-3 * self._preset.surface_um * self._grain.at(x, y, z)[0] * normals
-            turn = RigidTransform.about_z(instant.table_deg).rotation.T
+            turn = scene.to_object(instant.table_deg)
             parts.append((points @ turn, normals @ turn, footprint.shares * instant.laser_power, footprint.seen))
         if len(parts) == 1:
             return parts[0]
         p, n, s, v = zip(*parts, strict=True)
         return np.concatenate(p), np.concatenate(n), np.concatenate(s), np.concatenate(v, axis=1)
-
-    def _spot(self, sensor: ImageSensor, points: Array, normals: Array, shares: Array, shift_mm: Array) -> ImagePoints | None:
-        if not shares.any():
-            return None
-        spot = sensor.image(points, normals, shares)
-        matrix, depth = sensor.camera.matrix, float((sensor.camera.rotation[2] @ points[0]) + sensor.camera.translation[2])
-        x, y = shift_mm.tolist()
-        return replace(spot, x_px=spot.x_px + matrix[0, 0] / depth * x, y_px=spot.y_px + matrix[1, 1] / depth * y)

@@ -7,14 +7,13 @@ saturation.  Only the window round the light is rendered; the rest is a slice of
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ndtr
 
 from scanner_core.optics.camera_model import CameraModel
 from scanner_core.virtual.presets import VirtualPreset
+from scanner_core.virtual.projection import ImagePoints
 
 Array = NDArray[np.float64]
 Floats = NDArray[np.floating]
@@ -24,22 +23,6 @@ _WINDOW_PX = 4096
 """A window larger than this is rendered point by point (light split by an edge, stray light far away)."""
 _NORMALS = 1 << 18
 _POOL_FRAMES = 3
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class ImagePoints:
-    """Lit points in one camera's image.
-
-    Attributes
-    ----------
-    x_px, y_px, flux_dn : (n,)
-    sigma_px : of lens and defocus, x and y; without the pixel's box and without the footprint
-    """
-
-    x_px: Array
-    y_px: Array
-    flux_dn: Array
-    sigma_px: tuple[float, float]
 
 
 class ImageSensor:
@@ -54,30 +37,6 @@ class ImageSensor:
         self._noise = rng.standard_normal(_POOL_FRAMES * self._pixels, dtype=np.float32)
         self._dark: dict[float, NDArray[np.uint8]] = {}
         self._normals = rng.standard_normal(_NORMALS)
-        # The flux of a spot at R that faces the camera, from its peak: the pixel's share of a Gaussian of that size.
-        sx, sy = self.lens_sigma(preset.distance_mm)
-        footprint = preset.beam_sigma_mm / preset.distance_mm
-        matrix = self.camera.matrix
-        share = [2 * ndtr(0.5 / np.hypot(s, f * footprint)) - 1 for s, f in ((sx, matrix[0, 0]), (sy, matrix[1, 1]))]
-        self._flux_dn = preset.peak_dn / float(share[0] * share[1])
-
-    def lens_sigma(self, depth_mm: float) -> tuple[float, float]:
-        """Standard deviation (x, y) px of the image of a point at a depth."""
-        p = self._preset
-        out_of_focus = (1 / depth_mm - 1 / p.focus_mm) / (1 / p.distance_mm - 1 / p.focus_mm)
-        x, y = (float(np.hypot(lens, defocus * out_of_focus)) for lens, defocus in zip(p.lens_sigma_px, p.defocus_sigma_px, strict=True))
-        return x, y
-
-    def image(self, points: Array, normals: Array, shares: Array) -> ImagePoints:
-        """Project lit points (n, 3) mm with normals, both in the table frame; a share of 1 is the whole beam at the preset's exposure."""
-        camera = self.camera
-        local = points @ camera.rotation.T + camera.translation
-        distance2 = np.einsum("ij,ij->i", local, local)
-        cosine = -np.einsum("ij,ij->i", normals @ camera.rotation.T, local) / np.sqrt(distance2)
-        field = local[:, 2] / np.sqrt(distance2)
-        flux = self._flux_dn * shares * np.maximum(cosine, 0.0) * field * self._preset.distance_mm**2 / distance2
-        pixels = camera.project(points)
-        return ImagePoints(pixels[:, 0], pixels[:, 1], flux, self.lens_sigma(float(local[0, 2])))
 
     def frame(self, points: ImagePoints | None, key: int, gain: float = 1.0) -> NDArray[np.uint8]:
         """The frame of an exposure in the dark; `key` chooses its noise, `gain` amplifies (1 = 0 dB)."""

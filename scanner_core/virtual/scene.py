@@ -8,6 +8,7 @@ The rays are turned by the table's angle instead of the mesh.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import atan2, cos, hypot, nan, radians, sin
 from typing import Any
 
 import numpy as np
@@ -62,33 +63,44 @@ class Scene:
         self._preset = preset
         self._surface = None if specimen is None else _Surface(specimen)
         self._eyes_table = np.stack([camera.centre_mm() for camera in preset.cameras])
-        self._offsets, self._weights = _beam_nodes(preset)
+        self._offsets, weights = _beam_nodes(preset)
+        self._weights = weights.tolist()
+        d = preset.laser_target_mm - preset.laser_position_mm
+        self._azimuth, self._elevation = atan2(d[1], d[0]), atan2(d[2], hypot(d[0], d[1]))
+        self._at: tuple[float, tuple[Array, Array, Array]] = (nan, (np.eye(3), np.zeros(3), self._eyes_table))
 
-    def beam_direction(self, x_deg: float, y_deg: float) -> Array:
-        """Unit direction (3,) of the beam in the table frame: azimuth and elevation of X0 Y0 plus X and Y."""
-        d = self._preset.laser_target_mm - self._preset.laser_position_mm
-        azimuth = np.arctan2(d[1], d[0]) + np.radians(x_deg)
-        elevation = np.arctan2(d[2], np.hypot(d[0], d[1])) + np.radians(y_deg)
-        flat = np.cos(elevation)
-        return np.array([flat * np.cos(azimuth), flat * np.sin(azimuth), np.sin(elevation)])
+    def beam(self, x_deg: float, y_deg: float) -> Array:
+        """Unit vectors along, across (horizontal) and up the beam in the table frame, the rows of (3, 3).
+
+        Azimuth and elevation are those of X0 Y0 plus X and Y.
+        """
+        azimuth, elevation = self._azimuth + radians(x_deg), self._elevation + radians(y_deg)
+        ca, sa, ce, se = cos(azimuth), sin(azimuth), cos(elevation), sin(elevation)
+        return np.array([[ce * ca, ce * sa, se], [-sa, ca, 0.0], [-se * ca, -se * sa, ce]])
+
+    def to_object(self, table_deg: float) -> Array:
+        """(3, 3) that takes column vectors from the table frame to the object frame, and row vectors back."""
+        return self._turned(table_deg)[0]
+
+    def _turned(self, table_deg: float) -> tuple[Array, Array, Array]:
+        """Rotation to the object frame, the laser's pivot (3,) and the cameras' centres (2, 3) there."""
+        if table_deg != self._at[0]:
+            turn = RigidTransform.about_z(-table_deg).rotation
+            self._at = (table_deg, (turn, turn @ self._preset.laser_position_mm, self._eyes_table @ turn.T))
+        return self._at[1]
 
     def light(self, instant: MotionInstant) -> Footprint | None:
         """The footprint of the beam, or None when it is dark or hits nothing."""
         if instant.laser_power <= 0:
             return None
-        turn = RigidTransform.about_z(-instant.table_deg).rotation
-        direction = turn @ self.beam_direction(instant.x_deg, instant.y_deg)
-        origin = turn @ self._preset.laser_position_mm
-        eyes = self._eyes_table @ turn.T
-        side = np.cross(direction, [0.0, 0.0, 1.0])
-        side /= np.linalg.norm(side)
-        starts = origin + self._offsets @ np.stack([side, np.cross(side, direction)])
-        return self._footprint(starts, direction, eyes)
+        turn, origin, eyes = self._turned(instant.table_deg)
+        beam = self.beam(instant.x_deg, instant.y_deg) @ turn.T
+        return self._footprint(origin + self._offsets @ beam[1:], beam[0], eyes)
 
     def _footprint(self, starts: Array, direction: Array, eyes: Array) -> Footprint | None:
         points, normals, shares = [], [], []
         towards = direction.tolist()
-        for start, weight in zip(starts.tolist(), self._weights.tolist(), strict=True):
+        for start, weight in zip(starts.tolist(), self._weights, strict=True):
             hit = self._first_hit(start, towards)
             if hit is not None:
                 point, normal, albedo = hit
@@ -174,8 +186,17 @@ class _Surface:
 
 
 def _beam_nodes(preset: VirtualPreset) -> tuple[Array, Array]:
-    """Offsets (n, 2) mm across the beam and weights (n,) that sum to 1; the node in the middle of the list is the axis."""
-    x, w = np.polynomial.hermite_e.hermegauss(preset.beam_nodes)
+    """Offsets (n, 2) mm across the beam and weights (n,) that sum to 1; the node in the middle of the list is the axis.
+
+    Seven nodes, exact to degree 5 (Stroud 1971, E2^r2 5-1: the axis and a hexagon at two sigmas), or a Gauss-Hermite product.
+    """
+    if preset.beam_nodes == 7:
+        turn = np.radians([0, 60, 120, 0, 180, 240, 300])
+        length = np.array([2.0, 2.0, 2.0, 0.0, 2.0, 2.0, 2.0])[:, None]
+        weights = np.full(7, 1 / 12)
+        weights[3] = 0.5
+        return preset.beam_sigma_mm * length * np.c_[np.cos(turn), np.sin(turn)], weights
+    x, w = np.polynomial.hermite_e.hermegauss(round(np.sqrt(preset.beam_nodes)))
     w = w / w.sum()
     a, b = np.meshgrid(x, x)
     return preset.beam_sigma_mm * np.c_[a.ravel(), b.ravel()], np.outer(w, w).ravel()
