@@ -82,7 +82,7 @@ def _set_up(extras: frozenset[str], programs: Sequence[str]) -> tuple[Environmen
             if not complete:
                 all_extras = extras | (found.extras() or frozenset())
                 steps.run("Python environment", lambda: environment.create(found))
-                steps.run("Python packages (about 330 MB to download the first time)", lambda: environment.install(found, all_extras))
+                steps.run("Python packages (about 380 MB to download the first time)", lambda: environment.install(found, all_extras))
     return found, not system_libraries.missing_libraries()
 
 
