@@ -56,7 +56,7 @@ class Firmware:
         self._waits_for: Wait | float = Wait.IDLE
         self._dead = False  # critical alarm: nothing but a reset gets through
         self._reports = 0
-        self._silent = False
+        self._silent = False  # booting, or frozen
         self.plugged = True
         self._boot()
 
@@ -189,6 +189,7 @@ class Firmware:
         return self._dead or self._silent or self._machine.suspended
 
     def _boot(self) -> None:
+        self._silent = True
         self._boot_end_s = self.clock.now_s() + self.settings.boot_s
 
     def _wake(self, time_s: float) -> None:
@@ -203,7 +204,6 @@ class Firmware:
         self._forget_input()
         self._arriving.clear()
         self._wire_free_s = now_s
-        self._silent = True
         self._boot()
 
     def _greet(self, time_s: float) -> None:

@@ -21,6 +21,7 @@ import socket
 import sys
 from collections.abc import Callable
 from dataclasses import asdict, replace
+from typing import Any
 
 from scanner_core.clock import ScaledClock
 from scanner_core.virtual.firmware import Firmware
@@ -144,7 +145,8 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--settings", type=json.loads, default={}, help="JSON object with fields of FirmwareSettings")
     given = parser.parse_args(arguments)
     clock = ScaledClock(given.speed)
-    settings = replace(FirmwareSettings(), **{key: tuple(value) if isinstance(value, list) else value for key, value in given.settings.items()})
+    wanted: dict[str, Any] = {key: tuple(value) if isinstance(value, list) else value for key, value in given.settings.items()}
+    settings = replace(FirmwareSettings(), **wanted)
     server = FirmwareServer(Firmware(clock, settings), clock, given.port, given.side_port)
     about = {
         "serial": f"socket://{_HOST}:{server.serial_port}",

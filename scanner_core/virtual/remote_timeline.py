@@ -21,6 +21,7 @@ class RemoteTimeline:
     """
 
     def __init__(self, host: str, port: int) -> None:
+        self.address = (host, port)
         self._name = f"{host}:{port}"
         self._lock = threading.Lock()
         try:
@@ -40,9 +41,8 @@ class RemoteTimeline:
 
     def laser_log(self) -> list[tuple[float, float]]:
         """(``time.monotonic()`` of this machine, share of full power) of every change."""
-        return [
-            (self.clock.origin_s + time_s / self.clock.speed, power) for time_s, power in self._ask(ask="laser_log")["changes"]
-        ]
+        changes = self._ask(ask="laser_log")["changes"]
+        return [(self.clock.origin_s + time_s / self.clock.speed, power) for time_s, power in changes]
 
     def happen(self, event: str) -> None:
         """Let something happen to the board: ``open_door``, ``close_door``, ``trip_limit``, ``power_cycle``, ``freeze``."""

@@ -23,7 +23,7 @@ _SPARE_S = 5.0
 _MODES = "G21G90G94M5"
 
 
-def open_controller(config: ControllerConfig, clock: Clock) -> GrblController:
+def open_controller(config: ControllerConfig, clock: Clock, *, standing_laser_s: float = STANDING_LASER_S) -> GrblController:
     """Open the port, through a guardian unless it is virtual, and shake hands.
 
     Raises
@@ -38,7 +38,7 @@ def open_controller(config: ControllerConfig, clock: Clock) -> GrblController:
         from scanner_core.devices.guardian import GuardedPort
 
         port = GuardedPort(config.port, config.baud)
-    return GrblController(port, config, clock)
+    return GrblController(port, config, clock, standing_laser_s=standing_laser_s)
 
 
 class GrblController:
