@@ -17,6 +17,10 @@ Array = NDArray[np.float64]
 WHITE_DN, BLACK_DN, ROOM_DN = 190.0, 22.0, 14.0
 """Over the black level, at the preset's exposure: paper that faces the lamp, ink, and everything round the board."""
 
+LAMP_MM = (420.0, 260.0, 760.0)
+"""The room's lamp in the table frame; paper in the middle of the volume that faces it has :data:`WHITE_DN`."""
+_LAMP_GRID = 9
+
 _TEXELS_PER_SQUARE = 200
 _MARGIN_MM = 12.0
 _FINE = 3
@@ -57,12 +61,24 @@ class BoardRenderer:
         depth = m[2, 0] * x + m[2, 1] * y + m[2, 2]
         depth[np.abs(depth) < 1e-9] = 1e-9
         u, v = (m[0, 0] * x + m[0, 1] * y + m[0, 2]) / depth, (m[1, 0] * x + m[1, 1] * y + m[1, 2]) / depth
-        lamp = 0.7 + 0.3 * max(0.0, float(-pose.rotation[2, 2]))
-        fine = cv2.remap(self._texture * np.float32(lamp), u, v, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=ROOM_DN)
+        fine = cv2.remap(self._texture * self._lamp_light(pose), u, v, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=ROOM_DN)
         centre = origin + rotation[:, :2] @ (0.5 * np.array(self._target.size_mm))
         sigma = lens_sigma_px(self._preset, float(max(centre[2], 1.0)))
         fine = cv2.GaussianBlur(fine, (0, 0), sigmaX=_FINE * sigma[0], sigmaY=_FINE * sigma[1], borderType=cv2.BORDER_REPLICATE)
         return np.asarray(cv2.resize(fine, (width, height), interpolation=cv2.INTER_AREA), np.float32)
+
+    def _lamp_light(self, pose: RigidTransform) -> NDArray[np.float32]:
+        """Light of the lamp on every texel, ``cos(normal, lamp) / d^2`` plus a tenth from everywhere; it varies slowly."""
+        rows, columns = self._texture.shape
+        along = (np.arange(_LAMP_GRID) + 0.5) / _LAMP_GRID
+        x, y = np.meshgrid(along * columns, along * rows)
+        places = np.stack([x.ravel() - self._margin, y.ravel() - self._margin, np.zeros(x.size)], axis=1) / self._per_mm
+        to_lamp = np.array(LAMP_MM) - pose.apply(places)
+        distance2 = (to_lamp**2).sum(axis=1)
+        cosine = np.maximum(to_lamp @ -pose.rotation[:, 2], 0.0) / np.sqrt(distance2)
+        reference = float(((np.array(LAMP_MM) - TARGET) ** 2).sum())
+        light = np.minimum(0.1 + 0.9 * cosine * reference / distance2, 1.15).reshape(x.shape).astype(np.float32)
+        return np.asarray(cv2.resize(light, (columns, rows), interpolation=cv2.INTER_LINEAR), np.float32)
 
     def _fine_rays(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
         """Undistorted normalized coordinates of the samples, each (fine H, fine W)."""
