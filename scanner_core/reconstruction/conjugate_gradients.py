@@ -1,0 +1,41 @@
+"""Conjugate gradients for several right-hand sides at once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+def conjugate_gradients(
+    apply: Callable[[Array], Array], diagonal: Array, right: Array, start: Array, *, tolerance: float, most: int, check: Callable[[], None]
+) -> Array:
+    """Solve ``A X = right`` for a symmetric positive definite A, (v, k), preconditioned by its diagonal.
+
+    Each column has its own step lengths; it stops when every residual is `tolerance` times its right-hand side, or after
+    `most` rounds.  Hestenes and Stiefel 1952.  `check` is called every few rounds, so that a long solve can be stopped.
+    """
+    x = start.copy()
+    residual = right - apply(x)
+    scale = 1 / np.maximum(diagonal, 1e-300)[:, None]
+    limit = tolerance**2 * np.maximum((right**2 * scale).sum(axis=0), 1e-300)
+    z = residual * scale
+    direction = z.copy()
+    rho = (residual * z).sum(axis=0)
+    for tick in range(most):
+        if tick % 8 == 0:
+            check()
+        if np.all(rho <= limit):
+            break
+        image = apply(direction)
+        step = rho / np.maximum((direction * image).sum(axis=0), 1e-300)
+        x += step * direction
+        residual -= step * image
+        z = residual * scale
+        fresh = (residual * z).sum(axis=0)
+        direction = z + (fresh / np.maximum(rho, 1e-300)) * direction
+        rho = fresh
+    return x

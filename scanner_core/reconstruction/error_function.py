@@ -1,0 +1,75 @@
+"""Where the surface needs more triangles: the seam between phase two and the published criterion.
+
+An error function gives every vertex the edge length it should have, in mm, up to a common factor.  Phase two splits the
+edges that are longest against it until the wanted number of triangles is reached.
+"""
+
+from __future__ import annotations
+
+from enum import Enum
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
+
+from scanner_core.geometry.edges import EdgeTable
+from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.smoothing import uniform_averaging
+from scanner_core.reconstruction.spline import SmoothingSpline
+
+Array = NDArray[np.float64]
+
+_GRADING = 2.5
+"""Longest wanted edge over the middle one, and the middle one over the shortest."""
+
+
+class Criterion(Enum):
+    """The error functions to choose from."""
+
+    DATA_ERROR = "data_error"
+    SAG = "sag"
+
+
+def edge_sizes(criterion: Criterion, spline: SmoothingSpline, residuals_mm: Array, noise_mm: float) -> Array:
+    """Relative edge lengths by one of the criteria, (v,), median 1."""
+    if criterion is Criterion.DATA_ERROR:
+        return sizes_by_data_error(spline, residuals_mm, noise_mm)
+    return sizes_by_sag(spline.mesh, spline.normals)
+
+
+def sizes_by_data_error(spline: SmoothingSpline, residuals_mm: Array, noise_mm: float) -> Array:
+    """The published criterion: shorter edges where the points' local error exceeds their noise, (v,).
+
+    The local error of a vertex is the rms residual of the points around it; an error of sag falls with the square of the
+    edge length, so edges go with the root of its excess.
+    """
+    squares = spline.interpolation.T @ (spline.weights * residuals_mm**2)
+    weight = spline.interpolation.T @ spline.weights
+    averaging = uniform_averaging(spline.mesh)
+    for _ in range(3):
+        squares, weight = squares + averaging @ squares, weight + averaging @ weight
+    local = np.sqrt(np.maximum(squares, 0) / np.maximum(weight, 1e-9))
+    local[weight < 1e-6] = noise_mm
+    excess = np.maximum(local / max(noise_mm, 1e-9), 0.3)
+    return _graded(1 / np.sqrt(excess), averaging)
+
+
+def sizes_by_sag(mesh: TriangleMesh, normals: Array) -> Array:
+    """Shorter edges where normals turn: a facet of edge e on a curvature k departs by e^2 k / 8, (v,)."""
+    table = EdgeTable.of(mesh.triangles)
+    i, j = table.edges.T
+    turn = np.linalg.norm(normals[i] - normals[j], axis=1) / np.maximum(table.lengths(mesh.vertices), 1e-12)
+    total = np.bincount(i, turn**2, minlength=len(mesh.vertices)) + np.bincount(j, turn**2, minlength=len(mesh.vertices))
+    valence = np.bincount(table.edges.ravel(), minlength=len(mesh.vertices))
+    averaging = uniform_averaging(mesh)
+    bend = total / np.maximum(valence, 1)
+    bend = np.sqrt(0.5 * bend + 0.5 * (averaging @ bend))
+    return _graded(1 / np.sqrt(np.maximum(bend, 1e-9)), averaging)
+
+
+def _graded(sizes: Array, averaging: sparse.csr_array) -> Array:
+    """Bounded about the median and varied gently, so that triangles stay well shaped."""
+    sizes = np.clip(sizes / np.median(sizes), 1 / _GRADING, _GRADING)
+    for _ in range(2):
+        sizes = 0.5 * sizes + 0.5 * (averaging @ sizes)
+    return sizes / float(np.median(sizes))

@@ -1,0 +1,63 @@
+"""Progress, time left and cancellation, seen from inside the phases."""
+
+from __future__ import annotations
+
+import time
+
+from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.jobs.progress import Cancelled, IsCancelled, OnProgress, Progress
+
+_PREVIEW_S = 0.2
+"""Least time between two previews: five a second."""
+
+_SHARES = {"inflate": (0.0, 0.35), "refine": (0.35, 0.6), "smooth": (0.95, 0.05)}
+"""Where each phase begins and its share of the whole, from measured runs."""
+
+
+class Pace:
+    """Hands progress on, at most five times a second, and raises :class:`Cancelled` when the caller asks to stop."""
+
+    def __init__(self, progress: OnProgress, cancelled: IsCancelled) -> None:
+        self._progress = progress
+        self._cancelled = cancelled
+        self._begin_s = time.monotonic()
+        self._last_s = 0.0
+        self._fraction = 0.0
+        self.phase = "inflate"
+        self.seconds: dict[str, float] = {}
+        self._phase_begin_s = self._begin_s
+
+    def enter(self, phase: str) -> None:
+        """A phase begins; the one before it has ended."""
+        now = time.monotonic()
+        self.seconds[self.phase] = now - self._phase_begin_s
+        self.phase, self._phase_begin_s = phase, now
+        self.report(0.0, force=True)
+
+    def finish(self) -> float:
+        """The last phase has ended; seconds of the whole run."""
+        now = time.monotonic()
+        self.seconds[self.phase] = now - self._phase_begin_s
+        return now - self._begin_s
+
+    def check(self) -> None:
+        """Raise :class:`Cancelled` if the caller asked to stop."""
+        if self._cancelled():
+            raise Cancelled
+
+    def wants_preview(self) -> bool:
+        """Whether enough time has passed since the last report."""
+        return time.monotonic() - self._last_s >= _PREVIEW_S
+
+    def report(self, fraction: float, preview: TriangleMesh | None = None, *, force: bool = False) -> None:
+        """Tell how far the current phase is, 0 to 1; never goes back."""
+        self.check()
+        now = time.monotonic()
+        if not force and now - self._last_s < _PREVIEW_S:
+            return
+        begin, share = _SHARES[self.phase]
+        self._fraction = max(self._fraction, begin + share * min(max(fraction, 0.0), 1.0))
+        elapsed = now - self._begin_s
+        left = elapsed * (1 - self._fraction) / self._fraction if self._fraction > 0.03 else None
+        self._last_s = now
+        self._progress(Progress(self.phase, self._fraction, left, preview))

@@ -1,0 +1,41 @@
+"""What a reconstruction can be asked for; everything else is derived from the points."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+
+from scanner_core.errors import UsageError
+from scanner_core.reconstruction.error_function import Criterion
+
+
+@dataclass(frozen=True, slots=True)
+class ReconstructionParameters:
+    """One default for every input.
+
+    Attributes
+    ----------
+    triangles : at most so many triangles and at least 0.98 times as many; None leaves it to the points
+    tolerance_um : the facets may depart from the fitted surface by so much; ignored when `triangles` is given
+    open_holes : leave away the part of the surface that no point supports; the mesh is then not closed
+    seed : of every random choice
+    criterion : what phase two refines by: the ``data_error`` of the publication, or the ``sag`` of the facets
+    """
+
+    triangles: int | None = None
+    tolerance_um: float | None = None
+    open_holes: bool = False
+    seed: int = 0
+    criterion: Criterion = Criterion.SAG
+
+    def __post_init__(self) -> None:
+        if self.triangles is not None and self.triangles < LEAST_TRIANGLES:
+            raise UsageError("E-USE-01", what=f"{self.triangles} triangles are too few for a surface", do=f"ask for at least {LEAST_TRIANGLES}")
+        if self.tolerance_um is not None and not self.tolerance_um > 0:
+            raise UsageError("E-USE-01", what=f"A tolerance of {self.tolerance_um} um is not possible", do="give a positive number")
+
+    def as_dict(self) -> dict[str, object]:
+        """For the provenance of a mesh."""
+        return asdict(self) | {"criterion": self.criterion.value}
+
+
+LEAST_TRIANGLES = 200

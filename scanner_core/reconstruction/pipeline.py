@@ -1,0 +1,143 @@
+"""Points in, a closed triangular mesh out: the three phases in order, and the checks at both ends."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from scanner_core.errors import ReconstructionError
+from scanner_core.geometry.checks import MeshChecks, check_mesh
+from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.point_cloud import PointCloud
+from scanner_core.jobs.progress import IsCancelled, OnProgress
+from scanner_core.reconstruction.cloud_scale import measure_scale
+from scanner_core.reconstruction.inflate import inflate
+from scanner_core.reconstruction.memory import peak_memory_mb
+from scanner_core.reconstruction.pace import Pace
+from scanner_core.reconstruction.parameters import ReconstructionParameters
+from scanner_core.reconstruction.refine import Fit, Refinement
+from scanner_core.reconstruction.region import enclosed_region
+from scanner_core.reconstruction.report import Phase, Reconstruction, ReconstructionReport
+from scanner_core.reconstruction.smooth import smooth
+from scanner_core.reconstruction.spline import SmoothingSpline
+from scanner_core.reconstruction.uncertainty import standard_uncertainty
+
+Array = NDArray[np.float64]
+
+LEAST_POINTS = 50
+
+__all__ = ["LEAST_POINTS", "Reconstruction", "reconstruct"]
+
+
+def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, progress: OnProgress, cancelled: IsCancelled) -> Reconstruction:
+    """Reconstruct the closed surface of a cloud in the object frame, mm.
+
+    Raises
+    ------
+    ReconstructionError
+        E-REC-01 too few points, E-REC-02 they enclose no body, E-REC-03 the surface failed a check, E-REC-04 not finite.
+    Cancelled
+        Within half a second after `cancelled` has become true.
+    """
+    pace = Pace(progress, cancelled)
+    pace.report(0.0, force=True)
+    points, centre = _accepted(cloud)
+    tree = cKDTree(points)
+    scale = measure_scale(points, tree, parameters.seed)
+    region = enclosed_region(points, scale, pace)
+    if region.handles:
+        raise ReconstructionError(
+            "E-REC-03",
+            reason=f"the body has {region.handles} holes right through it, and a balloon has none",
+            do="fill the hole, or scan the object in parts",
+        )
+    balloon = inflate(region, pace)
+
+    pace.enter("refine")
+    fit = Refinement(points, tree, scale, parameters, pace).run(balloon.mesh)
+
+    pace.enter("smooth")
+    mesh = smooth(fit.mesh, fit.supported)
+    refined = len(fit.mesh.triangles)
+    spline = SmoothingSpline(mesh, points, fit.weights, fit.supported, pace.check)
+    uncertainty = standard_uncertainty(spline, fit.bandwidth_mm, fit.noise_mm, parameters.seed)
+    checks = check_mesh(mesh)
+    _guard(checks)
+    kept = fit.weights > 0.5
+    residual = float(np.sqrt((spline.distances_mm[kept] ** 2).mean()))
+    mesh = _finished(mesh, fit, uncertainty, centre, parameters)
+    seconds = pace.finish()
+    area = spline.area
+    supported = fit.supported
+    report = ReconstructionReport(
+        points=len(cloud),
+        outliers_rejected=int(np.count_nonzero(fit.weights <= 0)),
+        noise_sigma_um=1e3 * fit.noise_mm,
+        vertices=len(mesh.vertices),
+        triangles=len(mesh.triangles),
+        closed=checks.closed and not parameters.open_holes,
+        genus=checks.genus if checks.genus is not None else 0,
+        self_intersections=checks.self_intersections,
+        supported_area_fraction=float(area[supported].sum() / area.sum()),
+        residual_rms_um=1e3 * residual,
+        expected_error_rms_um=1e3 * float(np.sqrt((area[supported] * uncertainty[supported] ** 2).sum() / area[supported].sum())),
+        phases=(
+            Phase("inflate", pace.seconds["inflate"], len(balloon.mesh.triangles)),
+            Phase("refine", pace.seconds["refine"], refined),
+            Phase("smooth", pace.seconds["smooth"], len(mesh.triangles)),
+        ),
+        seconds=seconds,
+        peak_memory_mb=peak_memory_mb(),
+        warnings=_warnings(fit, area),
+    )
+    pace.report(1.0, mesh, force=True)
+    return Reconstruction(mesh, report)
+
+
+def _accepted(cloud: PointCloud) -> tuple[Array, Array]:
+    """The points about their centre, and the centre; raises for input that cannot give a surface."""
+    points = np.asarray(cloud.points, np.float64)
+    broken = int(np.count_nonzero(~np.isfinite(points)))
+    if broken:
+        raise ReconstructionError("E-REC-04", count=broken)
+    if len(points) < LEAST_POINTS:
+        raise ReconstructionError("E-REC-01", points=len(points), least=LEAST_POINTS)
+    centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
+    points = points - centre
+    size = np.sort(np.linalg.svd(points - points.mean(axis=0), compute_uv=False))
+    if size[0] <= 0.01 * size[2]:
+        raise ReconstructionError("E-REC-02", reason="they lie in a plane or on a line")
+    return points, centre
+
+
+def _guard(checks: MeshChecks) -> None:
+    """Never a wrong mesh: refuse one that is not closed, not manifold or inside out."""
+    if not (checks.closed and checks.manifold and checks.outward):
+        raise ReconstructionError("E-REC-03", reason="it is not a closed manifold", do="scan the object more densely")
+
+
+def _finished(mesh: TriangleMesh, fit: Fit, uncertainty: Array, centre: Array, parameters: ReconstructionParameters) -> TriangleMesh:
+    """Back in the object frame, with what is known of every vertex."""
+    attributes: dict[str, NDArray[np.generic]] = {
+        "standard_uncertainty_um": (1e3 * uncertainty).astype(np.float32),
+        "supported": fit.supported.astype(np.uint8),
+    }
+    finished = TriangleMesh(mesh.vertices + centre, mesh.triangles, attributes)
+    if not parameters.open_holes or np.all(fit.supported):
+        return finished
+    triangles = finished.triangles[fit.supported[finished.triangles].all(axis=1)]
+    used, renumbered = np.unique(triangles, return_inverse=True)
+    kept: dict[str, NDArray[np.generic]] = {name: values[used] for name, values in attributes.items()}
+    return TriangleMesh(finished.vertices[used], renumbered.reshape(-1, 3).astype(np.int64), kept)
+
+
+def _warnings(fit: Fit, area: Array) -> tuple[str, ...]:
+    warnings = []
+    open_share = 1 - float(area[fit.supported].sum() / area.sum())
+    if open_share > 0.02:
+        warnings.append(f"{100 * open_share:.0f} % of the surface was not scanned; it is capped and marked as unsupported.")
+    rejected = float((fit.weights <= 0).mean())
+    if rejected > 0.05:
+        warnings.append(f"{100 * rejected:.0f} % of the points do not belong to the surface and were rejected.")
+    return tuple(warnings)
