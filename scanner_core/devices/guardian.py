@@ -96,7 +96,7 @@ class GuardedPort:
         try:
             with self._write_lock:
                 write_frame(self._pipe(), BYTES, chunk)
-        except OSError:
+        except (OSError, ValueError):
             self._reader.join(_RESCUE_S)  # it finds out why, and resets the board if that is still to be done
             self._check()
             raise DeviceLostError("E-MOT-02", port=self._url) from None
@@ -107,7 +107,13 @@ class GuardedPort:
             write_frame(self._pipe(), HEARTBEAT)
 
     def close(self) -> None:
-        """Laser off, port released, guardian gone; may be called again."""
+        """Laser off, port released, guardian gone; may be called again.
+
+        Raises
+        ------
+        DeviceError
+            E-MOT-11: the guardian hung, and the board could not be reset without it.
+        """
         if self._closing.is_set():
             return
         self._closing.set()
@@ -117,14 +123,18 @@ class GuardedPort:
             write_frame(self._pipe(), QUIT)
         try:
             self._process.wait(_END_S)
+            failure = None
         except subprocess.TimeoutExpired:
             self._process.kill()
             self._process.wait()
+            failure = self._rescue()
         self._reader.join()
         self._beater.join()
         for pipe in (self._process.stdin, self._process.stdout):
             if pipe is not None:
                 pipe.close()
+        if failure is not None and failure.code == "E-MOT-11":
+            raise failure
 
     # ------------------------------------------------------------------------------------------ threads
     def _beat(self) -> None:

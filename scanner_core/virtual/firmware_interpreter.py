@@ -155,8 +155,8 @@ class Interpreter:
             return True
         if after.spindle == 5:
             return False
-        if self._machine.laser_mode and instruction.axes is not None and after.motion == 1:
-            return False  # the block carries the power
+        if self._machine.laser_mode and instruction.axes is not None:
+            return False  # the block carries the power, none in G0
         return after.power != before.power or (after.spindle == 3 and after.motion != before.motion)
 
     def _move(self, instruction: Instruction) -> Steps:

@@ -64,8 +64,10 @@ class GrblController:
             if state is not MotionState.ALARM:
                 self._set_modes()
             self.status()
-        except BaseException:
+        except BaseException as fault:
             self._link.close()
+            if isinstance(fault, DeviceError):
+                fault.details = "\n".join([fault.details, *map(str, self.transcript())]).strip()
             raise
 
     # ------------------------------------------------------------------------------------------ motion

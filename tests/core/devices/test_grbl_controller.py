@@ -104,6 +104,8 @@ def test_something_else_is_quoted() -> None:
     error = refused({}, b"start\r\nMarlin 2.1.2\r\necho: \x07 half a li")
     assert error.code == "E-MOT-07"
     assert error.fields["said"] == "'start / Marlin 2.1.2 / echo: . half a li'"
+    assert "Marlin 2.1.2" in error.details
+    assert "<ctrl-x>" in error.details, "the transcript of the handshake is kept for the log"
 
 
 def test_silence_is_said() -> None:

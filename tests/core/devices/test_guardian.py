@@ -96,8 +96,7 @@ def test_ctrl_c_reaches_the_program_but_not_its_guardian() -> None:
 def test_a_guardian_that_is_killed_is_reported_and_the_laser_goes_off(how: signal.Signals) -> None:
     with remote_board() as remote, remote.open() as controller:
         controller.laser(True)
-        guardian = psutil.Process().children()[-1]
-        assert "guardian_process" in " ".join(guardian.cmdline())
+        guardian = _child("guardian_process")
         killed_s = time.monotonic()
         guardian.send_signal(how)
         with pytest.raises(DeviceError) as caught:
@@ -106,9 +105,35 @@ def test_a_guardian_that_is_killed_is_reported_and_the_laser_goes_off(how: signa
         assert off_after_s(remote, killed_s) >= 0.0
 
 
+def _child(what: str) -> psutil.Process:
+    return next(child for child in psutil.Process().children() if what in " ".join(child.cmdline()))
+
+
+def test_a_guardian_that_hangs_is_replaced_on_close() -> None:
+    with remote_board() as remote:
+        controller = remote.open()
+        controller.laser(True)
+        _child("guardian_process").send_signal(signal.SIGSTOP)
+        closed_s = time.monotonic()
+        controller.close()
+        assert off_after_s(remote, closed_s) >= 0.0
+
+
+def test_a_laser_that_nobody_can_switch_off_is_said() -> None:
+    with remote_board() as remote, remote.open() as controller:
+        guardian = _child("guardian_process")
+        guardian.send_signal(signal.SIGSTOP)
+        _child("firmware_process").kill()
+        guardian.kill()
+        with pytest.raises(DeviceError) as caught:
+            repeat(controller.status)
+        assert caught.value.code == "E-MOT-11"
+        assert "may be on" in caught.value.hint
+
+
 def test_lost_connection_is_typed() -> None:
     with remote_board() as remote, remote.open() as controller:
-        psutil.Process(next(p.pid for p in psutil.Process().children() if "firmware_process" in " ".join(p.cmdline()))).kill()
+        _child("firmware_process").kill()
         with pytest.raises(DeviceLostError) as caught:
             repeat(controller.status)
         assert caught.value.code == "E-MOT-02"

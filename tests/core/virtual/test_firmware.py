@@ -142,6 +142,13 @@ def test_m3_stands_lit_in_g1_and_dark_in_g0() -> None:
     assert "FS:0,0" in terminal.status()
 
 
+def test_m3_between_cuts_and_travels_needs_no_pause() -> None:
+    terminal = Terminal()
+    assert terminal.say("M3S1000G1F600X1\nG0X2\nG1X3S500\nM5", 0.01) == ["ok", "ok", "ok"]
+    assert terminal.wait(0.5) == ["ok"]
+    assert [power for _, power in terminal.firmware.laser_log] == [0.0, 1.0, 0.0, 0.5, 0.0]
+
+
 @pytest.mark.parametrize("spindle", ["M3", "M4"])
 def test_without_laser_mode_the_beam_stands_lit(spindle: str) -> None:
     terminal = Terminal(laser_mode=False)
