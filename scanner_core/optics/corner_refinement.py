@@ -28,6 +28,8 @@ _MAX_SHIFT_PX = 3.0
 """A fit that ends farther from its start found another corner."""
 _MAX_RESIDUAL = 0.12
 """Largest rms residual of a corner, as a part of its amplitude: more is an occluded or damaged corner."""
+_MIN_AMPLITUDE = 0.25
+"""Least contrast of a corner, as a part of that of all windows together: allows for shade, not for blank paper."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -82,7 +84,7 @@ def refine_corners(image: NDArray[np.uint8], corners_px: Array, along_u_px: Arra
     accepted = (
         (np.linalg.norm(found + at - corners_px, axis=1) < _MAX_SHIFT_PX)
         & (residual < _MAX_RESIDUAL)
-        & (amplitude > 0.3 * np.median(amplitude))
+        & (amplitude > _MIN_AMPLITUDE * 0.5 * np.subtract(*np.percentile(grey, (98, 2))))
         & (fit.weight.sum(axis=1) > 24)
         & (fit.p[:, (2, 5)] < 0.99 * _SIGMA_PX[1]).all(axis=1)
         & np.isfinite(found).all(axis=1)

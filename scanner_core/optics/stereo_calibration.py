@@ -37,13 +37,16 @@ MIN_TILT_DEG = 15.0
 """Boards that are all parallel leave the focal length undetermined (Zhang, PAMI 22, 2000): largest angle between two."""
 MIN_COVERAGE = 0.25
 """Part of each image, in fields of an 8 x 6 grid, that must have held a corner: distortion is not extrapolated."""
-MAX_HELD_OUT_PX = 0.5
-"""Largest held-out error, as a part of the size of a pixel at the board's distance."""
-MAX_SCALE_ERROR = 2e-3
-"""Largest deviation of the held-out boards' size from the known one: 60 um on 30 mm."""
+MAX_REPROJECTION_PX = 0.3
+"""Corners are read to 0.1 px even in poor light: more means that something moved."""
+MAX_HELD_OUT_PX = 0.25
+"""Largest held-out error, as a part of the size of a pixel at the board's distance: twice what corners read to 0.1 px make."""
+MAX_SCALE_ERROR = 1e-3
+"""Largest deviation of the held-out boards' size from the known one: 30 um on 30 mm."""
 _OUTLIER = 6.0
 _OUTLIER_PX = 0.3
 """A corner farther from its place than six times the median, and than 0.3 px, was misread."""
+_ROUNDS = 4
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -123,18 +126,16 @@ def calibrate_stereo(
     try:
         starts = [_calibrate_camera([getattr(view, side) for view in fitted], size_px, target) for side in ("left", "right")]
         tell(Progress("calibrate", 0.3))
-        pairs = [view.common() for view in fitted]
-        fit = _calibrate_pair(pairs, starts, size_px, target)
-        kept = _without_outliers(pairs, fit.errors_px)
-        left_out = sum(len(a[0]) for a in pairs) - sum(len(a[0]) for a in kept)
-        if left_out:
-            tell(Progress("calibrate", 0.7))
-            fit = _calibrate_pair(kept, [fit.left, fit.right], size_px, target)
+        fit, left_out = _calibrate_clean([view.common() for view in fitted], starts, size_px, target)
     except cv2.error as fault:
         raise CalibrationError("E-CAL-01", reason="the views contradict each other", details=str(fault)) from fault
     if (tilt_deg := _largest_tilt_deg(fit.rotations)) < MIN_TILT_DEG:
         raise CalibrationError("E-CAL-01", reason=f"the board was tilted by only {tilt_deg:.0f} degrees, at least {MIN_TILT_DEG:.0f} are needed")
 
+    rms_px = float(np.sqrt(np.mean(np.concatenate(fit.errors_px) ** 2)))
+    if rms_px > MAX_REPROJECTION_PX:
+        reason = f"the views contradict each other by {rms_px:.2f} px, at most {MAX_REPROJECTION_PX} px are allowed; did the board or a camera move?"
+        raise CalibrationError("E-CAL-03", reason=reason)
     rms_um, scale, pixel_um = _held_out_error(fit, [view.common() for view in held_out], target)
     if not rms_um <= MAX_HELD_OUT_PX * pixel_um:
         reason = f"corners that were not used are {rms_um:.0f} um off, at most {MAX_HELD_OUT_PX * pixel_um:.0f} um are allowed"
@@ -142,8 +143,6 @@ def calibrate_stereo(
     if abs(scale - 1) > MAX_SCALE_ERROR:
         raise CalibrationError("E-CAL-03", reason=f"boards that were not used measure {100 * (scale - 1):+.2f} % of their size too much")
     tell(Progress("calibrate", 1.0))
-    errors = np.concatenate(fit.errors_px)
-    rms_px = float(np.sqrt(np.mean(errors**2)))
     return StereoCalibrationFit(fit.left, fit.right, len(fitted), len(held_out), rms_px, rms_um, scale, coverage, left_out)
 
 
@@ -155,8 +154,9 @@ class _PairFit:
     left: CameraModel
     right: CameraModel
     rotations: list[Array]
+    translations: list[Array]
     errors_px: list[Array]
-    """By view: (n, 4) reprojection errors, left x, y, right x, y."""
+    """By view."""
 
 
 def _calibrate_camera(views: Sequence[BoardView], size_px: tuple[int, int], target: CharucoTarget) -> CameraModel:
@@ -170,6 +170,29 @@ def _calibrate_camera(views: Sequence[BoardView], size_px: tuple[int, int], targ
         flags=cv2.CALIB_FIX_K3,
     )
     return CameraModel(np.asarray(matrix, np.float64), _five(distortion), np.eye(3), np.zeros(3), size_px)
+
+
+def _calibrate_clean(pairs: Sequence[Pair], starts: Sequence[CameraModel], size_px: tuple[int, int], target: CharucoTarget) -> tuple[_PairFit, int]:
+    """The joint fit without misread corners, and their number.
+
+    Every round judges all corners anew, for a misread one bends the first fit and makes its neighbours look wrong.
+    """
+    fit = _calibrate_pair(pairs, starts, size_px, target)
+    left_out = 0
+    for _ in range(_ROUNDS):
+        views = zip(fit.rotations, fit.translations, pairs, strict=True)
+        judged = [np.abs(_errors(fit, turn, t, pair, target)).max(axis=1) for turn, t, pair in views]
+        limit = max(_OUTLIER * float(np.median(np.concatenate(judged))), _OUTLIER_PX)
+        good = [size <= limit for size in judged]
+        wrong = sum(int(np.count_nonzero(~g)) for g in good)
+        if wrong == left_out:
+            break
+        if min(int(np.count_nonzero(g)) for g in good) < MIN_CORNERS // 2:
+            raise CalibrationError("E-CAL-01", reason="the views contradict each other: did the board or a camera move?")
+        left_out = wrong
+        kept = [(ids[g], left[g], right[g]) for g, (ids, left, right) in zip(good, pairs, strict=True)]
+        fit = _calibrate_pair(kept, [fit.left, fit.right], size_px, target)
+    return fit, left_out
 
 
 def _calibrate_pair(pairs: Sequence[Pair], starts: Sequence[CameraModel], size_px: tuple[int, int], target: CharucoTarget) -> _PairFit:
@@ -192,25 +215,20 @@ def _calibrate_pair(pairs: Sequence[Pair], starts: Sequence[CameraModel], size_p
     left = CameraModel(np.asarray(left_matrix, np.float64), _five(left_distortion), np.eye(3), np.zeros(3), size_px)
     right = CameraModel(np.asarray(right_matrix, np.float64), _five(right_distortion), np.asarray(rotation), np.ravel(translation), size_px)
     rotations = [np.asarray(cv2.Rodrigues(r)[0], np.float64) for r in rvecs]
-    errors = []
-    for (ids, left_px, right_px), turn, t in zip(pairs, rotations, tvecs, strict=True):
-        in_rig = target.object_points[ids] @ turn.T + np.ravel(t)
-        errors.append(np.hstack([left.project(in_rig) - left_px, right.project(in_rig) - right_px]))
-    return _PairFit(left, right, rotations, errors)
+    fit = _PairFit(left, right, rotations, [np.ravel(t) for t in tvecs], [])
+    fit.errors_px.extend(_errors(fit, turn, t, pair, target) for turn, t, pair in zip(fit.rotations, fit.translations, pairs, strict=True))
+    return fit
+
+
+def _errors(fit: _PairFit, rotation: Array, translation: Array, pair: Pair, target: CharucoTarget) -> Array:
+    """Reprojection errors of a view, (n, 4) px: left x, y, right x, y."""
+    ids, left_px, right_px = pair
+    in_rig = target.object_points[ids] @ rotation.T + translation
+    return np.hstack([fit.left.project(in_rig) - left_px, fit.right.project(in_rig) - right_px])
 
 
 def _five(distortion: object) -> Array:
     return np.ravel(np.asarray(distortion, np.float64))[:5]
-
-
-def _without_outliers(pairs: Sequence[Pair], errors_px: Sequence[Array]) -> list[Pair]:
-    size = [np.abs(errors).max(axis=1) for errors in errors_px]
-    limit = max(_OUTLIER * float(np.median(np.concatenate(size))), _OUTLIER_PX)
-    kept = [(ids[s <= limit], left[s <= limit], right[s <= limit]) for (ids, left, right), s in zip(pairs, size, strict=True)]
-    kept = [pair for pair in kept if len(pair[0]) >= MIN_CORNERS]
-    if len(kept) < MIN_VIEWS - MIN_VIEWS // HOLD_OUT:
-        raise CalibrationError("E-CAL-01", reason="most views contradict each other: did the board or a camera move during a view?")
-    return kept
 
 
 def _coverage(views: Sequence[BoardView], size_px: tuple[int, int]) -> float:
@@ -232,11 +250,13 @@ def _held_out_error(fit: _PairFit, held_out: Sequence[Pair], target: CharucoTarg
     squares, count, measured, known, depths = 0.0, 0, 0.0, 0.0, []
     for ids, left_px, right_px in held_out:
         sigma = np.ones(len(ids))
-        found = triangulator.triangulate(left_px, right_px, sigma, sigma).points
-        board = target.object_points[ids]
+        triangulated = triangulator.triangulate(left_px, right_px, sigma, sigma)
+        epipolar = np.abs(triangulated.epipolar_residual_px)
+        read = epipolar <= max(_OUTLIER * float(np.median(epipolar)), _OUTLIER_PX)  # as a scan would reject a misread pair
+        found, board = triangulated.points[read], target.object_points[ids[read]]
         laid = fit_rigid(found, board).apply(found)
         squares += float(np.sum((laid - board) ** 2))
-        count += len(ids)
+        count += len(found)
         about = board - board.mean(axis=0)
         measured += float(np.sum(about * (laid - laid.mean(axis=0))))
         known += float(np.sum(about * about))

@@ -17,7 +17,7 @@ def known_rig(half_angle_deg: float = 36.5, elevation_deg: float = 30.0) -> Ster
     centre = np.array([0.0, 0.0, DISTANCE_MM])
     e = np.radians(elevation_deg)
     up = np.array([0.0, -np.cos(e), -np.sin(e)])  # the left camera looks down by the elevation
-    turn = RigidTransform.from_vector(np.radians(2 * half_angle_deg) * up, np.zeros(3)).rotation
+    turn = RigidTransform.from_vector(np.radians(-2 * half_angle_deg) * up, np.zeros(3)).rotation
     return StereoCalibration(
         left=CameraModel(matrix, np.array([-0.08, 0.02, 0.0005, -0.0004, 0.0]), np.eye(3), np.zeros(3), (604, 294)),
         right=CameraModel(matrix * [[1.01], [0.99], [1.0]], np.array([-0.07, 0.01, -0.0003, 0.0002, 0.0]), turn, centre - turn @ centre, (604, 294)),

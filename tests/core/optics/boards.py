@@ -1,0 +1,96 @@
+"""Views of the calibration board by the known rig, as corner positions with noise."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from scanner_core.geometry.fitting import fit_rigid
+from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.optics.board import CharucoTarget
+from scanner_core.optics.board_detection import BoardView
+from scanner_core.optics.calibration import StereoCalibration
+from scanner_core.optics.stereo_calibration import StereoView
+from scanner_core.optics.triangulation import Triangulator
+from scanner_core.optics.turntable_calibration import TableView
+from tests.core.optics.rigs import DISTANCE_MM
+
+TARGET = CharucoTarget()
+MIDDLE = np.array([*(0.5 * np.array(TARGET.size_mm)), 0.0])
+
+
+def view_of(calibration: StereoCalibration, pose: RigidTransform, noise_px: float, rng: np.random.Generator) -> StereoView:
+    """What both cameras see of a board at `pose` (board to rig frame)."""
+    views = []
+    for camera in (calibration.left, calibration.right):
+        pixels = camera.project(pose.apply(TARGET.object_points))
+        ids = np.flatnonzero(((pixels > 3) & (pixels < np.array(camera.size_px) - 4)).all(axis=1))
+        views.append(BoardView(ids, pixels[ids] + rng.normal(0, noise_px, (len(ids), 2))))
+    return StereoView(*views)
+
+
+def _axes(calibration: StereoCalibration) -> tuple[np.ndarray, np.ndarray]:
+    """Columns x, y, z of a board that faces the middle between the cameras, and of one that lies face up on the table."""
+    up = calibration.turntable.direction
+    away = calibration.left.rotation[2] + calibration.right.rotation[2]
+    away /= np.linalg.norm(away)
+    down = (up @ away) * away - up
+    down /= np.linalg.norm(down)
+    x = np.cross(down, away)
+    return np.stack([x, down, away], axis=1), np.stack([x, np.cross(-up, x), -up], axis=1)
+
+
+def shown(calibration: StereoCalibration, count: int, noise_px: float, seed: int, tilt_deg: float = 35.0) -> list[StereoView]:
+    """The board held into the volume `count` times."""
+    rng = np.random.default_rng(seed)
+    facing, _ = _axes(calibration)
+    views = []
+    for _ in range(count):
+        rotation = facing @ RigidTransform.from_vector(np.radians(rng.uniform(-tilt_deg, tilt_deg, 3)), np.zeros(3)).rotation
+        place = np.array([0, 0, DISTANCE_MM]) + rng.uniform(-60, 60, 3)
+        views.append(view_of(calibration, RigidTransform(rotation, place - rotation @ MIDDLE), noise_px, rng))
+    return views
+
+
+def laid(
+    calibration: StereoCalibration,
+    count: int,
+    noise_px: float,
+    seed: int,
+    *,
+    gain: float = 1.0,
+    thickness_mm: float = 0.0,
+    arc_deg: float = 360.0,
+    off_mm: tuple[float, float] = (6.0, -4.0),
+) -> list[TableView]:
+    """The board on the table, `off_mm` the middle; the table turns `gain` degrees for each that it reports."""
+    rng = np.random.default_rng(seed)
+    axis = calibration.turntable
+    _, flat = _axes(calibration)
+    views = []
+    for index in range(count):
+        reported_deg = 5.0 + arc_deg * index / count
+        rotation = RigidTransform.from_vector(np.radians(gain * reported_deg) * axis.direction, np.zeros(3)).rotation @ flat
+        place = axis.origin + thickness_mm * axis.direction
+        pose = RigidTransform(rotation, place - rotation @ (MIDDLE + np.array([*off_mm, 0.0])))
+        views.append(TableView(reported_deg, view_of(calibration, pose, noise_px, rng)))
+    return views
+
+
+def volume_error_um(found: StereoCalibration, truth: StereoCalibration, half_mm: float = 50.0) -> tuple[float, RigidTransform]:
+    """Rms distance of triangulated to true points of a cube on the table after rigid alignment, and that alignment."""
+    rng = np.random.default_rng(0)
+    in_table = np.c_[rng.uniform(-half_mm, half_mm, (3000, 2)), rng.uniform(0, 2 * half_mm, 3000)]
+    points = truth.rig_to_table().inverse().apply(in_table)
+    sigma = np.ones(len(points))
+    measured = Triangulator(found).triangulate(truth.left.project(points), truth.right.project(points), sigma, sigma).points
+    to_truth = fit_rigid(measured, points)
+    return float(1e3 * np.sqrt(((to_truth.apply(measured) - points) ** 2).sum(axis=1).mean())), to_truth
+
+
+def axis_error(found: StereoCalibration, truth: StereoCalibration) -> tuple[float, float]:
+    """Angle between the axes in degrees, and how far the found origin lies beside the true axis in um, rigs aligned in the volume."""
+    _, to_truth = volume_error_um(found, truth)
+    true = truth.turntable.direction
+    direction = to_truth.rotate(found.turntable.direction)
+    off = np.cross(to_truth.apply(found.turntable.origin) - truth.turntable.origin, true)
+    return float(np.degrees(np.arcsin(np.linalg.norm(np.cross(direction, true))))), float(1e3 * np.linalg.norm(off))

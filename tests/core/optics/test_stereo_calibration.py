@@ -1,0 +1,105 @@
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from scanner_core.errors import CalibrationError
+from scanner_core.jobs.progress import Progress
+from scanner_core.optics.board_detection import BoardView
+from scanner_core.optics.stereo_calibration import StereoView, calibrate_stereo
+from tests.core.optics.boards import TARGET, shown, volume_error_um
+from tests.core.optics.rigs import known_rig
+
+TRUTH = known_rig()
+SIZE = TRUTH.left.size_px
+
+
+def test_noise_free_corners_give_the_true_cameras() -> None:
+    fit = calibrate_stereo(shown(TRUTH, 15, 0.0, seed=1), SIZE, TARGET)
+    np.testing.assert_allclose(fit.left.matrix, TRUTH.left.matrix, atol=0.02)
+    np.testing.assert_allclose(fit.right.translation, TRUTH.right.translation, atol=0.02)
+    assert fit.reprojection_rms_px < 1e-4
+    assert fit.held_out_rms_um < 0.1
+    assert (fit.views, fit.held_out_views) == (12, 3)
+
+
+@pytest.mark.parametrize("seed", [2, 3])
+def test_twenty_noisy_views_are_good_to_thirty_um(seed: int) -> None:
+    fit = calibrate_stereo(shown(TRUTH, 25, 0.1, seed), SIZE, TARGET)
+    error_um, _ = volume_error_um(fit.with_turntable(TRUTH.turntable, "2026-01-01"), TRUTH)
+    assert error_um < 30
+    assert fit.views == 20
+    assert fit.reprojection_rms_px == pytest.approx(0.1, rel=0.1)
+    # The held-out error holds the corners' noise of about 0.1 px of 0.8 mm in each of two cameras.
+    assert 60 < fit.held_out_rms_um < 160
+    assert fit.held_out_scale == pytest.approx(1, abs=5e-4)
+
+
+def test_misread_corners_are_left_out() -> None:
+    views = shown(TRUTH, 20, 0.02, seed=4)
+    for index in (0, 7, 11, 14):  # view 14 is held out
+        row = np.flatnonzero(np.isin(views[index].left.ids, views[index].right.ids))[index]
+        views[index].left.corners_px[row] += [4.0, -3.0]
+    fit = calibrate_stereo(views, SIZE, TARGET)
+    assert fit.corners_left_out == 3
+    assert fit.held_out_rms_um < 30
+    assert volume_error_um(fit.with_turntable(TRUTH.turntable, ""), TRUTH)[0] < 10
+
+
+def test_progress_runs_from_nothing_to_all() -> None:
+    told: list[Progress] = []
+    calibrate_stereo(shown(TRUTH, 10, 0.02, seed=5), SIZE, TARGET, progress=told.append)
+    fractions = [progress.fraction for progress in told]
+    assert fractions == sorted(fractions)
+    assert (fractions[0], fractions[-1]) == (0.0, 1.0)
+
+
+def _refused(views: list[StereoView], code: str, words: str) -> None:
+    with pytest.raises(CalibrationError, match=words) as fault:
+        calibrate_stereo(views, SIZE, TARGET)
+    assert fault.value.code == code
+
+
+def test_too_few_views_are_refused() -> None:
+    _refused(shown(TRUTH, 7, 0.02, seed=6), "E-CAL-01", "7 of 7 views")
+
+
+def test_views_that_only_one_camera_shares_do_not_count() -> None:
+    views = [StereoView(view.left, BoardView(view.right.ids[:5], view.right.corners_px[:5])) for view in shown(TRUTH, 12, 0.02, seed=7)]
+    _refused(views, "E-CAL-01", "0 of 12 views")
+
+
+def test_a_board_that_is_never_tilted_is_refused() -> None:
+    _refused(shown(TRUTH, 12, 0.02, seed=8, tilt_deg=3.0), "E-CAL-01", "tilted by only")
+
+
+def test_a_board_in_one_corner_is_refused() -> None:
+    views = []
+    for view in shown(TRUTH, 12, 0.02, seed=9):
+        sides = []
+        for side in (view.left, view.right):
+            near = np.sort(np.linalg.norm(side.corners_px - [300, 150], axis=1).argsort()[:14])
+            sides.append(BoardView(side.ids[near], side.corners_px[near]))
+        views.append(StereoView(*sides))
+    _refused(views, "E-CAL-01", "covered only|views show the board")
+
+
+def test_a_coarse_calibration_is_not_accepted() -> None:
+    _refused(shown(TRUTH, 12, 0.28, seed=10), "E-CAL-03", "are .* um off")
+
+
+def test_a_camera_that_moved_is_not_accepted() -> None:
+    """Half of the views with the right camera a degree aside: no fit explains both."""
+    moved = known_rig(half_angle_deg=37.5)
+    views = [a if i % 2 else b for i, (a, b) in enumerate(zip(shown(TRUTH, 16, 0.02, seed=11), shown(moved, 16, 0.02, seed=11), strict=True))]
+    _refused(views, "E-CAL-03", "contradict each other")
+
+
+def test_calibration_carries_its_own_judgement() -> None:
+    fit = calibrate_stereo(shown(TRUTH, 10, 0.02, seed=12), SIZE, TARGET)
+    calibration = fit.with_turntable(TRUTH.turntable, "2026-01-01")
+    assert calibration.held_out_rms_um == fit.held_out_rms_um
+    assert calibration.notes["held_out_scale"] == fit.held_out_scale
+    assert replace(calibration, date="2027-01-01").identity() == calibration.identity()
