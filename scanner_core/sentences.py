@@ -123,7 +123,9 @@ SENTENCES: dict[str, Sentence] = {
     "E-REC-03": Sentence("The surface that was found is not trustworthy: {reason}.", "No mesh was written and the points are kept; {do}."),
     "E-REC-04": Sentence("The points contain {count} values that are not finite numbers.", "No mesh was written; export the points again."),
     # ------------------------------------------------------------------------------------------ memory and worker process
-    "E-MEM-01": Sentence("There is not enough memory for '{command}'.", "Nothing was written; close other programs, or ask for fewer points or triangles."),
+    "E-MEM-01": Sentence(
+        "There is not enough memory for '{command}'.", "Nothing was written; close other programs, or ask for fewer points or triangles."
+    ),
     "E-JOB-01": Sentence(
         "The worker process ended unexpectedly during {phase} ({reason}).", "The points are safe and a new worker was started; run it again."
     ),

@@ -23,7 +23,8 @@ def beam_angles(laser: LaserConfig, points: Array) -> Array:
     azimuth, elevation = _angles(points - position)
     azimuth0, elevation0 = _angles((np.array(laser.target_mm) - position)[None])
     pan = (azimuth - azimuth0 + 180) % 360 - 180
-    return np.c_[pan, elevation - elevation0]
+    angles: Array = np.c_[pan, elevation - elevation0]
+    return angles
 
 
 def cylinder_outline(radius_mm: float, height_mm: float) -> Array:

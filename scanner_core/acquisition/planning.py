@@ -135,7 +135,8 @@ def _area(view: ViewPlan, hits: set[int]) -> float:
 def _quotas(areas: NDArray[np.float64], points: int) -> NDArray[np.int64]:
     """Whole numbers in proportion to the areas whose sum is `points`."""
     edges = np.rint(np.r_[0, np.cumsum(areas)] / areas.sum() * points).astype(np.int64)
-    return np.diff(edges)
+    quotas: NDArray[np.int64] = np.diff(edges)
+    return quotas
 
 
 def _coarse_to_fine(cover: Sequence[tuple[float, float, float]], step: float) -> list[tuple[float, float, float]]:

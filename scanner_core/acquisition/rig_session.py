@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 from dataclasses import dataclass, replace
 
-from scanner_core.clock import Clock, Speed, make_clock
+from scanner_core.clock import Clock, Speed, SteppedClock, make_clock
 from scanner_core.devices.camera import Camera
 from scanner_core.devices.grbl import open_controller
 from scanner_core.devices.motion import MotionController
@@ -78,7 +78,7 @@ def open_rig(config: RigConfig, specimen: Specimen | None = None, speed: Speed =
     if config.controller.port.lower().startswith(_VIRTUAL):
         clock = make_clock(speed)
         # A name of its own, so that two rigs can be open in one process.
-        name = f"{config.controller.port[len(_VIRTUAL):]}-{next(_numbers)}"
+        name = f"{config.controller.port[len(_VIRTUAL) :]}-{next(_numbers)}"
         firmware = Firmware(clock)
         register_firmware(name, firmware)
         controller = replace(config.controller, port=_VIRTUAL + name)
@@ -107,4 +107,7 @@ def _with_bench(
     config: RigConfig, motion: MotionController, clock: Clock, timeline: MotionTimeline, specimen: Specimen | None, seed: int, name: str | None
 ) -> OpenRig:
     bench = VirtualBench(PRESETS[config.virtual or ""], specimen, clock, timeline, seed)
-    return OpenRig(config, bench.camera("left"), bench.camera("right"), motion, clock, config.calibration, bench, name)
+    # In simulated time a hand-over a frame would cost more than the frame; in real time previews want every frame at once.
+    transfer = 8 if isinstance(clock, SteppedClock) else 1
+    left, right = bench.camera("left", transfer), bench.camera("right", transfer)
+    return OpenRig(config, left, right, motion, clock, config.calibration, bench, name)

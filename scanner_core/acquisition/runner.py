@@ -161,7 +161,8 @@ class ScanRunner:
         except BaseException as fault:
             error = self._as_error(fault)
         steps: list[Callable[[], None]] = [capture.close for capture in captures]
-        for step in (*steps, partial(self._rest, error is not None), self._keep):
+        steps += [partial(self._rest, error is not None), self._keep]
+        for step in steps:
             try:
                 step()
             except BaseException as fault:
@@ -266,9 +267,7 @@ class ScanRunner:
             self._rig.motion.wait_idle(_MOVE_DEADLINE_S)
         return measured
 
-    def _record(
-        self, scan_id: int, row: Row, observations: list[StereoObservation], points: NDArray[np.float64]
-    ) -> None:
+    def _record(self, scan_id: int, row: Row, observations: list[StereoObservation], points: NDArray[np.float64]) -> None:
         self._exposures += len(observations)
         self.live_cloud.append(points, row.view)
         self._unkept += observations
@@ -328,9 +327,7 @@ class ScanRunner:
             self._state = state
 
 
-def _until(
-    observations: list[StereoObservation], points: NDArray[np.float64], wanted: int
-) -> tuple[list[StereoObservation], NDArray[np.float64]]:
+def _until(observations: list[StereoObservation], points: NDArray[np.float64], wanted: int) -> tuple[list[StereoObservation], NDArray[np.float64]]:
     """The observations up to the one that gives the last wanted point."""
     found = 0
     for i, seen in enumerate(observations):

@@ -17,6 +17,7 @@ from contextlib import closing, contextmanager
 from dataclasses import asdict, dataclass
 from datetime import datetime
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -210,7 +211,10 @@ class CaseStore:
     def scans(self) -> list[ScanRecord]:
         """All scans in the order of their beginning."""
         rows = self._rows("SELECT id, kind, calibration_id, plan_json, started, ended, finish_reason, counts_json FROM scan ORDER BY id")
-        return [ScanRecord(*row[:3], json.loads(row[3]), *row[4:7], json.loads(row[7]) if row[7] else None) for row in rows]
+        return [
+            ScanRecord(number, kind, calibration, json.loads(plan), started, ended, reason, json.loads(counts) if counts else None)
+            for number, kind, calibration, plan, started, ended, reason, counts in rows
+        ]
 
     def calibration_toml(self, calibration_id: str) -> str:
         """The calibration as it was used, a rig file's text."""
@@ -227,7 +231,7 @@ class CaseStore:
     def verdict_counts(self, scan_id: int) -> dict[str, int]:
         """How many observations have which verdict."""
         query = "SELECT name, count(*) FROM observation JOIN verdict ON verdict.id = verdict WHERE scan_id = ? GROUP BY name"
-        return dict(self._rows(query, (scan_id,)))
+        return {str(name): int(count) for name, count in self._rows(query, (scan_id,))}
 
     def observations(self, scan_id: int) -> ObservationTable:
         """The measured observations of a scan in the order of their trigger ids."""
@@ -308,7 +312,7 @@ class CaseStore:
                     self._connection.execute("ROLLBACK")
                 raise
 
-    def _rows(self, query: str, values: tuple[object, ...] = ()) -> list[tuple[object, ...]]:
+    def _rows(self, query: str, values: tuple[object, ...] = ()) -> list[tuple[Any, ...]]:
         with self._lock, _sentences(self.path):
             if self._closed:
                 raise CaseError("E-CASE-06", path=self.path)

@@ -6,6 +6,7 @@ import argparse
 from datetime import datetime
 from pathlib import Path
 
+from scanner_core.acquisition.calibrating import calibrate_rig
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
 from scanner_core.acquisition.status import FinishReason
@@ -18,7 +19,6 @@ from scanner_core.errors import StorageError, UsageError
 from scanner_core.mesh_io import write_mesh
 from scanner_core.metrology.truth_error import truth_error
 from scanner_core.optics.calibration import StereoCalibration
-from scanner_core.acquisition.calibrating import calibrate_rig
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 
 CASE, MESHES = "case.impronta", ("mesh.stl", "mesh.ply")

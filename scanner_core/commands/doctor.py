@@ -63,7 +63,7 @@ def machine_checks() -> list[Check]:
     folder = Path.cwd()
     free_gib = shutil.disk_usage(folder).free / 2**30
     checks.append(
-        Check("disk", "pass" if free_gib > _DISK_GIB else "warn", f"{free_gib:.1f} GiB free in the current folder.", "Free some space before you scan.")
+        Check("disk", "pass" if free_gib > _DISK_GIB else "warn", f"{free_gib:.1f} GiB free in this folder.", "Free some space before you scan.")
     )
     try:
         with tempfile.NamedTemporaryFile(dir=folder):
@@ -90,7 +90,7 @@ def camera_check(camera: Camera, cameras: list[dict[str, object]]) -> Check:
     mean, peak = float(frame.image.mean()), int(frame.image.max())
     cameras.append({"name": camera.name, "size_px": [width, height], "rate_hz": camera.rate_hz, "mean_dn": round(mean, 2), "peak_dn": peak})
     if frame.image.shape != (height, width):
-        return Check(f"camera {camera.name}", "fail", f"its frame is {frame.image.shape[::-1]} instead of {width} x {height}.", "Correct the rig file.")
+        return Check(f"camera {camera.name}", "fail", f"frames are {frame.image.shape[::-1]}, not {width} x {height}.", "Correct the rig file.")
     if mean > 0.3 * 255:
         return Check(f"camera {camera.name}", "warn", f"the background is bright ({mean:.0f} of 255).", "Shield the rig from ambient light.")
     return Check(f"camera {camera.name}", "pass", f"{width} x {height}, {camera.rate_hz:g} frames/s, background {mean:.1f} of 255.")
@@ -107,7 +107,7 @@ def spot_check(rig: OpenRig) -> Check:
         rig.motion.laser(False)
     dark = [name for name, spot in seen.items() if not isinstance(spot, Spot)]
     if dark:
-        return Check("laser seen", "warn", f"camera {' and '.join(dark)} saw no spot.", "Put an object on the table, check the lens caps and the aim.")
+        return Check("laser seen", "warn", f"camera {' and '.join(dark)} saw no spot.", "Put an object on the table; check lens caps and aim.")
     after = [detector.detect(camera.grab().image) for camera in (rig.left, rig.right)]
     if any(isinstance(spot, Spot) for spot in after):
         return Check("laser seen", "fail", "a spot stays after the laser was switched off.", "Disconnect the laser and check its driver.")

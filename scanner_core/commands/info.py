@@ -75,7 +75,7 @@ def _mesh(path: Path, mesh: TriangleMesh) -> dict[str, object]:
         "area_mm2": round(mesh.area(), 4),
         "volume_mm3": round(mesh.volume(), 4) if checks.closed else None,
         "attributes": sorted(mesh.vertex_attributes),
-        **checks.as_dict(),
+        **asdict(checks),
     }
 
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from scanner_core.commands.console import Console
 from scanner_core.geometry.point_cloud import PointCloud
-from scanner_core.jobs.progress import Progress
 from scanner_core.jobs.blocking import run_in_worker
+from scanner_core.jobs.progress import Progress
+from scanner_core.reconstruction.job import ReconstructionRequest
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.reconstruction.pipeline import Reconstruction
-from scanner_core.reconstruction.job import ReconstructionRequest
 
 
 def run_reconstruction(console: Console, cloud: PointCloud, parameters: ReconstructionParameters) -> Reconstruction:

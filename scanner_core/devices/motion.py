@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
-from typing import Protocol
+from typing import Protocol, Self
 
 from scanner_core.devices.check import Check
 
@@ -96,6 +96,6 @@ class MotionController(Protocol):
         """Laser off, release the port; may be called again."""
         ...
 
-    def __enter__(self) -> MotionController: ...
+    def __enter__(self) -> Self: ...
 
     def __exit__(self, *exception: object) -> None: ...

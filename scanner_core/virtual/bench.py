@@ -71,13 +71,13 @@ class VirtualBench:
         """What stands on the table."""
         return self._scene.specimen
 
-    def camera(self, side: Literal["left", "right"]) -> VirtualCamera:
+    def camera(self, side: Literal["left", "right"], transfer_frames: int = 1) -> VirtualCamera:
         """One of the two cameras; opened anew by every call."""
         if side not in _SIDES:
             raise UsageError("E-USE-01", what=f"The rig has no camera '{side}'", do="choose left or right")
         index = _SIDES.index(side)
         p = self.preset
-        return VirtualCamera(side, index, p.cameras[index].size_px, p.rate_hz, p.exposure_ms, self._clock, self)
+        return VirtualCamera(side, index, p.cameras[index].size_px, p.rate_hz, p.exposure_ms, self._clock, self, transfer_frames)
 
     # ------------------------------------------------------------------------------------------ a person's operations
     def change_specimen(self, specimen: Specimen | None) -> None:

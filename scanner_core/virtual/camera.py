@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterator
-from types import TracebackType
-from typing import Protocol
+from typing import Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,13 +28,25 @@ class VirtualCamera:
 
     Exposure k of a run begins at ``start_s + k / rate``; its frame is there when it ends.  The camera joins the clock when
     it is armed and leaves it after the last frame, when the run is stopped and when it is closed.  A reader that falls
-    behind by more than :data:`BUFFER_FRAMES` loses the oldest frames; `dropped` counts them.
+    behind by more than :data:`BUFFER_FRAMES` loses the oldest frames; `dropped` counts them.  Frames leave the camera
+    `transfer_frames` at a time, as the driver of a fast camera hands them over.
     """
 
-    def __init__(self, name: str, index: int, size_px: tuple[int, int], rate_hz: float, exposure_ms: float, clock: Clock, exposer: Exposer) -> None:
+    def __init__(
+        self,
+        name: str,
+        index: int,
+        size_px: tuple[int, int],
+        rate_hz: float,
+        exposure_ms: float,
+        clock: Clock,
+        exposer: Exposer,
+        transfer_frames: int = 1,
+    ) -> None:
         self._name, self._index, self._size_px, self._rate_hz = name, index, size_px, rate_hz
         self._exposure_ms, self._gain_db = exposure_ms, 0.0
         self._clock, self._exposer = clock, exposer
+        self._transfer_frames = transfer_frames
         self._lock = threading.Lock()
         self._run: tuple[Trigger, Pacer, int] | None = None
         self._runs = 0
@@ -88,11 +99,14 @@ class VirtualCamera:
             return
         trigger, pacer, number = run
         try:
-            k = 0
+            k = there = 0
             while k < trigger.count:
                 exposure_s = 1e-3 * self._exposure_ms
                 start_s = trigger.start_s + k / self._rate_hz
-                if not pacer.wait_until(start_s + exposure_s, stop) or self._closed.is_set():
+                if k >= there:
+                    there = min(k + self._transfer_frames, trigger.count)
+                    pacer.wait_until(trigger.start_s + (there - 1) / self._rate_hz + exposure_s, stop)
+                if stop.is_set() or self._closed.is_set():
                     break
                 behind = int((self._clock.now_s() - start_s - exposure_s) * self._rate_hz)
                 if behind >= BUFFER_FRAMES:
@@ -120,10 +134,10 @@ class VirtualCamera:
             self._end_run()
             self._closed.set()
 
-    def __enter__(self) -> VirtualCamera:
+    def __enter__(self) -> Self:
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+    def __exit__(self, *exception: object) -> None:
         self.close()
 
     def _frame(self, start_s: float, trigger_id: int, key: int) -> Frame:
