@@ -141,7 +141,7 @@ class Firmware:
         """The board's processor hangs: nothing is answered any more, motion and laser stay as they are until a power cycle."""
         with self._lock:
             self._advance()
-            self._silent = True
+            self._silent, self._boot_end_s = True, math.inf
 
     def trip_limit(self) -> None:
         """An axis runs into its limit switch: ALARM:1, and nothing but a reset gets through."""
