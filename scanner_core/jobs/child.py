@@ -18,6 +18,7 @@ import multiprocessing
 import os
 import signal
 import threading
+from contextlib import suppress
 from multiprocessing.connection import Connection, wait
 
 BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS", "NUMEXPR_NUM_THREADS")
@@ -35,7 +36,8 @@ def work(connection: Connection, cancelled_number: ctypes.c_int64, preload: tupl
     for name in BLAS_THREADS:
         os.environ[name] = "1"
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches the whole group; the parent decides what it means
-    os.dup2(2, 1)  # standard output belongs to the program's result; whatever a library prints here goes to the log
+    with suppress(OSError):  # a program without a console has neither
+        os.dup2(2, 1)  # standard output belongs to the program's result; whatever a library prints here goes to the log
     threading.Thread(target=_die_with_parent, name="parent-watch", daemon=True).start()
 
     from scanner_core.jobs.serving import serve

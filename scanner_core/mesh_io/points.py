@@ -15,7 +15,7 @@ from scanner_core.mesh_io.ply import parse_ply_elements, write_ply_elements
 
 _COMMENT = re.compile(rb"(?:#|//|%)[^\n]*")
 _AXIS = re.compile(r"^(?:points?[_:])?([xyz])(?:$|[^a-z0-9]|mm$)|^points[_:]([012])$")
-_UNIT = re.compile(rb"[\[(][^\])]*[\])]")
+_UNIT = re.compile(rb"[\[(][^\])]{0,40}[\])]")
 _COVARIANCE = tuple((f"covariance_{a}{b}_mm2", "xyz".index(a), "xyz".index(b)) for a, b in ("xx", "xy", "xz", "yy", "yz", "zz"))
 
 
@@ -44,6 +44,8 @@ def parse_text_points(content: bytes) -> PointCloud:
     names = [word.strip(b" \"'").decode("ascii", "replace").lower() for word in words]
     if not body.strip():
         return PointCloud(np.empty((0, 3)))
+    if not re.search(rb"\d", body):
+        raise MalformedError("it holds no numbers")
     columns = _columns(names)
     try:
         table = np.loadtxt(io.BytesIO(body), np.float64, comments=None, ndmin=2, encoding="latin-1")

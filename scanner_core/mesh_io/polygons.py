@@ -8,6 +8,8 @@ from numpy.typing import NDArray
 from scanner_core.mesh_io.malformed import MalformedError
 
 MOST_CORNERS = 10_000
+_TRIES = 20
+"""Corners looked at for each ear, on average; only polygons that cross themselves need more."""
 
 
 def triangulated(vertices: NDArray[np.float64], corners: NDArray[np.int64], lengths: NDArray[np.int64]) -> NDArray[np.int64]:
@@ -72,32 +74,33 @@ def _clip_ears(vertices: NDArray[np.float64], polygon: NDArray[np.int64]) -> NDA
     normal = np.cross(ring - ring[0], np.roll(ring, -1, axis=0) - ring[0]).sum(axis=0)
     drop = int(np.argmax(np.abs(normal)))
     plane = ring[:, [(drop + 1) % 3, (drop + 2) % 3]] * (1.0 if normal[drop] >= 0 else -1.0, 1.0)
-    left = list(range(len(polygon)))
+    left = np.arange(len(polygon))
     triangles: list[tuple[int, int, int]] = []
-    at = 0
-    failures = 0
-    while len(left) > 3 and failures < len(left):
-        i, j, k = left[at - 1], left[at], left[(at + 1) % len(left)]
+    at = failures = 0
+    patience = _TRIES * len(polygon)
+    while len(left) > 3 and failures < len(left) and patience > 0:
+        patience -= 1
+        i, j, k = int(left[at - 1]), int(left[at]), int(left[(at + 1) % len(left)])
         if _is_ear(plane, left, i, j, k):
             triangles.append((i, j, k))
-            del left[at]
+            left = np.delete(left, at)
             failures = 0
             at = at % len(left)
         else:
             failures += 1
             at = (at + 1) % len(left)
-    triangles += [(left[0], left[m], left[m + 1]) for m in range(1, len(left) - 1)]
+    triangles += [(int(left[0]), int(left[m]), int(left[m + 1])) for m in range(1, len(left) - 1)]
     return polygon[np.array(triangles, np.int64)]
 
 
-def _is_ear(plane: NDArray[np.float64], left: list[int], i: int, j: int, k: int) -> bool:
+def _is_ear(plane: NDArray[np.float64], left: NDArray[np.int64], i: int, j: int, k: int) -> bool:
     a, b, c = plane[i], plane[j], plane[k]
     if _turn(a, b, c) <= 0:
         return False
-    others = plane[[m for m in left if m not in (i, j, k)]]
+    others = plane[left]
     inside = (_turns(a, b, others) >= 0) & (_turns(b, c, others) >= 0) & (_turns(c, a, others) >= 0)
-    same = (others == a).all(axis=1) | (others == b).all(axis=1) | (others == c).all(axis=1)
-    return not bool((inside & ~same).any())
+    others = others[inside]  # the ear's own corners too
+    return bool(((others == a).all(axis=1) | (others == b).all(axis=1) | (others == c).all(axis=1)).all())
 
 
 def _turn(a: NDArray[np.float64], b: NDArray[np.float64], c: NDArray[np.float64]) -> float:

@@ -23,7 +23,7 @@ _TYPES = {
     "Float32": "f4", "Float64": "f8",
 }  # fmt: skip
 _MOST_VALUES = 1_000_000_000
-_APPENDED = re.compile(rb"<AppendedData[^>]*>\s*_")
+_APPENDED = re.compile(rb"<AppendedData[^>]{0,200}>\s{0,200}_")  # bounded: a search that fails stays linear
 
 Column = NDArray[np.generic]
 

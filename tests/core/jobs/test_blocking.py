@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+import os
+import signal
+import subprocess
+import sys
 import threading
+from pathlib import Path
 
 import pytest
 
@@ -45,3 +50,54 @@ def test_an_interrupt_leaves_no_process_behind() -> None:
 
     with pytest.raises(KeyboardInterrupt):
         run_in_worker("deaf", 60.0, progress=interrupt, cancelled=lambda: False)
+
+
+COMMAND = """
+import sys
+from scanner_core.jobs import registry
+from scanner_core.jobs.blocking import run_in_worker
+
+def main():
+    registry.JOBS.clear()
+    registry.JOBS["deaf"] = "tests.core.jobs.tiny_jobs:deaf"
+    try:
+        run_in_worker("deaf", 600.0, progress=lambda told: say("progress"), cancelled=lambda: say("start") and False)
+    except KeyboardInterrupt:
+        sys.exit(130)
+
+said = set()
+def say(what):
+    if what not in said:
+        said.add(what)
+        print(what, flush=True)
+    return True
+
+if __name__ == "__main__":
+    main()
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="process groups")
+@pytest.mark.parametrize("when", ["start", "progress"])
+def test_ctrl_c_in_the_terminal_ends_quietly(tmp_path: Path, when: str) -> None:
+    """Ctrl-C reaches every process of the terminal, also a child that is still importing."""
+    script = tmp_path / "command.py"
+    script.write_text(COMMAND, encoding="utf-8")
+    root = Path(__file__).parents[3]
+    with subprocess.Popen(
+        [sys.executable, str(script)],
+        cwd=root,
+        env={**os.environ, "PYTHONPATH": str(root)},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    ) as command:
+        assert command.stdout is not None
+        for line in command.stdout:
+            if line.strip() == when:
+                break
+        os.killpg(command.pid, signal.SIGINT)
+        _, noise = command.communicate(timeout=60)
+    assert command.returncode == 130
+    assert noise == ""

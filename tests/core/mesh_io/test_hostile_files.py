@@ -179,6 +179,7 @@ LIES = [
     ("a.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 x\n", "line 4 cannot be right"),
     ("a.obj", b"v 0 0 0\nv 1 0 nan\nv 0 1 0\nf 1 2 3\n", "first point 2 of 3 (1, 0, nan)"),
     ("a.vtp", b"<VTKFile><oops>", "XML is damaged"),
+    ("a.vtp", b"<AppendedData" * 50_000, "XML is damaged"),
     ("a.vtp", b'<!DOCTYPE a [<!ENTITY b "c">]><VTKFile/>', "declares entities"),
     ("a.vtp", b'<VTKFile type="ImageData"/>', "no VTKFile of the type PolyData"),
     ("a.vtp", _vtp(999_999_999_999, 1), "holds 9 values where 2999999999997 are announced"),

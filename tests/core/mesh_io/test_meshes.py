@@ -265,6 +265,12 @@ def test_polygons_keep_their_area_and_orientation(seed: int, corners: int) -> No
     assert np.linalg.norm(part, axis=1).sum() == pytest.approx(np.linalg.norm(whole), abs=1e-9)
 
 
+def test_a_large_polygon_that_crosses_itself_ends() -> None:
+    rng = np.random.default_rng(9)
+    points = np.column_stack([rng.normal(size=(400, 2)), np.zeros(400)])
+    assert triangulated(points, np.arange(400), np.array([400])).shape == (398, 3)
+
+
 def test_triangles_quads_and_polygons_come_in_their_order() -> None:
     ring = np.array([[np.cos(a), np.sin(a), 0.0] for a in 2 * np.pi * np.arange(6) / 6])
     triangles = triangulated(ring, np.array([0, 1, 2, 3, 4, 0, 1, 2, 3, 4, 5, 3, 4, 5]), np.array([5, 6, 3]))

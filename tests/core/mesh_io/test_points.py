@@ -65,6 +65,8 @@ def test_utf_16_text() -> None:
         ("1 2 3\nnan 5 6\n", "not finite"),
         ("1 2 3\n4 5 1e300\n", "impossibly far"),
         ("x,y,w,z\n1,2,3\n4,5,6\n", "its first line names 4"),
+        ("names\n\x1c \n", "it holds no numbers"),
+        ("[" * 100_000, "holds no points"),
         ("1 2 3\n\x00\x00\x00", "it is no text"),
     ],
 )
