@@ -136,6 +136,8 @@ class GrblLink:
                 raise self.fault(self._timeout("?", deadline_s))
             if self._halt is None:
                 self._expect_no_reset(line, "?")
+            elif isinstance(line, Banner):  # a question that came just before a reset is forgotten by it
+                self._send(b"?", "?", even_when_halted=True)
 
     def listen(self, deadline_s: float) -> Line | None:
         """The next line whatever it is, or None; for handshake and recovery."""

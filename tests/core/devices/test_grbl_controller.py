@@ -32,7 +32,7 @@ class ScriptedPort:
     """A device of any kind: answers what `answers` says to each write, at once."""
 
     def __init__(self, clock: SteppedClock, answers: dict[bytes, bytes], greeting: bytes = b"") -> None:
-        self._clock, self._answers = clock, answers
+        self._clock, self.answers = clock, answers
         self._waiting = deque([greeting] if greeting else [])
         self.written: list[bytes] = []
         self.closed = False
@@ -45,8 +45,8 @@ class ScriptedPort:
 
     def write(self, chunk: bytes) -> None:
         self.written.append(chunk)
-        if chunk in self._answers:
-            self._waiting.append(self._answers[chunk])
+        if chunk in self.answers:
+            self._waiting.append(self.answers[chunk])
 
     def close(self) -> None:
         self.closed = True
@@ -144,6 +144,15 @@ def test_busy_missing_and_not_permitted_are_three_things() -> None:
     assert missing.value.code == "E-MOT-08"
     assert fault_kind(PermissionError(13, "Permission denied")) == "permission"
     assert fault_kind(serial.SerialException("could not open port 'COM3': PermissionError(13, 'Access is denied.', None, 5)")) == "busy"
+
+
+def test_question_that_a_reset_swallowed_is_asked_again() -> None:
+    port, controller = scripted(GRBL_HAL, BANNER)
+    controller.stop()
+    asked = port.written.count(b"?")
+    port.answers = {b"?": GRBL_HAL[b"?"]}
+    assert controller.status().x_deg == 11.0
+    assert port.written.count(b"?") == asked + 2
 
 
 # ------------------------------------------------------------------------------------------ deadlines and losses
