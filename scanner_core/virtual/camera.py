@@ -109,8 +109,9 @@ class VirtualCamera:
                 if stop.is_set() or self._closed.is_set():
                     break
                 behind = int((self._clock.now_s() - start_s - exposure_s) * self._rate_hz)
-                if behind >= BUFFER_FRAMES:
-                    lost = min(behind - BUFFER_FRAMES + 1, trigger.count - k)
+                room = BUFFER_FRAMES + self._transfer_frames - 1
+                if behind >= room:
+                    lost = min(behind - room + 1, trigger.count - k)
                     self.dropped += lost
                     k += lost
                     continue

@@ -55,9 +55,10 @@ class VirtualPreset:
         At 0 dB, rms; and the level of a dark frame.
     speckle
         Share of the fully developed, unpolarized speckle: 1 gives centroid shifts of
-        ``0.65 wavelength / (2 pi sin u)`` rms on the surface per camera and axis (Dorsch, Haeusler, Herrmann 1994), and a
-        lognormal flux of contrast ``0.65 / sqrt(speckles in the spot)``; both are fields on the surface with the
-        correlation length ``wavelength R f_number / focal_length``, so they repeat where the beam comes back.
+        ``0.65 wavelength / (2 pi sin u)`` rms on the surface per camera and axis (Dorsch, Haeusler, Herrmann 1994),
+        bounded by the beam's sigma (in quadrature of the reciprocals), and a lognormal flux of contrast
+        ``0.65 / sqrt(speckles in the spot)``; both are fields on the surface with the correlation length
+        ``wavelength R f_number / focal_length``, so they repeat where the beam comes back.
     surface_um
         rms of the optical surface about the geometric one along the normal (translucence, coating grain), a field with
         a correlation length of `surface_cell_mm`; both cameras see the same.
@@ -105,8 +106,9 @@ class VirtualPreset:
 
     @property
     def speckle_shift_mm(self) -> float:
-        """rms shift of the centroid on the surface, per camera and axis."""
-        return self.speckle * 0.65e-3 * self.wavelength_um / (2 * np.pi * self.sin_aperture)
+        """rms shift of the centroid on the surface, per camera and axis; it cannot leave the footprint."""
+        free = 0.65e-3 * self.wavelength_um / (2 * np.pi * self.sin_aperture)
+        return float(self.speckle * free * self.beam_sigma_mm / np.hypot(free, self.beam_sigma_mm))
 
     @property
     def speckle_contrast(self) -> float:

@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 _HALF_WIDTH, _DEPTH = 23.6, 41.6
 """Half axes of the ellipse on which the teeth stand; the arch is its half with y > 0."""
-_OFFSET = np.array([0.0, 22.8, 0.0])
+_OFFSET = np.array([0.0, 23.4, 0.0])
 """From the solid's own frame (ellipse about the origin) to the object frame, the same before and after treatment."""
 _BASE_HALF, _BASE_TOP = 6.2, 4.6
 

@@ -49,7 +49,8 @@ class BentTube:
         self._chord = chord / np.linalg.norm(chord)
         along = curve[:, :3] @ self._chord
         self._first, self._last = float(along[0]), float(along[-1])
-        self._spline = CubicSpline(along, curve)
+        end = (1, np.r_[self._chord, 0.0])  # it ends straight and with a constant radius, so that the rounding joins smoothly
+        self._spline = CubicSpline(along, curve, bc_type=(end, end))
 
     def __call__(self, points: Array) -> Array:
         curve = self._spline(np.clip(points @ self._chord, self._first, self._last))
@@ -86,7 +87,7 @@ def mesh_implicit(solid: Implicit, lower: ArrayLike, upper: ArrayLike, spacing: 
 
     The function is evaluated in a narrow band only: blocks of grid cells whose centre is farther from the surface than
     their half diagonal (with a margin for gradients down to 0.4) cannot hold it.  Flying edges (Schroeder, Maynard,
-    Geveci 2015) give the triangles, two Newton steps put their vertices onto the surface.
+    Geveci 2015) give the triangles, and a Newton step moves their vertices onto the surface.
     """
     low = np.asarray(lower, np.float64)
     blocks = np.ceil((np.asarray(upper, np.float64) - low) / (_BLOCK * spacing)).astype(int)
@@ -118,8 +119,7 @@ def mesh_implicit(solid: Implicit, lower: ArrayLike, upper: ArrayLike, spacing: 
     surface = edges.GetOutput()
     vertices = vtk_to_numpy(surface.GetPoints().GetData()).astype(np.float64)
     triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3).astype(np.int64)
-    for _ in range(2):
-        vertices = newton(solid, vertices, 0.25 * spacing)
+    vertices = newton(solid, vertices, 0.25 * spacing)
     mesh = TriangleMesh(vertices, triangles)
     return mesh if mesh.volume() > 0 else TriangleMesh(vertices, triangles[:, ::-1].copy())
 
