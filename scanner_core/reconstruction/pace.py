@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import time
 
+import numpy as np
+from numpy.typing import NDArray
+
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.jobs.progress import Cancelled, IsCancelled, OnProgress, Progress
 
@@ -23,6 +26,8 @@ class Pace:
         self._begin_s = time.monotonic()
         self._last_s = 0.0
         self._fraction = 0.0
+        self.centre_mm: NDArray[np.float64] | None = None
+        """Where the origin of the previews that are reported lies in the object frame, (3,)."""
         self.phase = "inflate"
         self.seconds: dict[str, float] = {}
         self._phase_begin_s = self._begin_s
@@ -60,4 +65,6 @@ class Pace:
         elapsed = now - self._begin_s
         left = elapsed * (1 - self._fraction) / self._fraction if self._fraction > 0.03 else None
         self._last_s = now
+        if preview is not None and self.centre_mm is not None:
+            preview = TriangleMesh(preview.vertices + self.centre_mm, preview.triangles, preview.vertex_attributes)
         self._progress(Progress(self.phase, self._fraction, left, preview))

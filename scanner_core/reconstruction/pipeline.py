@@ -43,6 +43,7 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
     pace = Pace(progress, cancelled)
     pace.report(0.0, force=True)
     points, centre = _accepted(cloud)
+    pace.centre_mm = centre
     tree = cKDTree(points)
     scale = measure_scale(points, tree, parameters.seed)
     region = enclosed_region(points, scale, pace)
@@ -67,6 +68,7 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
     kept = fit.weights > 0.5
     residual = float(np.sqrt((spline.distances_mm[kept] ** 2).mean()))
     mesh = _finished(mesh, fit, uncertainty, centre, parameters)
+    pace.centre_mm = None  # the finished mesh stands in the object frame
     seconds = pace.finish()
     area = spline.area
     supported = fit.supported
