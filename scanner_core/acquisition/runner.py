@@ -156,7 +156,8 @@ class ScanRunner:
         wall_s = time.monotonic()
         captures: list[CaptureThread] = []
         try:
-            captures = [CaptureThread(camera, SpotDetector(), self.previews[camera.name]) for camera in (self._rig.left, self._rig.right)]
+            detector = SpotDetector(self._rig.config.spot)
+            captures = [CaptureThread(camera, detector, self.previews[camera.name]) for camera in (self._rig.left, self._rig.right)]
             self._scan(captures[0], captures[1])
         except BaseException as fault:
             error = self._as_error(fault)

@@ -98,7 +98,7 @@ def camera_check(camera: Camera, cameras: list[dict[str, object]]) -> Check:
 
 def spot_check(rig: OpenRig) -> Check:
     """The laser as both cameras see it; left off."""
-    detector = SpotDetector()
+    detector = SpotDetector(rig.config.spot)
     rig.motion.aim(0.0, 0.0)
     rig.motion.laser(True)
     try:

@@ -7,7 +7,7 @@ too large.  Nothing is measured with it; points come from the calibration alone.
 from __future__ import annotations
 
 import tomllib
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -17,6 +17,7 @@ import numpy as np
 from scanner_core.errors import UsageError
 from scanner_core.optics.calibration import StereoCalibration, TurntableAxis
 from scanner_core.optics.camera_model import CameraModel
+from scanner_core.optics.spot_detection import SpotDetectorParameters
 
 PRESETS = ("bench", "paper-2003", "workshop")
 
@@ -78,7 +79,8 @@ class VolumeConfig:
 class RigConfig:
     """Everything that the program knows of a rig.
 
-    `virtual` names the image model of the virtual rig (a preset), or is None for hardware.
+    `virtual` names the image model of the virtual rig (a preset), or is None for hardware.  `spot` stands in the table
+    ``[spot]``, which may be absent or hold some keys only: the rest are the detector's defaults.
     """
 
     name: str
@@ -90,6 +92,7 @@ class RigConfig:
     volume: VolumeConfig
     virtual: str | None = None
     calibration: StereoCalibration | None = None
+    spot: SpotDetectorParameters = field(default_factory=SpotDetectorParameters)
 
     def with_calibration(self, calibration: StereoCalibration | None) -> RigConfig:
         return replace(self, calibration=calibration)
@@ -151,6 +154,7 @@ def dump_rig(rig: RigConfig) -> str:
         ("limits", rig.limits),
         ("laser", rig.laser),
         ("volume", rig.volume),
+        ("spot", rig.spot),
     ):
         lines += ["", f"[{key}]"]
         lines += [
@@ -172,6 +176,7 @@ def _rig(tree: dict[str, Any]) -> RigConfig:
         volume=VolumeConfig(radius_mm=float(tree["volume"]["radius_mm"]), height_mm=float(tree["volume"]["height_mm"])),
         virtual=None if tree.get("virtual") is None else str(tree["virtual"]),
         calibration=_calibration(tree["calibration"]) if "calibration" in tree else None,
+        spot=SpotDetectorParameters(**tree.get("spot", {})),
     )
 
 

@@ -116,7 +116,7 @@ def _streak() -> np.ndarray:
     ("frame", "reason"),
     [
         (np.zeros(SHAPE, np.uint8), MissReason.NO_SPOT),
-        (_frame((300, 150, 2.0, 8)), MissReason.TOO_DIM),
+        (_frame((300, 150, 3.0, 9)), MissReason.TOO_DIM),
         (_hot_pixel(), MissReason.TOO_SMALL),
         (_frame((300, 150, 12.0, 120)), MissReason.TOO_LARGE),
         (_streak(), MissReason.ELONGATED),
@@ -160,3 +160,27 @@ def test_hot_pixel_does_not_hide_a_spot() -> None:
 def test_parameters_outside_their_range_are_refused() -> None:
     with pytest.raises(UsageError, match="threshold_sigmas"):
         SpotDetectorParameters(threshold_sigmas=1.0)
+
+
+def test_border_centroid_follows_a_wide_spot_and_locks_to_pixels_on_a_small_one() -> None:
+    detector = SpotDetector(replace(PARAMETERS, centroid="border", min_area_px=1))
+    rng = np.random.default_rng(6)
+    rms = {}
+    for sigma, peak_dn in ((1.4, 190.0), (0.25, 450.0)):
+        errors = []
+        for _ in range(150):
+            x, y = 32 + rng.uniform(-0.5, 0.5), 24 + rng.uniform(-0.5, 0.5)
+            found = detector.detect(_expose(_spot(x, y, sigma, sigma, peak_dn, (48, 64)), rng))
+            assert isinstance(found, Spot)
+            errors.append((found.x_px - x, found.y_px - y))
+        rms[sigma] = np.sqrt(np.mean(np.square(errors)))
+    assert rms[1.4] < 0.03
+    assert 0.05 < rms[0.25] < 0.3
+
+
+def test_noise_pixels_are_no_dim_spots() -> None:
+    frame = np.full(SHAPE, 8, np.uint8)
+    frame[::50, ::50] = 14
+    found = DETECTOR.detect(frame)
+    assert isinstance(found, SpotMiss)
+    assert found.reason is MissReason.NO_SPOT
