@@ -278,6 +278,7 @@ def test_stop_wakes_a_waiting_owner_and_halts_until_recover() -> None:
         with pytest.raises(DeviceError) as caught:
             controller.aim(0.0, 0.0)
         assert [error.code for error in (*errors, caught.value)][-1] == "E-MOT-15"
+        here.clock.sleep(10.0 / 115200)  # the reset is one byte on the wire
         assert here.firmware.instant(here.clock.now_s()).laser_power == 0.0
         assert math.isfinite(controller.status().x_deg)
 
