@@ -45,13 +45,8 @@ class JobHandle:
         return self._outcome
 
     def wait(self, timeout_s: float | None = None) -> JobOutcome | None:
-        """Wait for the end; None when the time is over before.  Not from within `on_event`."""
-        self._ended.wait(timeout_s)
-        return self._outcome
-
-    def _end(self, outcome: JobOutcome) -> None:
-        self._outcome = outcome
-        self._ended.set()
+        """Wait for the end, after `on_event` was told; None when the time is over before.  Not from within `on_event`."""
+        return self._outcome if self._ended.wait(timeout_s) else None
 
 
 @dataclass(slots=True, eq=False)
@@ -279,8 +274,9 @@ class Worker:
                 return
             if current.cancelled_at_s is not None:
                 outcome = JobCancelled()
-        current.handle._end(outcome)
+        current.handle._outcome = outcome
         self._tell(current, outcome)
+        current.handle._ended.set()  # last: who waited for the end knows that `on_event` has heard of it
 
     def _tell(self, current: _Current, event: JobEvent) -> None:
         try:
