@@ -108,7 +108,7 @@ class VirtualCamera:
                     pacer.wait_until(trigger.start_s + (there - 1) / self._rate_hz + exposure_s, stop)
                 if stop.is_set() or self._closed.is_set():
                     break
-                behind = int((self._clock.now_s() - start_s - exposure_s) * self._rate_hz)
+                behind = int((self._clock.now_s() - start_s - exposure_s) * self._rate_hz + 1e-6)
                 room = BUFFER_FRAMES + self._transfer_frames - 1
                 if behind >= room:
                     lost = min(behind - room + 1, trigger.count - k)

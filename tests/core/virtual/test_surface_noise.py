@@ -31,7 +31,7 @@ def test_neighbours_are_alike_within_the_cell_and_strangers_beyond_two() -> None
     places = np.random.default_rng(0).uniform(-30, 30, (3000, 3))
     noise = SpatialNoise(1, 1, 0.13)
     here = sample(noise, places)[:, 0]
-    near = sample(noise, places + [0.02, 0, 0])[:, 0]
-    far = sample(noise, places + [0.3, 0, 0])[:, 0]
+    near = sample(noise, places + np.array([0.02, 0, 0]))[:, 0]
+    far = sample(noise, places + np.array([0.3, 0, 0]))[:, 0]
     assert np.corrcoef(here, near)[0, 1] > 0.9
     assert abs(np.corrcoef(here, far)[0, 1]) < 0.08
