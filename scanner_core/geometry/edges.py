@@ -11,6 +11,11 @@ from scipy import sparse
 Indices = NDArray[np.int64]
 
 
+def row_dot(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Scalar products of rows, (n, 3) with (n, 3) -> (n,); several times faster than summing over an axis."""
+    return np.asarray(np.einsum("ij,ij->i", a, b))
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class EdgeTable:
     """The undirected edges of a mesh.
@@ -56,7 +61,8 @@ class EdgeTable:
 
     def lengths(self, vertices: NDArray[np.float64]) -> NDArray[np.float64]:
         """Length of every edge, (e,), mm."""
-        return np.asarray(np.linalg.norm(vertices[self.edges[:, 0]] - vertices[self.edges[:, 1]], axis=1))
+        along = vertices[self.edges[:, 0]] - vertices[self.edges[:, 1]]
+        return np.asarray(np.sqrt(row_dot(along, along)))
 
 
 def valences(edges: Indices, vertices: int) -> Indices:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from scanner_core.geometry.edges import vertex_triangles
+from scanner_core.geometry.edges import row_dot, vertex_triangles
 from scanner_core.geometry.mesh import TriangleMesh
 
 Array = NDArray[np.float64]
@@ -40,8 +40,8 @@ def closest_in_triangles(points: Array, a: Array, b: Array, c: Array) -> tuple[A
     Inside by the normal equations, otherwise the best of the three sides.
     """
     ab, ac, ap = b - a, c - a, points - a
-    ab2, ac2, ab_ac = (ab * ab).sum(1), (ac * ac).sum(1), (ab * ac).sum(1)
-    p_ab, p_ac, p2 = (ap * ab).sum(1), (ap * ac).sum(1), (ap * ap).sum(1)
+    ab2, ac2, ab_ac = row_dot(ab, ab), row_dot(ac, ac), row_dot(ab, ac)
+    p_ab, p_ac, p2 = row_dot(ap, ab), row_dot(ap, ac), row_dot(ap, ap)
     determinant = np.maximum(ab2 * ac2 - ab_ac**2, 1e-300)
     v = (ac2 * p_ab - ab_ac * p_ac) / determinant
     w = (ab2 * p_ac - ab_ac * p_ab) / determinant
@@ -61,7 +61,7 @@ def closest_in_triangles(points: Array, a: Array, b: Array, c: Array) -> tuple[A
         column = np.arange(len(outside))
         v[outside], w[outside] = sides_v[best, column], sides_w[best, column]
     away = ap - v[:, None] * ab - w[:, None] * ac
-    return np.stack([1 - v - w, v, w], axis=1), (away * away).sum(1)
+    return np.stack([1 - v - w, v, w], axis=1), row_dot(away, away)
 
 
 def closest_near(mesh: TriangleMesh, points: Array, tree: cKDTree | None = None) -> Feet:

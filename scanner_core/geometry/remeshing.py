@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.geometry.edges import EdgeTable, adjacency, valences
+from scanner_core.geometry.edges import EdgeTable, adjacency, row_dot, valences
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.subdivision import split_edges
 
@@ -113,9 +113,9 @@ def _turned_over(before: Array, after: Array, triangles: NDArray[np.int64], coll
     vanishes = ((first >= 0) & ((first == second) | (first == third))) | ((second >= 0) & (second == third))
     touched, which = touched[~vanishes], which[~vanishes]
     old, new = (np.cross(p[touched[:, 1]] - p[touched[:, 0]], p[touched[:, 2]] - p[touched[:, 0]]) for p in (before, after))
-    size_old, size_new = np.linalg.norm(old, axis=1), np.linalg.norm(new, axis=1)
+    size_old, size_new = np.sqrt(row_dot(old, old)), np.sqrt(row_dot(new, new))
     sides = sum(((after[touched[:, i]] - after[touched[:, i - 1]]) ** 2).sum(axis=1) for i in range(3))
-    bad = (old * new).sum(axis=1) < 0.35 * size_old * size_new
+    bad = row_dot(old, new) < 0.35 * size_old * size_new
     bad |= 2 * np.sqrt(3) * size_new < 0.1 * sides
     return np.asarray(np.bincount(which[bad], minlength=collapses) > 0)
 
@@ -152,9 +152,9 @@ def _flip_once(mesh: TriangleMesh, crease_cosine: float) -> TriangleMesh | None:
     old_one, old_other = np.cross(v[b] - v[a], v[c] - v[a]), np.cross(v[a] - v[b], v[d] - v[b])
     new_one, new_other = np.cross(v[d] - v[c], v[b] - v[c]), np.cross(v[c] - v[d], v[a] - v[d])
     mean = old_one + old_other
-    ok = (old_one * old_other).sum(axis=1) > crease_cosine * np.linalg.norm(old_one, axis=1) * np.linalg.norm(old_other, axis=1)
+    ok = row_dot(old_one, old_other) > crease_cosine * np.sqrt(row_dot(old_one, old_one)) * np.sqrt(row_dot(old_other, old_other))
     for new in (new_one, new_other):
-        ok &= (new * mean).sum(axis=1) > 0.5 * np.linalg.norm(new, axis=1) * np.linalg.norm(mean, axis=1)
+        ok &= row_dot(new, mean) > 0.5 * np.sqrt(row_dot(new, new)) * np.sqrt(row_dot(mean, mean))
     ok &= (valence[a] > 3) & (valence[b] > 3) & (c != d)
     count = len(v)
     key = np.minimum(c, d) * count + np.maximum(c, d)
@@ -182,7 +182,7 @@ def _side_cotangents(vertices: Array, triangles: NDArray[np.int64]) -> Array:
     to_next = p[:, (1, 2, 0)] - p
     double_area = np.maximum(np.linalg.norm(np.cross(to_next[:, 0], -to_next[:, 2]), axis=1), 1e-30)
     # the angle that faces side i lies at corner i + 2, between sides i + 2 (leaving) and i + 1 (arriving)
-    return np.stack([-(to_next[:, (i + 2) % 3] * to_next[:, (i + 1) % 3]).sum(axis=1) / double_area for i in range(3)], axis=1)
+    return np.stack([-row_dot(to_next[:, (i + 2) % 3], to_next[:, (i + 1) % 3]) / double_area for i in range(3)], axis=1)
 
 
 def relax(mesh: TriangleMesh, *, step: float = 0.5, normals: Array | None = None) -> TriangleMesh:
@@ -192,5 +192,5 @@ def relax(mesh: TriangleMesh, *, step: float = 0.5, normals: Array | None = None
     middle = (joined @ mesh.vertices) / np.maximum(joined.sum(axis=1), 1)[:, None]
     n = mesh.vertex_normals() if normals is None else normals
     shift = middle - mesh.vertices
-    shift -= (shift * n).sum(axis=1)[:, None] * n
+    shift -= row_dot(shift, n)[:, None] * n
     return TriangleMesh(mesh.vertices + step * shift, mesh.triangles)

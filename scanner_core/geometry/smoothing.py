@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
-from scanner_core.geometry.edges import EdgeTable, adjacency
+from scanner_core.geometry.edges import EdgeTable, adjacency, row_dot
 from scanner_core.geometry.mesh import TriangleMesh
 
 Array = NDArray[np.float64]
@@ -30,7 +30,7 @@ def cotangent_laplacian(mesh: TriangleMesh) -> tuple[sparse.csr_array, Array]:
     p = mesh.vertices[t]
     to_next = p[:, (1, 2, 0)] - p
     double_area = np.maximum(np.linalg.norm(np.cross(to_next[:, 0], -to_next[:, 2]), axis=1), 1e-30)
-    cotangents = np.stack([-(to_next[:, (i + 2) % 3] * to_next[:, (i + 1) % 3]).sum(axis=1) / double_area for i in range(3)], axis=1)
+    cotangents = np.stack([-row_dot(to_next[:, (i + 2) % 3], to_next[:, (i + 1) % 3]) / double_area for i in range(3)], axis=1)
     half = 0.5 * np.clip(cotangents, 0.05, 5.0).ravel()
     i, j = t.ravel(), t[:, (1, 2, 0)].ravel()
     diagonal = np.bincount(i, half, minlength=count) + np.bincount(j, half, minlength=count)

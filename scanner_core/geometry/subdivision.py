@@ -73,10 +73,27 @@ def curved_middles(vertices: Array, normals: Array, edges: NDArray[np.int64]) ->
     """Middles of edges, lifted onto the curved surface that the normals at the two ends describe, (e, 3).
 
     The middle of the cubic that leaves each end in its tangent plane, as in curved point-normal triangles
-    (Vlachos et al. 2001): ``(a + b) / 2 + ((b - a) . n_b n_b - (b - a) . n_a n_a) / 8``.
+    (Vlachos et al. 2001): ``(a + b) / 2 + ((b - a) . n_b n_b - (b - a) . n_a n_a) / 8``.  The lift is at most a fifth of
+    the edge.
     """
     a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
     along = b - a
     lift_a = np.einsum("ij,ij->i", along, normals[edges[:, 0]])[:, None] * normals[edges[:, 0]]
     lift_b = np.einsum("ij,ij->i", along, normals[edges[:, 1]])[:, None] * normals[edges[:, 1]]
-    return np.asarray(0.5 * (a + b) + 0.125 * (lift_b - lift_a))
+    lift = 0.125 * (lift_b - lift_a)
+    size = np.linalg.norm(lift, axis=1)
+    bound = 0.2 * np.linalg.norm(along, axis=1)
+    return np.asarray(0.5 * (a + b) + lift * np.minimum(1, bound / np.maximum(size, 1e-30))[:, None])
+
+
+def side_lifts(mesh: TriangleMesh, normals: Array) -> Array:
+    """Height of the curved surface over the middle of each side of every triangle, along its normal, (t, 3), mm.
+
+    Over the point with barycentric weights w the curved surface stands at ``sum over sides 4 w_i w_j lift``.
+    """
+    table = EdgeTable.of(mesh.triangles)
+    i, j = table.edges.T
+    lift = curved_middles(mesh.vertices, normals, table.edges) - 0.5 * (mesh.vertices[i] + mesh.vertices[j])
+    mean = normals[i] + normals[j]
+    mean /= np.maximum(np.linalg.norm(mean, axis=1), 1e-30)[:, None]
+    return np.asarray(np.einsum("ij,ij->i", lift, mean)[table.side_edges])

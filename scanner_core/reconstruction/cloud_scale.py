@@ -23,12 +23,14 @@ class CloudScale:
     spacing_mm : side of the square that one point stands for, median over the cloud
     noise_mm : thickness of the cloud, one sigma, from planes through neighbourhoods five sigma wide
     reach_mm : (n,) distance of each point to its eighth neighbour
+    neighbours : (n, 8) int64, the nearest other points
     isolated : (n,) bool, points so far from others that they cannot be part of a sampled surface
     """
 
     spacing_mm: float
     noise_mm: float
     reach_mm: Array
+    neighbours: NDArray[np.int64]
     isolated: NDArray[np.bool_]
 
 
@@ -39,7 +41,8 @@ def measure_scale(points: Array, tree: cKDTree, seed: int) -> CloudScale:
     ones follow the noise and read far too low, larger ones read the shape.
     """
     count = min(_NEIGHBOURS, len(points) - 1)
-    reach = tree.query(points, k=count + 1)[0][:, -1]
+    away, nearest = tree.query(points, k=count + 1)
+    reach = away[:, -1]
     typical = float(np.median(reach))
     rng = np.random.default_rng(seed)
     sample = points if len(points) <= _SAMPLE else points[np.sort(rng.choice(len(points), _SAMPLE, replace=False))]
@@ -57,4 +60,4 @@ def measure_scale(points: Array, tree: cKDTree, seed: int) -> CloudScale:
             break
         neighbours *= 2
     density = neighbours / (np.pi * max(radius, 1e-12) ** 2)
-    return CloudScale(float(1 / np.sqrt(density)), noise, reach, reach > 5 * typical)
+    return CloudScale(float(1 / np.sqrt(density)), noise, reach, nearest[:, 1:].astype(np.int64), reach > 5 * typical)

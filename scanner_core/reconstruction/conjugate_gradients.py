@@ -21,21 +21,25 @@ def conjugate_gradients(
     x = start.copy()
     residual = right - apply(x)
     scale = 1 / np.maximum(diagonal, 1e-300)[:, None]
-    limit = tolerance**2 * np.maximum((right**2 * scale).sum(axis=0), 1e-300)
+    limit = tolerance**2 * np.maximum(_column_dot(right, right * scale), 1e-300)
     z = residual * scale
     direction = z.copy()
-    rho = (residual * z).sum(axis=0)
+    rho = _column_dot(residual, z)
     for tick in range(most):
         if tick % 8 == 0:
             check()
         if np.all(rho <= limit):
             break
         image = apply(direction)
-        step = rho / np.maximum((direction * image).sum(axis=0), 1e-300)
+        step = rho / np.maximum(_column_dot(direction, image), 1e-300)
         x += step * direction
         residual -= step * image
         z = residual * scale
-        fresh = (residual * z).sum(axis=0)
+        fresh = _column_dot(residual, z)
         direction = z + (fresh / np.maximum(rho, 1e-300)) * direction
         rho = fresh
     return x
+
+
+def _column_dot(a: Array, b: Array) -> Array:
+    return np.asarray(np.einsum("ij,ij->j", a, b))

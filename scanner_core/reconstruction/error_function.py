@@ -14,8 +14,8 @@ from scipy import sparse
 
 from scanner_core.geometry.edges import EdgeTable
 from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.proximity import Feet
 from scanner_core.geometry.smoothing import uniform_averaging
-from scanner_core.reconstruction.spline import SmoothingSpline
 
 Array = NDArray[np.float64]
 
@@ -30,32 +30,28 @@ class Criterion(Enum):
     SAG = "sag"
 
 
-def edge_sizes(criterion: Criterion, spline: SmoothingSpline, residuals_mm: Array, noise_mm: float) -> Array:
-    """Relative edge lengths by one of the criteria, (v,), median 1."""
-    if criterion is Criterion.DATA_ERROR:
-        return sizes_by_data_error(spline, residuals_mm, noise_mm)
-    return sizes_by_sag(spline.mesh, spline.normals)
-
-
-def sizes_by_data_error(spline: SmoothingSpline, residuals_mm: Array, noise_mm: float) -> Array:
-    """The published criterion: shorter edges where the points' local error exceeds their noise, (v,).
+def sizes_by_data_error(mesh: TriangleMesh, feet: Feet, weights: Array, residuals_mm: Array, noise_mm: float) -> Array:
+    """The published criterion: shorter edges where the points' local error exceeds their noise, (v,), median 1.
 
     The local error of a vertex is the rms residual of the points around it; an error of sag falls with the square of the
-    edge length, so edges go with the root of its excess.
+    edge length, so edges go with the root of its excess.  `feet` are those of the n points on `mesh`.
     """
-    squares = spline.interpolation.T @ (spline.weights * residuals_mm**2)
-    weight = spline.interpolation.T @ spline.weights
-    averaging = uniform_averaging(spline.mesh)
+    count = len(mesh.vertices)
+    corners = mesh.triangles[feet.triangles].ravel()
+    shares = feet.weights * weights[:, None]
+    squares = np.bincount(corners, (shares * (residuals_mm**2)[:, None]).ravel(), minlength=count)
+    weight = np.bincount(corners, shares.ravel(), minlength=count)
+    averaging = uniform_averaging(mesh)
     for _ in range(3):
         squares, weight = squares + averaging @ squares, weight + averaging @ weight
-    local = np.sqrt(np.maximum(squares, 0) / np.maximum(weight, 1e-9))
+    local = np.sqrt(squares / np.maximum(weight, 1e-9))
     local[weight < 1e-6] = noise_mm
     excess = np.maximum(local / max(noise_mm, 1e-9), 0.3)
     return _graded(1 / np.sqrt(excess), averaging)
 
 
 def sizes_by_sag(mesh: TriangleMesh, normals: Array) -> Array:
-    """Shorter edges where normals turn: a facet of edge e on a curvature k departs by e^2 k / 8, (v,)."""
+    """Shorter edges where normals turn: a facet of edge e on a curvature k departs by e^2 k / 8, (v,), median 1."""
     table = EdgeTable.of(mesh.triangles)
     i, j = table.edges.T
     turn = np.linalg.norm(normals[i] - normals[j], axis=1) / np.maximum(table.lengths(mesh.vertices), 1e-12)

@@ -18,6 +18,7 @@ from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.reconstruction.refine import Fit, Refinement
 from scanner_core.reconstruction.region import enclosed_region
+from scanner_core.reconstruction.repair import without_self_intersections
 from scanner_core.reconstruction.report import Phase, Reconstruction, ReconstructionReport
 from scanner_core.reconstruction.smooth import smooth
 from scanner_core.reconstruction.spline import SmoothingSpline
@@ -59,7 +60,7 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
     fit = Refinement(points, tree, scale, parameters, pace).run(balloon.mesh)
 
     pace.enter("smooth")
-    mesh = smooth(fit.mesh, fit.supported)
+    mesh = without_self_intersections(smooth(fit.mesh, fit.supported), pace.check)
     refined = len(fit.mesh.triangles)
     spline = SmoothingSpline(mesh, points, fit.weights, fit.supported, pace.check)
     uncertainty = standard_uncertainty(spline, fit.bandwidth_mm, fit.noise_mm, parameters.seed)
@@ -115,6 +116,10 @@ def _accepted(cloud: PointCloud) -> tuple[Array, Array]:
 
 def _guard(checks: MeshChecks) -> None:
     """Never a wrong mesh: refuse one that is not closed, not manifold or inside out."""
+    if checks.self_intersections:
+        raise ReconstructionError(
+            "E-REC-03", reason=f"{checks.self_intersections} of its triangles cross others", do="scan the thin or hidden parts more densely"
+        )
     if not (checks.closed and checks.manifold and checks.outward):
         raise ReconstructionError("E-REC-03", reason="it is not a closed manifold", do="scan the object more densely")
 

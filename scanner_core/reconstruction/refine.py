@@ -15,13 +15,15 @@ from scipy.spatial import cKDTree
 
 from scanner_core.geometry.edges import EdgeTable
 from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.proximity import closest_near
 from scanner_core.geometry.remeshing import collapse_edges, collapse_short, flip_edges, relax
-from scanner_core.geometry.subdivision import curved_middles, split_edges
+from scanner_core.geometry.subdivision import curved_middles, side_lifts, split_edges
 from scanner_core.reconstruction.cap import fair_cap, supported_vertices, tidy_support
 from scanner_core.reconstruction.cloud_scale import CloudScale
-from scanner_core.reconstruction.error_function import edge_sizes
+from scanner_core.reconstruction.error_function import Criterion, sizes_by_data_error, sizes_by_sag
 from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.parameters import ReconstructionParameters
+from scanner_core.reconstruction.repair import unfold
 from scanner_core.reconstruction.spline import SmoothingSpline
 
 Array = NDArray[np.float64]
@@ -32,6 +34,12 @@ _EQUILATERAL = 0.433
 
 _BANDWIDTH_SAFETY = 1.1
 """Cross-validation errs towards too narrow; a tenth more costs nothing where it is right."""
+
+_STEP = 0.4
+"""Longest move of a vertex in one solve, in edges."""
+
+_RESOLVED = 5.0
+"""A mesh with so many edges to the bandwidth holds the whole answer; finer ones only draw its curved surface."""
 
 _NOISE_FLOOR = 1.35
 """Narrowest bandwidth in sigma of the noise: below, the nearest point of the surface is a matter of chance."""
@@ -81,18 +89,20 @@ class Refinement:
             fit.mesh = reduced(fit.mesh, wanted)
         level = 0
         while True:
-            for _ in range(3 if not fit.settled else 1):
-                spline = self._improve(fit)
+            rounds = 3 if not fit.settled else 1 if fit.bandwidth_mm < _RESOLVED * mean_edge(fit.mesh) else 0
+            for _ in range(rounds):
+                self._improve(fit)
             target = self._target_triangles(fit)
             done = len(fit.mesh.triangles) >= target - 1
             self._pace.report(min(0.9, len(fit.mesh.triangles) / target), fit.mesh, force=True)
             if done or level > 12:
                 break
-            self._split(fit, spline, target)
+            self._split(fit, target)
             level += 1
-        for _ in range(2):
+        for _ in range(2 if rounds else 0):
             self._improve(fit)
         self._support(fit)
+        fit.mesh = centred_facets(fit.mesh)
         fit.mesh = fair_cap(fit.mesh, fit.supported, self._pace.check)
         return fit
 
@@ -109,12 +119,12 @@ class Refinement:
             self._choose_bandwidth(fit, spline)
         step = spline.step(fit.bandwidth_mm, fit.noise_mm)
         edge = mean_edge(fit.mesh)
-        moved = np.clip(step.displacement_mm, -edge, edge)
+        moved = np.clip(step.displacement_mm, -_STEP * edge, _STEP * edge)
         fit.residuals_mm = step.residuals_mm
-        fit.weights = np.where(self._scale.isolated, 0.0, robust_weights(step.residuals_mm, 0.1 * self._scale.spacing_mm))
+        fit.weights = robust_weights(step.residuals_mm, self._scale)
         mesh = TriangleMesh(fit.mesh.vertices + moved[:, None] * spline.normals, fit.mesh.triangles)
         mesh = fair_cap(mesh, fit.supported, self._pace.check, rounds=1)
-        fit.mesh = relax(flip_edges(mesh), step=0.25)
+        fit.mesh = unfold(relax(flip_edges(mesh), step=0.25))
         self._pace.report(0.0)
         return spline
 
@@ -153,15 +163,16 @@ class Refinement:
         """As many as the points can fill with detail: about one a point, as in the publication."""
         return self._parameters.triangles or max(int(1.04 * len(self._points)), 24_000)
 
-    def _split(self, fit: Fit, spline: SmoothingSpline, target: int) -> None:
+    def _sizes(self, mesh: TriangleMesh, fit: Fit) -> Array:
+        """Relative edge lengths by the chosen error function, (v,)."""
+        if self._parameters.criterion is Criterion.SAG:
+            return sizes_by_sag(mesh, mesh.vertex_normals())
+        return sizes_by_data_error(mesh, closest_near(mesh, self._points), fit.weights, fit.residuals_mm, fit.noise_mm)
+
+    def _split(self, fit: Fit, target: int) -> None:
         """Split the edges that are longest against their wanted length, all of them at most, towards `target` triangles."""
         mesh = collapse_short(fit.mesh, 0.35 * mean_edge(fit.mesh))[0]
-        if len(mesh.vertices) != len(spline.mesh.vertices):
-            sizes = np.ones(len(mesh.vertices))
-        else:
-            sizes = edge_sizes(self._parameters.criterion, spline, fit.residuals_mm, fit.noise_mm)
-        if not fit.settled:
-            sizes = np.ones(len(mesh.vertices))
+        sizes = self._sizes(mesh, fit) if fit.settled else np.ones(len(mesh.vertices))
         goal = min(target, 4 * len(mesh.triangles))
         for _ in range(6):
             missing = (goal - len(mesh.triangles)) // 2
@@ -183,15 +194,36 @@ class Refinement:
         fit.mesh = relax(mesh, step=0.3)
 
 
+def centred_facets(mesh: TriangleMesh) -> TriangleMesh:
+    """Move vertices from the curved surface outwards (inwards in hollows), so that the facets lie about it, not within it."""
+    normals = mesh.vertex_normals()
+    areas = mesh.areas()
+    sag = areas * side_lifts(mesh, normals).mean(axis=1)
+    count = len(mesh.vertices)
+    corners = mesh.triangles.ravel()
+    mean = np.bincount(corners, np.repeat(sag, 3), minlength=count) / np.bincount(corners, np.repeat(areas, 3), minlength=count)
+    return TriangleMesh(mesh.vertices + mean[:, None] * normals, mesh.triangles)
+
+
 def mean_edge(mesh: TriangleMesh) -> float:
     """Side of the equilateral triangle with the mean area, mm."""
     return float(np.sqrt(mesh.area() / (_EQUILATERAL * len(mesh.triangles))))
 
 
-def robust_weights(residuals_mm: Array, floor_mm: float) -> Array:
-    """1 up to 3 sigma, 0 from 5 sigma on, with sigma from the median of the residuals after the fit."""
-    sigma = max(1.4826 * float(np.median(np.abs(residuals_mm))), floor_mm)
-    return np.asarray(np.clip((5 - np.abs(residuals_mm) / sigma) / 2, 0, 1))
+def robust_weights(residuals_mm: Array, scale: CloudScale) -> Array:
+    """1 up to 3 sigma, 0 from 5 sigma on, with sigma from the median of the residuals after the fit, (n,).
+
+    Points that agree with their neighbours are no outliers however far they are: the surface has not got there yet, for
+    example into a slit.  They keep their weight if they are sampled as densely as the rest.
+    """
+    sigma = max(1.4826 * float(np.median(np.abs(residuals_mm))), 0.1 * scale.spacing_mm)
+    weights = np.clip((5 - np.abs(residuals_mm) / sigma) / 2, 0, 1)
+    far = np.flatnonzero(weights < 1)
+    around = np.median(residuals_mm[scale.neighbours[far]], axis=1)
+    agree = (np.abs(residuals_mm[far] - around) < 3 * sigma) & (scale.reach_mm[far] < 2 * np.median(scale.reach_mm))
+    weights[far[agree]] = 1.0
+    weights[scale.isolated] = 0.0
+    return np.asarray(weights)
 
 
 def reduced(mesh: TriangleMesh, triangles: int) -> TriangleMesh:

@@ -30,7 +30,7 @@ from scanner_core.reconstruction.pace import Pace
 Array = NDArray[np.float64]
 
 _COARSE_NODES = 150_000
-_FINE_NODES = 1_200_000
+_FINE_NODES = 2_400_000
 _ROUNDS = 12
 
 
@@ -43,14 +43,12 @@ class EnclosedRegion:
     grid : the nodes
     inside : bool at each node
     depth_mm : float32 at each node, distance to the border, positive inside
-    normals : (n, 3) outward unit normals of the points
     handles : genus of the region
     """
 
     grid: VoxelGrid
     inside: Region
     depth_mm: Field
-    normals: Array
     handles: int
 
     def volume_mm3(self) -> float:
@@ -87,13 +85,12 @@ def enclosed_region(points: Array, scale: CloudScale, pace: Pace) -> EnclosedReg
     _check_body(fine, inside, chosen)
     inside, genus = _without_tunnels(inside, pace)
     depth = signed_depth(inside, fine.voxel_mm)
-    all_normals = -_unit(fine.gradient(field, points))
-    return EnclosedRegion(fine, inside, depth, all_normals, genus)
+    return EnclosedRegion(fine, inside, depth, genus)
 
 
 def _grid(points: Array, voxel_mm: float, most_nodes: int) -> VoxelGrid:
     size = points.max(axis=0) - points.min(axis=0)
-    margin = 0.12 * float(size.max())
+    margin = 0.07 * float(size.max())
     volume = float(np.prod(size + 2 * margin))
     return VoxelGrid.around(points, max(voxel_mm, (volume / most_nodes) ** (1 / 3)), margin)
 
@@ -127,21 +124,23 @@ def _shielded_normals(grid: VoxelGrid, points: Array, pace: Pace) -> Array:
     return _unit(grid.gradient(ndimage.gaussian_filter(potential, 1.0), points))
 
 
-def _winding_number(grid: VoxelGrid, points: Array, normals: Array, areas: Array, blur_mm: float) -> Array:
+def _winding_number(grid: VoxelGrid, points: Array, normals: Array, areas: Array, blur_mm: float) -> Field:
     """Solve ``laplace w = - div (area * outward normal)`` with w = 0 on the border: about 1 inside and 0 outside."""
-    source = np.zeros(grid.shape)
+    source = np.zeros(grid.shape, np.float32)
     for axis in range(3):
-        component = grid.splat(points, areas * normals[:, axis])
+        component = grid.splat(points, areas * normals[:, axis]).astype(np.float32)
         source -= np.gradient(component, axis=axis)
     spectrum = fft.dstn(source, type=1)
-    laplacian = np.zeros(grid.shape)
-    decay = np.ones(grid.shape)
+    laplacian = np.zeros(grid.shape, np.float32)
+    decay = np.ones(grid.shape, np.float32)
     for axis, nodes in enumerate(grid.shape):
         angle = np.pi * np.arange(1, nodes + 1) / (nodes + 1)
         along = [-1 if i == axis else 1 for i in range(3)]
-        laplacian += (2 * np.cos(angle) - 2).reshape(along)
-        decay = decay * np.exp(-0.5 * (angle * blur_mm / grid.voxel_mm) ** 2).reshape(along)
-    return np.asarray(fft.idstn(spectrum * decay / laplacian, type=1))
+        laplacian += (2 * np.cos(angle) - 2).astype(np.float32).reshape(along)
+        decay = decay * np.exp(-0.5 * (angle * blur_mm / grid.voxel_mm) ** 2).astype(np.float32).reshape(along)
+    spectrum *= decay
+    spectrum /= laplacian
+    return np.asarray(fft.idstn(spectrum, type=1, overwrite_x=True))
 
 
 def _check_body(grid: VoxelGrid, inside: Region, points: Array) -> None:

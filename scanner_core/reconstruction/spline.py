@@ -4,7 +4,7 @@ Unknown is one displacement u along the normal of every vertex.  It minimises
 
     sum_i w_i ((A u)_i - r_i)^2 / density  +  h^4  integral (laplace u - (curvature of the surface - target))^2
 
-where r_i is the distance of point i from its foot on the mesh, A interpolates u at the feet, and the target is the
+where r_i is the distance of point i from the curved surface over its foot on the mesh, A interpolates u at the feet, and the target is the
 surface's own curvature, smoothed over the bandwidth h: what is penalised is not curvature but its unevenness, so that a
 sphere is not flattened.  A point's share in the result reaches about h far.  Where no point supports the surface there
 is neither a penalty nor a pull; that part is left to the cap.
@@ -25,6 +25,7 @@ from scipy import sparse
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.proximity import Feet, closest_near
 from scanner_core.geometry.smoothing import cotangent_laplacian
+from scanner_core.geometry.subdivision import side_lifts
 from scanner_core.reconstruction.conjugate_gradients import conjugate_gradients
 
 Array = NDArray[np.float64]
@@ -64,7 +65,10 @@ class SmoothingSpline:
         corners = mesh.triangles[self.feet.triangles]
         at_feet = np.einsum("nc,ncd->nd", self.feet.weights, self.normals[corners])
         at_feet /= np.maximum(np.linalg.norm(at_feet, axis=1), 1e-30)[:, None]
-        self.distances_mm = ((points - self.feet.points) * at_feet).sum(axis=1)
+        # the vertices are on the surface and the facets are its chords: measure from the curved surface over the foot
+        w = self.feet.weights
+        over_foot = 4 * (w * w[:, (1, 2, 0)] * side_lifts(mesh, self.normals)[self.feet.triangles]).sum(axis=1)
+        self.distances_mm = ((points - self.feet.points) * at_feet).sum(axis=1) - over_foot
         self.weights = weights
         count, vertices = len(points), len(mesh.vertices)
         offsets = np.arange(0, 3 * count + 1, 3)
