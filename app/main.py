@@ -9,20 +9,19 @@ import sys
 import time
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from PySide6.QtWidgets import QApplication
 
 _STARTED_S = time.perf_counter()
-_JOIN_S = 5.0
 
 
 def run_window(argv: Sequence[str] = ()) -> int:
     """Open the window and stay until it is closed; returns the exit code."""
-    from PySide6.QtWidgets import QApplication
-
     given = _arguments(argv)
     logging.basicConfig(level=logging.WARNING, format="%(asctime)s %(name)s %(levelname)s %(message)s")
-    application = QApplication.instance() or QApplication([sys.argv[0]])
-    if not isinstance(application, QApplication):
-        raise RuntimeError("another kind of Qt application is running in this process")
+    application = make_application()
     from app.program import Program
 
     program = Program(application, started_s=_STARTED_S, heartbeat_file=given.heartbeat, case=given.case, settings_file=given.settings)
@@ -30,6 +29,14 @@ def run_window(argv: Sequence[str] = ()) -> int:
         return application.exec()
     finally:
         program.shut_down()
+
+
+def make_application() -> QApplication:
+    """The one application object of this process."""
+    from PySide6.QtWidgets import QApplication
+
+    application = QApplication.instance()
+    return application if isinstance(application, QApplication) else QApplication([sys.argv[0]])
 
 
 def _arguments(argv: Sequence[str]) -> argparse.Namespace:

@@ -5,6 +5,7 @@ Input widgets are left to the palette: a border or padding in the style sheet cl
 
 from __future__ import annotations
 
+from functools import cache
 from importlib import resources
 
 from PySide6.QtCore import QByteArray, QRectF, QSize, Qt
@@ -44,7 +45,7 @@ QLabel[role="section"] {{ font-size: 12px; font-weight: 600; color: {MUTED}; }}
 QLabel[role="muted"] {{ color: {MUTED}; }}
 QLabel[role="faint"] {{ color: {FAINT}; font-size: 12px; }}
 QLabel[role="unit"] {{ color: {MUTED}; font-size: 12px; }}
-QLabel[role="number"] {{ font-size: 26px; font-weight: 600; }}
+QLabel[role="number"] {{ font-size: 23px; font-weight: 600; }}
 QLabel[role="hero"] {{ font-size: 52px; font-weight: 600; }}
 QLabel[role="good"] {{ color: {GOOD}; }}
 QLabel[role="bad"] {{ color: {WARNING}; }}
@@ -130,6 +131,7 @@ def apply_theme(application: QApplication) -> None:
     application.setStyleSheet(_SHEET)
 
 
+@cache
 def icon(name: str, colour: str = TEXT, checked_colour: str | None = None) -> QIcon:
     """A drawing of ``resources/icons`` in `colour` (and in `checked_colour` where a button is switched on)."""
     result = QIcon()
@@ -141,7 +143,7 @@ def icon(name: str, colour: str = TEXT, checked_colour: str | None = None) -> QI
 
 
 def drawing(name: str, colour: str, size: QSize, ratio: float | None = None) -> QPixmap:
-    """The same as a picture of `size` for the screen's own pixel ratio."""
+    """The same as a picture of `size`, for the screen's own pixel ratio when none is given."""
     svg = (resources.files("resources") / "icons" / f"{name}.svg").read_text(encoding="utf-8").replace("currentColor", colour)
     if ratio is None:
         screen = QGuiApplication.primaryScreen()

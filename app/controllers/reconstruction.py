@@ -5,7 +5,6 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable
-from dataclasses import asdict
 from functools import partial
 from typing import TYPE_CHECKING, cast
 
@@ -148,7 +147,7 @@ class ReconstructionController(QObject):
     # -------------------------------------------------------------------------------- back in the GUI thread
     def _done(self, result: Reconstruction, parameters: ReconstructionParameters) -> None:
         self.running = False
-        provenance = {"parameters": asdict(parameters), "report": result.report.as_dict(), "seed": parameters.seed}
+        provenance = {"parameters": parameters.as_dict(), "report": result.report.as_dict(), "seed": parameters.seed}
         self._case.keep_mesh(result.mesh, provenance)
         self.ended.emit()
 

@@ -82,16 +82,17 @@ class RigController(QObject):
         self._rig: OpenRig | None = None
         self._loaned = threading.Event()
         self._cancel_calibration = threading.Event()
+        self._closing = threading.Event()
         self._device = DeviceThread(self._watch, _STATUS_PERIOD_S, tell)
         self._device.start()
 
     # -------------------------------------------------------------------------------- what a person chooses
     def choose(self, *, preset: str | None = None, specimen: str | None = None, speed: str | None = None) -> None:
         """Open the rig anew with this; what is not given stays."""
-        now = self.snapshot
-        wanted = replace(now, preset=preset or now.preset, specimen=specimen or now.specimen, speed=speed or now.speed, connected=False)
+        before = self.snapshot
+        wanted = replace(before, preset=preset or before.preset, specimen=specimen or before.specimen, speed=speed or before.speed, connected=False)
         self._news(wanted)
-        self._device.call(lambda: self._reopen(wanted.preset, wanted.specimen, wanted.speed))
+        self._device.call(lambda: self._reopen(before, wanted))
 
     def calibrate(self) -> None:
         """Calibrate with rendered boards, in the device thread."""
@@ -124,27 +125,30 @@ class RigController(QObject):
 
     def shutdown(self, timeout_s: float) -> bool:
         """Laser off, devices released; False when they did not answer in time."""
+        self._closing.set()
         self._cancel_calibration.set()
         self._device.call(self._close)
         return self._device.close(timeout_s)
 
     # -------------------------------------------------------------------------------- the device thread
-    def _reopen(self, preset: str, specimen_name: str, speed: str) -> None:
+    def _reopen(self, before: RigSnapshot, wanted: RigSnapshot) -> None:
         from scanner_core.acquisition.rig_session import open_rig
         from scanner_core.virtual.specimens import check_fits, load_specimen
 
+        if self._closing.is_set():
+            return
         try:
-            config = self._load(preset)
-            specimen = load_specimen(specimen_name)
+            config = self._load(wanted.preset)
+            specimen = load_specimen(wanted.specimen)
             check_fits(specimen, config.volume)
             self._close()
-            self._rig = open_rig(config, specimen, _speed(speed))
+            self._rig = open_rig(config, specimen, _speed(wanted.speed))
         except ImprontaError as fault:
-            self._background.post(partial(self._failed, fault))
+            self._background.post(partial(self._refused, fault, before))
             return
         self._background.post(partial(self._opened, config, specimen))
         self._watch()
-        if config.calibration is None:
+        if config.calibration is None and not self._closing.is_set():
             self._calibrate()
 
     def _load(self, preset: str) -> RigConfig:
@@ -222,7 +226,15 @@ class RigController(QObject):
         self._news(replace(self.snapshot, calibrating=None, calibration_left_s=None, config=config or self.snapshot.config))
 
     def _heard(self, status: MotionStatus) -> None:
+        before = self.snapshot.motion
+        if before is not None and replace(before, time_s=status.time_s) == status:
+            return
         self._news(replace(self.snapshot, motion=status))
+
+    def _refused(self, fault: ImprontaError, before: RigSnapshot) -> None:
+        """What was open before is still open, unless the devices themselves failed."""
+        self._news(replace(before, connected=self._rig is not None))
+        self._tell(fault)
 
     def _failed(self, fault: ImprontaError) -> None:
         self._news(replace(self.snapshot, connected=self._rig is not None))
@@ -230,8 +242,10 @@ class RigController(QObject):
 
     def hear_scan(self, table_deg: float, laser_on: bool) -> None:
         """While a scan owns the controller its reports come from there."""
-        status = MotionStatus(MotionState.MOVING, 0.0, 0.0, table_deg, float(laser_on), 0.0)
-        self._news(replace(self.snapshot, motion=status))
+        before = self.snapshot.motion
+        if before is None or before.state is not MotionState.MOVING or (before.table_deg, before.laser_power > 0) != (table_deg, laser_on):
+            status = MotionStatus(MotionState.MOVING, 0.0, 0.0, table_deg, float(laser_on), 0.0)
+            self._news(replace(self.snapshot, motion=status))
 
     def _news(self, snapshot: RigSnapshot) -> None:
         self.snapshot = snapshot

@@ -34,8 +34,9 @@ class CameraPreview(QWidget):
         self._grip: QPointF | None = None
         tints = [round(255 * (value / 255) ** _LIFT) for value in range(256)]
         self._colours = [QColor(t, t, t).rgb() for t in tints]
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.setFixedHeight(128)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setMinimumHeight(92)
+        self.setMaximumHeight(134)
         self.setToolTip(self.tr("Wheel: zoom. Drag: move. Double click: whole picture."))
         self.setAccessibleName(name)
         self.setMouseTracking(False)
@@ -68,7 +69,10 @@ class CameraPreview(QWidget):
 
     # -------------------------------------------------------------------------------- painting
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802 - Qt's name
-        painter = QPainter(self)
+        with QPainter(self) as painter:  # ends it whatever happens: a painter that lives on crashes the window
+            self._paint(painter)
+
+    def _paint(self, painter: QPainter) -> None:
         painter.fillRect(self.rect(), QColor(GROUND))
         if self._image is None:
             painter.setPen(QColor(MUTED))
@@ -104,7 +108,7 @@ class CameraPreview(QWidget):
     def _lens(self, painter: QPainter, spot: Spot, at: QPointF) -> None:
         """The spot's surroundings, pixel by pixel, in the corner that is farther from it."""
         assert self._image is not None
-        side = min(64.0, self.height() / 2)
+        side = min(64.0, 0.52 * self.height())
         left = at.x() > self.width() / 2
         frame = QRectF(6 if left else self.width() - side - 6, self.height() - side - 6, side, side)
         source = QRectF(spot.x_px + 0.5 - LENS_PX / 2, spot.y_px + 0.5 - LENS_PX / 2, LENS_PX, LENS_PX)

@@ -15,6 +15,8 @@ LIVE_LIMIT = 60_000
 """Points drawn while the cloud grows."""
 MOVING_LIMIT = 30_000
 """Points drawn while the camera moves."""
+POINT_SIZES = ((4_000, 6.0), (12_000, 5.0), (40_000, 4.0), (10**9, 3.0))
+"""Most points, and their size on the screen."""
 STILL_LIMIT = 400_000
 """Points drawn while nothing moves."""
 
@@ -34,6 +36,7 @@ class CloudActor:
         self._count = 0
         self._live = _Drawn(LIVE_LIMIT)
         self._stride = 1
+        self._quiet = False
         self._still: _Drawn | None = None
         self.generation = 0
         """Changes whenever points that were there go away; stale normals are told by it."""
@@ -42,7 +45,7 @@ class CloudActor:
         self.actor.SetMapper(self._live.mapper)
         look = self.actor.GetProperty()
         look.SetRepresentationToPoints()
-        look.SetPointSize(3.0)
+        look.SetColor(0.52, 0.56, 0.6)
         look.SetInterpolationToPhong()
         look.SetAmbient(0.3)
         look.SetDiffuse(0.75)
@@ -120,7 +123,20 @@ class CloudActor:
         self._still = _Drawn(len(points))
         self._still.append(points, normals)
         self._still.show_range(self._corners[0, 2], self._corners[1, 2])
+        self._still.mapper.SetScalarVisibility(not self._quiet)
         self.actor.SetMapper(self._still.mapper)
+
+    def fit_point_size(self, pixel_ratio: float) -> None:
+        """Larger points while they are few, so that the surface closes to the eye."""
+        size = next(size for most, size in POINT_SIZES if self.drawn <= most)
+        self.actor.GetProperty().SetPointSize(pixel_ratio * (2.0 if self._quiet else size))
+
+    def quiet(self, on: bool) -> None:
+        """Small and grey: the surface that grows among the points is what matters."""
+        self._quiet = on
+        for drawn in (self._live, self._still):
+            if drawn is not None:
+                drawn.mapper.SetScalarVisibility(not on)
 
     def thin_for_motion(self, moving: bool) -> None:
         """Fewer points while the camera moves."""

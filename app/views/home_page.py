@@ -9,11 +9,12 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication, Qt, QTimer
 from PySide6.QtWidgets import QButtonGroup, QGridLayout, QHBoxLayout, QLineEdit, QListWidget, QListWidgetItem, QPushButton, QVBoxLayout, QWidget
 
-from app.draft import KINDS, SIDES
+from app.draft import KINDS, SIDES, DraftValues
 from app.services import Services
 from app.views import format as fmt
 from app.views.page import Page
-from app.views.parts import BigNumber, button, label, seam
+from app.views.parts import BigNumber, button, label, number_field, row, seam
+from app.views.rig_page import specimen_words
 
 
 class HomePage(Page):
@@ -28,16 +29,17 @@ class HomePage(Page):
         box.addWidget(seam(upright=True))
         box.addWidget(self._aside(), 5)
         services.draft.changed.connect(self._show_field)
-        services.rig.changed.connect(self._show_rig)
-        services.acquisition.changed.connect(self._show_start)
+        services.rig.changed.connect(self._show_rig_if_seen)
+        services.acquisition.ended.connect(self._show_start)
         services.case.opened.connect(self._show_recent)
-        for name in ("order", "patient_code", "side", "kind"):
+        for name in DraftValues.__dataclass_fields__:
             self._show_field(name)
         self._show_rig()
         self._show_recent()
 
     def entered(self) -> None:
         self._show_recent()
+        self._show_rig()
 
     # -------------------------------------------------------------------------------- parts
     def _order(self) -> QWidget:
@@ -50,6 +52,7 @@ class HomePage(Page):
         self._code.textEdited.connect(lambda text: draft.edit("patient_code", text.strip()))
         for field in (self._number, self._code):
             field.setMinimumHeight(34)
+            field.setTextMargins(6, 0, 6, 0)
         self._sides = self._choices("side", SIDES, side_colours=True)
         self._kinds = self._choices("kind", KINDS)
         grid = QGridLayout()
@@ -69,6 +72,21 @@ class HomePage(Page):
             caption.setBuddy(part)
             grid.addWidget(caption, line, 0)
             grid.addWidget(part, line, 1)
+        self._views = number_field(1, 360, 1, lambda value: draft.edit("views", value), suffix=self.tr(" views"))
+        self._points = number_field(500, 2_000_000, 1000, lambda value: draft.edit("points", value), suffix=self.tr(" points"))
+        self._on_table = label("")
+        change = button(self.tr("Change"), "link", lambda: self.wanted.emit("rig"))
+        plan = QGridLayout()
+        plan.setHorizontalSpacing(18)
+        plan.setVerticalSpacing(14)
+        plan.setColumnMinimumWidth(0, 110)
+        plan.setColumnStretch(1, 1)
+        plan.addWidget(label(self.tr("Scan plan"), "muted"), 0, 0)
+        plan.addLayout(row(self._views, self._points), 0, 1)
+        plan.addWidget(label(self.tr("On the table"), "muted"), 1, 0)
+        plan.addLayout(row(self._on_table, change, 1, spacing=14), 1, 1)
+        for count_field in (self._views, self._points):
+            count_field.setMinimumHeight(34)
         self._start = button(self.tr("Start scan"), "primary", lambda: self.intent.emit("start_scan"), "play", "#0b1f1b")
         self._start.setMinimumHeight(46)
         self._start.setStyleSheet("font-size: 15px;")
@@ -82,7 +100,11 @@ class HomePage(Page):
         side_box.addWidget(label(self.tr("The order goes with every file that leaves this program."), "muted"))
         side_box.addSpacing(28)
         side_box.addLayout(grid)
-        side_box.addSpacing(30)
+        side_box.addSpacing(24)
+        side_box.addWidget(seam())
+        side_box.addSpacing(20)
+        side_box.addLayout(plan)
+        side_box.addSpacing(28)
         side_box.addWidget(self._start)
         side_box.addSpacing(10)
         side_box.addWidget(self._ready)
@@ -142,10 +164,18 @@ class HomePage(Page):
             self._number.setText(values.order)
         elif name == "patient_code" and self._code.text().strip() != values.patient_code:
             self._code.setText(values.patient_code)
+        elif name == "views":
+            self._views.setValue(values.views)
+        elif name == "points":
+            self._points.setValue(values.points)
         elif name == "side":
             self._sides[1][values.side].setChecked(True)
         elif name == "kind":
             self._kinds[1][values.kind].setChecked(True)
+
+    def _show_rig_if_seen(self) -> None:
+        if self.isVisible():
+            self._show_rig()
 
     def _show_rig(self) -> None:
         calibration = self.services.rig.snapshot.calibration
@@ -173,8 +203,8 @@ class HomePage(Page):
         elif rig.calibration is None:
             self._ready.setText(self.tr("The rig has to be calibrated first."))
         else:
-            what = Path(rig.specimen).name
-            self._ready.setText(self.tr("Ready. On the table of the virtual rig: {specimen}.").format(specimen=what))
+            self._ready.setText(self.tr("Ready."))
+        self._on_table.setText(specimen_words(rig.specimen))
 
     def _show_recent(self) -> None:
         self._recent.clear()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from app.views.scene_view import SceneView
 
 SIZE = (1280, 800)
+LASER_HOLD_S = 0.8
 
 
 class MainWindow(QMainWindow):
@@ -41,6 +43,8 @@ class MainWindow(QMainWindow):
         self.services = services
         self._undo = undo_stack
         self.scene: SceneView | None = None
+        self._told_s = 0.0
+        self._lit_s, self._lit = -LASER_HOLD_S, True
         self.setWindowTitle("Impronta")
         self.actions_by_id = make_actions(self)
         fill_menus(self.menuBar(), self.actions_by_id)
@@ -95,6 +99,7 @@ class MainWindow(QMainWindow):
 
     def paint_scene(self) -> float:
         """For the pump."""
+        self._show_laser()
         return 0.0 if self.scene is None else self.scene.paint()
 
     # -------------------------------------------------------------------------------- slots of the action table
@@ -237,6 +242,10 @@ class MainWindow(QMainWindow):
         self._show_activity()
 
     def _show_scan(self) -> None:
+        now = time.monotonic()
+        if self.services.acquisition.running and now - self._told_s < 0.1:
+            return
+        self._told_s = now
         status = self.services.acquisition.status
         if status is not None:
             self.stage.show_facts(status_words(status))
@@ -252,10 +261,13 @@ class MainWindow(QMainWindow):
     def _begin_reconstruction(self) -> None:
         self._with_scene(lambda scene: scene.show_mesh(None))
         self._with_scene(lambda scene: scene.set_live(True))
+        self._with_scene(lambda scene: scene.set_points_quiet(True))
+        self.actions_by_id["show_points"].setChecked(True)
         self._show_activity()
 
     def _end_reconstruction(self) -> None:
         self._with_scene(lambda scene: scene.set_live(False))
+        self._with_scene(lambda scene: scene.set_points_quiet(False))
         if self.services.case.surface is None:
             self._with_scene(lambda scene: scene.show_mesh(None))
         self._show_activity()
@@ -322,11 +334,6 @@ class MainWindow(QMainWindow):
     def _show_rig(self) -> None:
         rig, line = self.services.rig.snapshot, self.status_line
         line.cameras.show_state(*(("good", self.tr("Cameras ready")) if rig.connected else ("idle", self.tr("Cameras opening"))))
-        if rig.laser_on:
-            line.laser.show_state("laser", self.tr("Laser ON"))
-        else:
-            line.laser.show_state("idle", self.tr("Laser off"))
-        self.rail.show_laser(rig.laser_on)
         if rig.motion is None:
             line.turntable.show_state("idle", self.tr("Turntable"))
         else:
@@ -339,6 +346,17 @@ class MainWindow(QMainWindow):
         speed = self.tr("full speed") if rig.speed == "max" else f"{rig.speed}×"
         line.show_rig(self.tr("Virtual rig  ·  {rig}  ·  {speed}").format(rig=rig.preset, speed=speed))
         self._show_activity()
+
+    def _show_laser(self) -> None:
+        """Lit while the controller reports emission, and a moment longer: between two rows it is dark too briefly to be told."""
+        now = time.monotonic()
+        if self.services.rig.snapshot.laser_on:
+            self._lit_s = now
+        lit = now - self._lit_s < LASER_HOLD_S
+        if lit != self._lit:
+            self._lit = lit
+            self.rail.show_laser(lit)
+            self.status_line.laser.show_state(*(("laser", self.tr("Laser ON")) if lit else ("idle", self.tr("Laser off"))))
 
     def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802 - Qt's name
         self.services.settings.window = [self.width(), self.height()]

@@ -6,10 +6,11 @@ from collections.abc import Callable
 from typing import ClassVar, TypeVar
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QValidator
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLayout, QPushButton, QSizePolicy, QSpinBox, QVBoxLayout, QWidget
 
 from app.theme import GOOD, LASER, LEFT_EAR, MUTED, RIGHT_EAR, TEXT, WARNING, icon
+from app.views import format as fmt
 
 BoxT = TypeVar("BoxT", QHBoxLayout, QVBoxLayout)
 
@@ -50,10 +51,9 @@ def button(text: str, role: str, clicked: Callable[[], object], drawing: str = "
 
 def number_field(low: int, high: int, step: int, edited: Callable[[int], None], *, suffix: str = "", special: str = "") -> QSpinBox:
     """A spin box that tells `edited` what a person entered, and nothing when the program sets it."""
-    made = QSpinBox()
+    made = CountField()
     made.setRange(low, high)
     made.setSingleStep(step)
-    made.setGroupSeparatorShown(True)
     made.setAlignment(Qt.AlignmentFlag.AlignRight)
     made.setKeyboardTracking(False)
     made.setMinimumHeight(30)
@@ -63,6 +63,22 @@ def number_field(low: int, high: int, step: int, edited: Callable[[int], None], 
         made.setSpecialValueText(special)
     made.valueChanged.connect(edited)
     return made
+
+
+class CountField(QSpinBox):
+    """A spin box whose thousands stand apart as everywhere else in the window."""
+
+    def textFromValue(self, value: int) -> str:  # noqa: N802 - Qt's name
+        return fmt.count(value)
+
+    def valueFromText(self, text: str) -> int:  # noqa: N802 - Qt's name
+        digits = "".join(character for character in text.removesuffix(self.suffix()) if character.isdigit())
+        return int(digits) if digits else self.value()
+
+    def validate(self, text: str, position: int) -> tuple[QValidator.State, str, int]:
+        kept = text.removesuffix(self.suffix())
+        known = kept == self.specialValueText() or all(character.isdigit() or character in " ,.'\u202f" for character in kept)
+        return (QValidator.State.Acceptable if known else QValidator.State.Invalid), text, position
 
 
 def row(*parts: QWidget | QLayout | int, spacing: int = 8) -> QHBoxLayout:
@@ -93,6 +109,10 @@ class BigNumber(QWidget):
     def __init__(self, unit: str, role: str = "number") -> None:
         super().__init__()
         self._number = label("–", role)
+        if role == "hero":  # a tabular one leaves a gap before a large number; nothing moves here
+            font = self._number.font()
+            font.setFeature(QFont.Tag("tnum"), 0)
+            self._number.setFont(font)
         self._unit = label(unit, "unit")
         box = column(self._number, self._unit, spacing=0)
         box.setContentsMargins(0, 0, 0, 0)

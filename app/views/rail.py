@@ -83,9 +83,9 @@ class Rail(QWidget):
         self._kind.setText(QCoreApplication.translate("draft", KINDS[values.kind]))
 
     def show_laser(self, lit: bool) -> None:
-        if self._laser.property("lit") != lit:
-            self._laser.setProperty("lit", lit)
-            self._laser.setText(self.tr("Laser on · stop") if lit else self.tr("Stop · laser off"))
-            self._laser.setIcon(icon("laser", "#ffffff" if lit else "#ff8589"))
-            self._laser.style().unpolish(self._laser)
-            self._laser.style().polish(self._laser)
+        """Filled red while the laser emits, outlined otherwise."""
+        self._laser.setProperty("lit", lit)
+        self._laser.setText(self.tr("Laser on · stop") if lit else self.tr("Stop · laser off"))
+        self._laser.setIcon(icon("laser", "#ffffff" if lit else "#ff8589"))
+        self._laser.style().unpolish(self._laser)
+        self._laser.style().polish(self._laser)

@@ -14,8 +14,8 @@ from app.views.page import Page
 from app.views.parts import BigNumber, button, label, number_field, row, seam
 
 PHASE_WORDS = {
-    "inflate": (QT_TRANSLATE_NOOP("phases", "Inflate"), QT_TRANSLATE_NOOP("phases", "an icosahedron grows to the points")),
-    "refine": (QT_TRANSLATE_NOOP("phases", "Refine"), QT_TRANSLATE_NOOP("phases", "triangles go where the error is")),
+    "inflate": (QT_TRANSLATE_NOOP("phases", "Inflate"), QT_TRANSLATE_NOOP("phases", "grows to the points")),
+    "refine": (QT_TRANSLATE_NOOP("phases", "Refine"), QT_TRANSLATE_NOOP("phases", "where the error is")),
     "smooth": (QT_TRANSLATE_NOOP("phases", "Smooth"), QT_TRANSLATE_NOOP("phases", "without shrinking")),
 }
 

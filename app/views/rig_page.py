@@ -33,6 +33,12 @@ SPEED_WORDS = {
 }
 
 
+def specimen_words(name: str) -> str:
+    """A built-in specimen in words, a file by its name."""
+    word = SPECIMEN_WORDS.get(name)
+    return QCoreApplication.translate("rig", word) if word else Path(name).name
+
+
 class RigPage(Page):
     """Fills the window."""
 
@@ -44,8 +50,10 @@ class RigPage(Page):
         box.addWidget(self._left(), 6)
         box.addWidget(seam(upright=True))
         box.addWidget(self._right(), 5)
-        services.rig.changed.connect(self._show)
-        services.acquisition.changed.connect(self._show_buttons)
+        services.rig.changed.connect(self._show_if_seen)
+        self._show()
+
+    def entered(self) -> None:
         self._show()
 
     # -------------------------------------------------------------------------------- parts
@@ -165,6 +173,10 @@ class RigPage(Page):
         return side
 
     # -------------------------------------------------------------------------------- showing
+    def _show_if_seen(self) -> None:
+        if self.isVisible():
+            self._show()
+
     def _show(self) -> None:
         rig = self.services.rig.snapshot
         self._preset.setCurrentIndex(self._preset.findData(rig.preset))

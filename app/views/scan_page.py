@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 
 from PySide6.QtCore import QCoreApplication, Qt
-from PySide6.QtWidgets import QGridLayout, QLabel, QProgressBar, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QProgressBar, QWidget
 
 from app.services import Services
 from app.views import format as fmt
@@ -17,6 +17,9 @@ from scanner_core.acquisition.handover import Preview
 from scanner_core.acquisition.status import FinishReason, ScanState, ScanStatus
 from scanner_core.optics.spot import SpotMiss
 
+SHOWN_REASONS = 5
+STATUS_PERIOD_S = 0.1
+"""Numbers change no more often than this: nobody reads faster."""
 PREVIEW_PERIOD_S = 0.1
 """A preview is repainted no more often than this: it is for the eye, the painting is for the points."""
 
@@ -30,7 +33,10 @@ class ScanPage(Page):
         self._points = BigNumber(self.tr("points"))
         self._rate = BigNumber(self.tr("points / s"))
         self._left = BigNumber(self.tr("left"))
-        box.addLayout(row(self._points, self._rate, self._left, spacing=6))
+        numbers = row(self._points, self._rate, self._left, spacing=6)
+        for column, share in enumerate((5, 3, 4)):
+            numbers.setStretch(column, share)
+        box.addLayout(numbers)
         self._bar = QProgressBar()
         self._bar.setRange(0, 1000)
         self._bar.setTextVisible(False)
@@ -38,29 +44,23 @@ class ScanPage(Page):
         box.addWidget(self._bar)
         box.addWidget(self._step)
         self._previews = {"left": CameraPreview(self.tr("Camera left")), "right": CameraPreview(self.tr("Camera right"))}
+        self._told_s = 0.0
         self._shown_s = dict.fromkeys(self._previews, 0.0)
         for preview in self._previews.values():
-            box.addWidget(preview)
+            box.addWidget(preview, 3)
         self._rejected_title = label(self.tr("Rejected"), "section")
         self._rejected_total = label("", "muted")
         box.addLayout(row(self._rejected_title, 1, self._rejected_total))
-        self._reasons = QGridLayout()
-        self._reasons.setContentsMargins(0, 0, 0, 0)
-        self._reasons.setHorizontalSpacing(8)
-        self._reasons.setVerticalSpacing(2)
-        self._reasons.setColumnStretch(0, 1)
-        self._reason_rows: dict[str, tuple[QLabel, QLabel]] = {}
-        inner = QWidget()
-        inner_box = QVBoxLayout(inner)
-        inner_box.setContentsMargins(0, 0, 6, 0)
-        inner_box.addLayout(self._reasons)
-        inner_box.addStretch(1)
-        scroll = QScrollArea()
-        scroll.setWidgetResizable(True)
-        scroll.setWidget(inner)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        scroll.setMinimumHeight(40)
-        box.addWidget(scroll, 1)
+        self._reasons = [(label("", "muted"), label("", "muted")) for _ in range(SHOWN_REASONS)]
+        reasons = QGridLayout()
+        reasons.setContentsMargins(0, 0, 0, 0)
+        reasons.setVerticalSpacing(3)
+        reasons.setColumnStretch(0, 1)
+        for line, parts in enumerate(self._reasons):
+            reasons.addWidget(parts[0], line, 0)
+            reasons.addWidget(parts[1], line, 1, Qt.AlignmentFlag.AlignRight)
+        box.addLayout(reasons)
+        box.addStretch(1)
         box.addWidget(seam())
         draft = services.draft
         self._views = number_field(1, 360, 1, lambda value: draft.edit("views", value))
@@ -82,10 +82,11 @@ class ScanPage(Page):
         box.addWidget(self._start)
         box.addLayout(row(self._pause, self._stop))
         services.acquisition.add_preview_sink(self._show_preview)
-        services.acquisition.changed.connect(self._show_status)
+        services.acquisition.changed.connect(self._tick)
+        services.acquisition.ended.connect(self._show_status)
         services.acquisition.began.connect(self._begin)
         services.case.opened.connect(self._show_status)
-        services.rig.changed.connect(self._show_buttons)
+        services.rig.changed.connect(self._show_buttons_if_seen)
         draft.changed.connect(self._show_field)
         for name in ("views", "points"):
             self._show_field(name)
@@ -114,6 +115,12 @@ class ScanPage(Page):
             return
         self._shown_s[camera] = now
         widget.show_preview(preview, reason_text(preview.seen.reason.value) if isinstance(preview.seen, SpotMiss) else "")
+
+    def _tick(self) -> None:
+        now = time.monotonic()
+        if self.isVisible() and now - self._told_s >= STATUS_PERIOD_S:
+            self._told_s = now
+            self._show_status()
 
     def _show_status(self) -> None:
         status = self.services.acquisition.status
@@ -163,20 +170,19 @@ class ScanPage(Page):
         rejected = {} if status is None else status.counts.rejected
         total = sum(rejected.values())
         self._rejected_total.setText(fmt.count(total) if total else self.tr("none"))
-        for name in list(self._reason_rows):
-            if name not in rejected:
-                for part in self._reason_rows.pop(name):
-                    part.hide()
-                    self._reasons.removeWidget(part)
-                    part.deleteLater()
-        for name, number in rejected.items():
-            if name not in self._reason_rows:
-                parts = (label(reason_text(name), "muted"), label("", "muted"))
-                line = self._reasons.rowCount()
-                self._reasons.addWidget(parts[0], line, 0)
-                self._reasons.addWidget(parts[1], line, 1, Qt.AlignmentFlag.AlignRight)
-                self._reason_rows[name] = parts
-            self._reason_rows[name][1].setText(fmt.count(number))
+        ranked = sorted(rejected.items(), key=lambda entry: -entry[1])
+        if len(ranked) > SHOWN_REASONS:
+            rest = sum(number for _, number in ranked[SHOWN_REASONS - 1 :])
+            ranked = [*ranked[: SHOWN_REASONS - 1], ("", rest)]
+        for line, parts in enumerate(self._reasons):
+            name, number = ranked[line] if line < len(ranked) else ("", 0)
+            parts[0].setText(reason_text(name) if name else self.tr("other") if number else "")
+            parts[1].setText(fmt.count(number) if number else "")
+        self._rejected_title.setToolTip("\n".join(f"{reason_text(name)}: {fmt.count(number)}" for name, number in rejected.items()))
+
+    def _show_buttons_if_seen(self) -> None:
+        if self.isVisible():
+            self._show_buttons()
 
     def _show_buttons(self) -> None:
         acquisition, rig = self.services.acquisition, self.services.rig.snapshot
@@ -190,14 +196,11 @@ class ScanPage(Page):
         self._pause.setEnabled(running)
         self._pause.setText(self.tr("Resume") if acquisition.paused else self.tr("Pause"))
         self._stop.setEnabled(running or rig.connected)
-        if self._stop.property("lit") != rig.laser_on:
-            self._stop.setProperty("lit", rig.laser_on)
-            self._set_role(self._stop, "laser")
         for field in (self._views, self._wanted_points):
             field.setEnabled(not running)
 
     def _set_role(self, widget: QWidget, role: str) -> None:
-        if widget.property("role") != role or role == "laser":
+        if widget.property("role") != role:
             widget.setProperty("role", role)
             widget.style().unpolish(widget)
             widget.style().polish(widget)

@@ -101,6 +101,10 @@ class SceneView(QWidget):
         self.cloud.actor.SetVisibility(on)
         self._dirty = True
 
+    def set_points_quiet(self, on: bool) -> None:
+        self.cloud.quiet(on)
+        self._dirty = True
+
     def set_edges(self, on: bool) -> None:
         self.mesh.show_edges(on)
         self._dirty = True
@@ -148,12 +152,14 @@ class SceneView(QWidget):
         """Ask for a picture if something changed; the time that the last one took, in seconds."""
         if self._dirty and self._engine is not None and self.isVisible():
             self._dirty = False
+            self.cloud.fit_point_size(self.devicePixelRatioF())
             self._engine.update()
         return self.paint_s
 
     def grab_picture(self) -> NDArray[np.uint8]:
         """The scene as (H, W, 3) bytes, drawn anew."""
         engine = self._open()
+        self.cloud.fit_point_size(self.devicePixelRatioF())
         engine.render()
         reader = vtkWindowToImageFilter()
         reader.SetInput(engine.render_window)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtGui import QAction, QColor, QLinearGradient, QPainter, QPaintEvent
-from PySide6.QtWidgets import QHBoxLayout, QStackedLayout, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QStackedLayout, QToolButton, QVBoxLayout, QWidget
 
 from app.theme import MUTED
 from app.views.height_colours import HEIGHT, UNCERTAINTY
@@ -22,23 +22,26 @@ class Stage(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._title = label("", "title")
         self._facts = label("", "muted")
+        self._facts.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.legend = Legend()
         head = QWidget()
         head.setProperty("role", "panel")
         head.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         line = QHBoxLayout(head)
         line.setContentsMargins(16, 0, 10, 0)
-        line.setSpacing(10)
+        line.setSpacing(8)
         line.addWidget(self._title)
-        line.addWidget(self._facts)
-        line.addStretch(1)
+        line.addWidget(self._facts, 1)
         line.addWidget(self.legend)
+        tools = QHBoxLayout()
+        tools.setSpacing(0)
+        line.addLayout(tools)
         for action in actions:
             tool = QToolButton()
             tool.setDefaultAction(action)
             tool.setIconSize(QSize(18, 18))
             tool.setAccessibleName(action.text().replace("&", ""))
-            line.addWidget(tool)
+            tools.addWidget(tool)
         head.setFixedHeight(46)
         waiting = label(self.tr("Preparing the 3D view…"), "muted")
         waiting.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -70,7 +73,7 @@ class Legend(QWidget):
         super().__init__()
         self._stops: tuple[str, ...] = HEIGHT
         self._low = self._high = ""
-        self.setFixedSize(190, 34)
+        self.setFixedSize(150, 34)
         self.hide()
 
     def show_height(self, low_mm: float, high_mm: float) -> None:

@@ -1,0 +1,86 @@
+"""A display for the tests of the window: the one that is there, or an Xvfb of our own.
+
+Never the platform ``offscreen``: there a 3D view "works" and its picture is noise.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from app.main import make_application
+from app.program import Program
+
+HERE = Path(__file__).parent
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    for item in items:
+        if HERE in item.path.parents:
+            item.add_marker(pytest.mark.gui)
+
+
+@pytest.fixture(scope="session")
+def display() -> Iterator[None]:
+    if sys.platform.startswith("linux"):
+        os.environ["QT_QPA_PLATFORM"] = "xcb"
+    if not sys.platform.startswith("linux") or os.environ.get("DISPLAY"):
+        yield
+        return
+    read, write = os.pipe()
+    try:
+        server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", "1600x1200x24", "-nolisten", "tcp"], pass_fds=[write], stderr=subprocess.DEVNULL
+        )
+    except FileNotFoundError:
+        pytest.fail("the tests of the window need a display: install xvfb, or run them where there is one")
+    os.close(write)
+    with os.fdopen(read) as told:
+        os.environ["DISPLAY"] = ":" + told.readline().strip()
+    yield
+    server.terminate()
+    server.wait(5)
+
+
+@pytest.fixture(scope="session")
+def application(display: None) -> QApplication:
+    return make_application()
+
+
+def until(condition: Callable[[], object], timeout_s: float = 20.0, why: str = "") -> None:
+    """Run the event loop until it is so."""
+    deadline_s = time.monotonic() + timeout_s
+    while not condition():
+        if time.monotonic() > deadline_s:
+            raise AssertionError(f"not within {timeout_s} s: {why or condition}")
+        QTest.qWait(10)
+
+
+@pytest.fixture
+def settings_file(tmp_path: Path) -> Path:
+    """Settings whose folders are the test's own."""
+    path = tmp_path / "config" / "settings.json"
+    path.parent.mkdir()
+    path.write_text(json.dumps({"case_folder": str(tmp_path / "cases"), "export_folder": str(tmp_path / "exports"), "language": "en"}))
+    return path
+
+
+@pytest.fixture
+def program(application: QApplication, settings_file: Path) -> Iterator[Program]:
+    """The running program; taken down like a closed window."""
+    running = Program(application, started_s=time.perf_counter(), settings_file=settings_file)
+    running.window.activateWindow()  # shortcuts belong to the active window, and Xvfb has no window manager
+    QTest.qWaitForWindowActive(running.window, 3000)
+    yield running
+    running.window.close()
+    running.window.deleteLater()
+    QTest.qWait(10)

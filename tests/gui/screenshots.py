@@ -1,0 +1,106 @@
+"""Pictures of every page, taken from the running program on the virtual rig.
+
+::
+
+    xvfb-run -a -s "-screen 0 2700x1700x24" python -m tests.gui.screenshots docs/pictures
+    QT_SCALE_FACTOR=2 xvfb-run -a -s "-screen 0 2700x1700x24" python -m tests.gui.screenshots /tmp/twice
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtTest import QTest
+
+from app.main import make_application
+from app.program import Program
+
+SIZE = (1280, 800)
+
+
+def until(condition: Callable[[], object], timeout_s: float, why: str) -> None:
+    deadline_s = time.monotonic() + timeout_s
+    while not condition():
+        if time.monotonic() > deadline_s:
+            raise TimeoutError(why)
+        QTest.qWait(10)
+
+
+def shoot(program: Program, path: Path) -> None:
+    """The window as it stands on the screen, the 3D view included."""
+    window = program.window
+    QTest.qWait(700)
+    window.screen().grabWindow(0, window.x(), window.y(), window.width(), window.height()).save(str(path))
+    print(path, flush=True)
+
+
+def run(folder: Path, specimen: str, points: int, heartbeat: Path | None) -> None:
+    folder.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as home:
+        settings = Path(home) / "settings.json"
+        cases = Path(home) / "Documents" / "Impronta"
+        kept = {"case_folder": str(cases), "export_folder": str(cases), "specimen": specimen, "window": list(SIZE), "language": "en"}
+        settings.write_text(json.dumps(kept))
+        application = make_application()
+        program = Program(application, started_s=time.perf_counter(), settings_file=settings, heartbeat_file=heartbeat)
+        try:
+            tour(program, folder, points)
+        finally:
+            program.window.close()
+
+
+def tour(program: Program, folder: Path, points: int) -> None:
+    window, services = program.window, program.services
+    until(lambda: window.scene is not None, 60, "the 3D view")
+    until(lambda: services.rig.snapshot.connected and services.rig.snapshot.calibration is not None, 240, "the rig")
+    until(lambda: services.rig.snapshot.calibrating is None, 240, "the calibration")
+    shoot(program, folder / "home.png")
+    window.show_page("rig")
+    shoot(program, folder / "rig.png")
+    services.draft.edit("points", points)
+    window.start_scan()
+    until(lambda: services.acquisition.status is not None and services.acquisition.status.counts.measured > 0.6 * points, 400, "points")
+    shoot(program, folder / "scan.png")
+    until(lambda: not services.acquisition.running, 400, "the end of the scan")
+    QTest.qWait(1500)
+    shoot(program, folder / "scanned.png")
+    window.start_reconstruction()
+    until(lambda: (services.reconstruction.shown_triangles or 0) > 1000 or not services.reconstruction.running, 200, "a preview")
+    shoot(program, folder / "inflating.png")
+    until(lambda: services.case.surface is not None or not services.reconstruction.running, 600, "the surface")
+    QTest.qWait(1000)
+    shoot(program, folder / "reconstruct.png")
+    window.actions_by_id["show_uncertainty"].setChecked(True)
+    shoot(program, folder / "uncertainty.png")
+    window.actions_by_id["show_uncertainty"].setChecked(False)
+    window.show_page("export")
+    shoot(program, folder / "export.png")
+    window.show_page("home")
+    window.new_case()
+    shoot(program, folder / "home-later.png")
+    if window.banner.text:
+        print(window.banner.text, window.banner.details, file=sys.stderr)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--specimen", default="ear")
+    parser.add_argument("--points", type=int, default=20_000)
+    parser.add_argument("--heartbeat", type=Path)
+    given = parser.parse_args()
+    if sys.platform.startswith("linux"):
+        os.environ["QT_QPA_PLATFORM"] = "xcb"
+    run(given.folder, given.specimen, given.points, given.heartbeat)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,68 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from app.theme import ACCENT
+from app.views.camera_preview import CameraPreview
+from scanner_core.acquisition.handover import Preview
+from scanner_core.devices.camera import Frame
+from scanner_core.optics.spot import MissReason, Spot, SpotMiss
+from tests.gui.pictures import near, pixels_of
+
+SPOT = Spot(151.0, 100.0, 1.0, 0.8, 200.0, 2000.0, 12, 0.01)
+
+
+@pytest.fixture
+def preview(application: QApplication) -> CameraPreview:
+    widget = CameraPreview("Camera left")
+    widget.setMaximumHeight(147)
+    widget.resize(302, 147)
+    return widget
+
+
+def _frame() -> Frame:
+    image = np.full((294, 604), 6, np.uint8)
+    image[99:102, 150:153] = 200
+    return Frame(image, 1, 0.0, "left")
+
+
+def test_the_spot_is_marked_where_it_is(preview: CameraPreview) -> None:
+    preview.show_preview(Preview(_frame(), SPOT))
+    rows, columns = np.nonzero(near(pixels_of(preview), ACCENT, 50))
+    assert len(rows) > 15
+    assert columns.mean() == pytest.approx(151.5 / 2, abs=1.5)
+    assert rows.mean() == pytest.approx(100.5 / 2, abs=1.5)
+
+
+def test_a_miss_marks_nothing_and_says_why(preview: CameraPreview) -> None:
+    preview.show_preview(Preview(_frame(), SPOT))
+    preview.show_preview(Preview(_frame(), SpotMiss(MissReason.TOO_DIM)), "spot too dim")
+    assert preview.spot is None
+    assert not near(pixels_of(preview), ACCENT, 50).any()
+
+
+def test_the_magnifier_shows_the_spot_pixel_by_pixel(preview: CameraPreview) -> None:
+    preview.show_preview(Preview(_frame(), SPOT))
+    bright = (pixels_of(preview)[70:, :] > 200).all(axis=2)
+    assert bright.sum() >= 9 * 4  # nine pixels of the frame, each at least two by two on the screen
+
+
+def test_the_wheel_zooms_about_the_cursor_and_a_double_click_shows_all(preview: CameraPreview) -> None:
+    preview.show_preview(Preview(_frame(), SPOT))
+    at = QPointF(75.5, 50.0)
+    for _ in range(10):
+        event = QWheelEvent(
+            at, at, QPoint(), QPoint(0, 120), Qt.MouseButton.NoButton, Qt.KeyboardModifier.NoModifier, Qt.ScrollPhase.NoScrollPhase, False
+        )
+        QApplication.sendEvent(preview, event)
+    assert preview.zoom > 5
+    rows, columns = np.nonzero(near(pixels_of(preview), ACCENT, 50))
+    assert columns.mean() == pytest.approx(75.5, abs=4)
+    assert rows.mean() == pytest.approx(50.0, abs=4)
+    QTest.mouseDClick(preview, Qt.MouseButton.LeftButton)
+    assert preview.zoom == 1.0

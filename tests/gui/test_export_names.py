@@ -1,0 +1,44 @@
+from __future__ import annotations
+
+from datetime import date
+from pathlib import Path
+
+import pytest
+
+from app.controllers.case import free_case_path, safe_stem
+from app.controllers.export import file_name, free_name
+from app.draft import DraftValues
+
+VALUES = DraftValues(order="2026-0142", patient_code="P-0142", side="right", kind="ear")
+DAY = date(2026, 11, 23)
+TEMPLATE = "{order}_{side}_{type}_{date}-{rev}"
+
+
+def test_the_template_is_filled_in() -> None:
+    assert file_name(TEMPLATE, VALUES, 1, ".stl", DAY) == "2026-0142_right_ear_2026-11-23-1.stl"
+
+
+@pytest.mark.parametrize("order", ["a/b", "..", "C:\\x", "ä ö", "", "x" * 400])
+def test_whatever_the_order_is_called_the_name_is_one_file_in_the_folder(order: str, tmp_path: Path) -> None:
+    path = free_name(tmp_path, TEMPLATE, DraftValues(order=order), ".stl", DAY)
+    assert path.parent == tmp_path
+    path.write_text("")
+
+
+def test_a_revision_that_is_taken_is_never_given_again(tmp_path: Path) -> None:
+    for revision in (1, 2, 3):
+        path = free_name(tmp_path, TEMPLATE, VALUES, ".stl", DAY)
+        assert path.name.endswith(f"-{revision}.stl")
+        path.write_text("")
+    assert free_name(tmp_path, "fixed", VALUES, ".stl", DAY).name == "fixed.stl"
+
+
+def test_a_new_case_never_takes_the_name_of_another(tmp_path: Path) -> None:
+    first = free_case_path(tmp_path, VALUES, DAY)
+    first.write_text("")
+    assert free_case_path(tmp_path, VALUES, DAY).name == "2026-0142_right_ear_2026-11-23-2.impronta"
+
+
+def test_unknown_braces_do_no_harm() -> None:
+    assert file_name("{order}{what}", VALUES, 1, ".ply", DAY) == "2026-0142-what.ply"
+    assert safe_stem("...") == "case"

@@ -1,0 +1,137 @@
+"""The 3D view, judged by its pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from app.views.height_colours import SUPPORTED, UNSUPPORTED
+from app.views.scene_view import SceneClosedError, SceneView
+from app.views.surface import Surface
+from scanner_core.geometry.icosahedron import icosahedron
+from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.subdivision import subdivide_uniform
+from tests.gui.conftest import until
+from tests.gui.pictures import coloured, near
+
+
+@pytest.fixture
+def scene(application: QApplication) -> Iterator[SceneView]:
+    view = SceneView()
+    view.resize(500, 420)
+    view.show()
+    QTest.qWaitForWindowExposed(view)
+    QTest.qWait(50)
+    yield view
+    view.close()
+    view.deleteLater()
+    QTest.qWait(10)
+
+
+def _ball(count: int, radius_mm: float = 10.0) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    outwards = np.random.default_rng(1).normal(size=(count, 3))
+    outwards /= np.sqrt((outwards**2).sum(axis=1))[:, None]
+    return radius_mm * outwards + [0.0, 0.0, radius_mm], outwards
+
+
+def _sphere() -> TriangleMesh:
+    mesh = icosahedron((0.0, 0.0, 0.0), 10.0)
+    for _ in range(4):
+        mesh = subdivide_uniform(mesh)
+        length = np.sqrt((mesh.vertices**2).sum(axis=1))
+        mesh = TriangleMesh(10 * mesh.vertices / length[:, None], mesh.triangles)
+    height = mesh.vertices[:, 2].astype(np.float32)
+    return TriangleMesh(mesh.vertices, mesh.triangles, {"supported": (height > -3).astype(np.uint8), "standard_uncertainty_um": 20 + height})
+
+
+def test_an_empty_scene_has_no_colour_but_the_axes(scene: SceneView) -> None:
+    picture = scene.grab_picture()
+    assert coloured(picture)[:300].sum() == 0
+
+
+def test_points_are_in_the_picture_and_more_points_fill_more_of_it(scene: SceneView) -> None:
+    shares = []
+    for count in (500, 20_000):
+        scene.clear()
+        scene.append_points(*_ball(count))
+        shares.append(int(coloured(scene.grab_picture())[:330].sum()))
+    assert shares[0] > 800
+    assert shares[1] > 20_000
+
+
+def test_points_are_coloured_by_height(scene: SceneView) -> None:
+    scene.append_points(*_ball(20_000))
+    scene.view_front()
+    picture = scene.grab_picture().astype(int)
+    filled = coloured(picture.astype(np.uint8), 25)
+    rows = np.nonzero(filled[:, 150:350].any(axis=1))[0]
+    upper, lower = picture[rows[len(rows) // 8], 200:300], picture[rows[-len(rows) // 8], 200:300]
+    assert (upper[:, 0] - upper[:, 2]).mean() > 10  # warm above
+    assert (lower[:, 2] - lower[:, 0]).mean() > 10  # blue below
+
+
+def test_points_are_painted_by_the_pumps_call_alone(scene: SceneView) -> None:
+    scene.paint()
+    until(lambda: scene.pictures > 0, 5)
+    before = scene.pictures
+    scene.append_points(*_ball(1000))
+    scene.paint()
+    until(lambda: scene.pictures > before, 5)
+    painted = scene.pictures
+    for _ in range(5):
+        scene.paint()
+    QTest.qWait(100)
+    assert scene.pictures == painted  # nothing new, nothing painted
+
+
+def test_a_mesh_is_lit_and_its_unsupported_part_has_another_colour(scene: SceneView) -> None:
+    scene.show_mesh(Surface.of(_sphere(), growing=False))
+    scene.view_front()
+    picture = scene.grab_picture()
+    bright, brown = near(picture, SUPPORTED, 40), near(picture, UNSUPPORTED, 60)
+    assert bright.sum() > 5000
+    assert np.nonzero(brown)[0].mean() > np.nonzero(bright)[0].mean()
+    assert len(np.unique(picture[bright][:, 0])) > 12  # shaded, not flat
+
+
+def test_edges_and_uncertainty_change_the_picture(scene: SceneView) -> None:
+    scene.show_mesh(Surface.of(_sphere(), growing=False))
+    plain = scene.grab_picture()
+    scene.set_edges(True)
+    edged = scene.grab_picture()
+    assert (np.abs(edged.astype(int) - plain).max(axis=2) > 30).sum() > 2000
+    scene.set_edges(False)
+    scene.set_uncertainty(True)
+    assert coloured(scene.grab_picture(), 60).sum() > coloured(plain, 60).sum() + 5000
+    assert scene.mesh.range_um == pytest.approx((10.2, 29.8), abs=0.5)
+
+
+def test_hidden_points_are_not_drawn(scene: SceneView) -> None:
+    scene.append_points(*_ball(5000))
+    scene.set_points_visible(False)
+    assert coloured(scene.grab_picture())[:330].sum() == 0
+
+
+def test_the_view_from_above_shows_a_flat_thing_and_the_one_from_the_front_does_not(scene: SceneView) -> None:
+    grid = np.stack(np.meshgrid(np.linspace(-10, 10, 150), np.linspace(-10, 10, 150), [5.0]), axis=-1).reshape(-1, 3)
+    scene.append_points(grid, np.tile([0.0, 0.0, 1.0], (len(grid), 1)))
+    scene.view_top()
+    above = coloured(scene.grab_picture(), 25)[:330].sum()
+    scene.view_front()
+    front = coloured(scene.grab_picture(), 25)[:330].sum()
+    assert above > 20 * front > 0
+
+
+def test_a_closed_view_says_so(scene: SceneView) -> None:
+    scene.close()
+    assert scene.closed
+    with pytest.raises(SceneClosedError):
+        scene.append_points(*_ball(10))
+    with pytest.raises(SceneClosedError):
+        scene.grab_picture()
+    scene.close_scene()

@@ -1,0 +1,113 @@
+"""What the window does beside the journey: pages, stop, refusals, and an orderly end."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+
+from app.program import Program
+from app.views.pages import PAGES
+from scanner_core.acquisition.status import FinishReason
+from scanner_core.case.store import CaseStore, Order
+from tests.gui.conftest import until
+from tests.gui.pictures import pixels_of
+
+
+def test_the_window_is_there_before_the_3d_engine(program: Program) -> None:
+    assert program.window.isVisible()
+    assert program.window.scene is None
+
+
+def test_every_page_is_shown_and_none_makes_the_window_larger(program: Program) -> None:
+    window = program.window
+    QTest.qWaitForWindowExposed(window)
+    size = window.size()
+    pictures = {}
+    for number, info in enumerate(PAGES, start=1):
+        QTest.keyClick(window, Qt.Key(Qt.Key.Key_0 + number), Qt.KeyboardModifier.ControlModifier)
+        until(lambda id=info.id: window.page_id == id, 5, info.id)
+        QTest.qWait(30)
+        pictures[info.id] = pixels_of(window.pages[info.id])
+        assert pictures[info.id].std() > 5, f"{info.id} is blank"
+        assert window.size() == size, info.id
+    window.banner.tell_note("A sentence that is as long as the sentences of the program are, with what to do.", "And a second half.")
+    QTest.qWait(30)
+    assert window.size() == size
+
+
+def test_escape_ends_a_scan_from_another_page_and_the_counts_balance(program: Program) -> None:
+    window, services = program.window, program.services
+    until(lambda: services.rig.snapshot.connected and services.rig.snapshot.calibration is not None, 120, "a calibrated rig")
+    services.draft.edit("points", 200_000)
+    window.start_scan()
+    until(lambda: services.acquisition.status is not None and services.acquisition.status.counts.measured > 100, 60, "points")
+    window.show_page("home")
+    QTest.keyClick(window, Qt.Key.Key_Escape)
+    until(lambda: not services.acquisition.running, 20, "the end of the scan")
+    result = services.acquisition.result
+    assert result is not None
+    assert result.finish_reason is FinishReason.CANCELLED
+    counts = result.counts
+    assert counts.measured > 100
+    assert counts.planned == counts.measured + sum(counts.rejected.values()) + counts.skipped
+    assert not services.rig.snapshot.laser_on
+    assert services.case.path is not None
+
+
+def test_closing_the_window_ends_a_running_scan_and_keeps_its_points(program: Program) -> None:
+    window, services = program.window, program.services
+    until(lambda: services.rig.snapshot.connected and services.rig.snapshot.calibration is not None, 120, "a calibrated rig")
+    services.draft.edit("points", 200_000)
+    window.start_scan()
+    until(lambda: services.acquisition.status is not None and services.acquisition.status.counts.measured > 50, 60, "points")
+    path = services.case.path
+    assert path is not None
+    window.close()
+    with CaseStore.open(path) as store:
+        assert store.scans()[-1].finish_reason == FinishReason.CANCELLED.value
+
+
+def test_a_case_that_is_open_elsewhere_is_refused_in_one_sentence(program: Program, tmp_path: Path) -> None:
+    path = tmp_path / "other.impronta"
+    with CaseStore.create(path) as store:
+        store.put_order(Order("A-1", "", "left", "ear"))
+        program.window.open_case(path)
+        until(lambda: program.window.banner.text, 20, "the sentence")
+        assert "is open in another window or program" in program.window.banner.text
+        assert "E-CASE-02" in program.window.banner.details
+        assert program.services.case.path is None
+    program.window.open_case(path)
+    until(lambda: program.services.case.path == path, 20, "the case")
+    assert program.services.draft.values.order == "A-1"
+
+
+@pytest.mark.parametrize(("name", "code"), [("missing.impronta", "E-CASE-04"), ("text.impronta", "E-CASE-01")])
+def test_what_is_no_case_is_refused_in_one_sentence(program: Program, tmp_path: Path, name: str, code: str) -> None:
+    (tmp_path / "text.impronta").write_text("no database at all, only a long enough text " * 30)
+    program.window.open_case(tmp_path / name)
+    until(lambda: program.window.banner.text, 20, "the sentence")
+    assert code in program.window.banner.details
+
+
+def test_a_specimen_that_cannot_be_used_keeps_the_one_before(program: Program, tmp_path: Path) -> None:
+    services = program.services
+    until(lambda: services.rig.snapshot.connected, 60, "the rig")
+    bad = tmp_path / "no-mesh.stl"
+    bad.write_text("this is no mesh")
+    services.rig.choose(specimen=str(bad))
+    until(lambda: program.window.banner.text, 20, "the sentence")
+    assert "E-FILE" in program.window.banner.details
+    until(lambda: services.rig.snapshot.connected, 20, "the rig")
+    assert services.rig.snapshot.specimen == "ear"
+
+
+def test_the_settings_are_kept_at_the_end(program: Program, settings_file: Path) -> None:
+    until(lambda: program.services.rig.snapshot.connected, 60, "the rig")
+    program.window.close()
+    kept = json.loads(settings_file.read_text())
+    assert kept["preset"] == "bench"
+    assert kept["window"] == [program.window.width(), program.window.height()]
