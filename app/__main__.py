@@ -23,6 +23,10 @@ def main(argv: Sequence[str] | None = None) -> int:
 
     multiprocessing.freeze_support()
     arguments = list(sys.argv[1:] if argv is None else argv)
+    if arguments[:1] == ["--guardian"]:  # in a frozen bundle this program is also the guardian of its serial port
+        from scanner_core.devices.guardian_process import main as guard
+
+        return guard(arguments[1:])
     if arguments and not _is_for_the_window(arguments[0]):
         from scanner_core.__main__ import main as run_headless
 

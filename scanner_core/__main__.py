@@ -71,6 +71,12 @@ def _parser() -> argparse.ArgumentParser:
     demo.add_argument("--force", action="store_true", help="overwrite results that are there")
     _virtual(demo)
 
+    calibrate = _command(commands, "calibrate", "stereo and turntable axis from ChArUco views")
+    calibrate.add_argument("--rig", required=True, metavar="RIG.toml", help="a rig file, or the name of a preset")
+    calibrate.add_argument("--out", metavar="RIG.toml", help="the rig with its new calibration (default: report only)")
+    calibrate.add_argument("--force", action="store_true", help="overwrite a rig file that is there")
+    calibrate.add_argument("--seed", type=int, default=0, metavar="N", help="of the virtual rig")
+
     scan = _command(commands, "scan", "acquire into a new case")
     scan.add_argument("--rig", required=True, metavar="RIG.toml", help="a rig file, or the name of a preset")
     scan.add_argument("--plan", metavar="PLAN.toml", help="views, points, object_radius_mm, object_height_mm")

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 
 from scanner_core.clock import Clock, Speed, SteppedClock, make_clock
 from scanner_core.devices.camera import Camera
@@ -38,8 +40,8 @@ class OpenRig:
     clock: Clock
     calibration: StereoCalibration | None
     bench: VirtualBench | None = None
-    firmware: str | None = None
-    """Name of the firmware model inside this process."""
+    release: Callable[[], None] | None = None
+    """What else has to be let go when the rig is closed."""
 
     def close(self) -> None:
         """Laser and controller first, then the cameras."""
@@ -48,8 +50,8 @@ class OpenRig:
                 device.close()
             except ImprontaError:
                 continue  # one device that fails to close must not keep the others open
-        if self.firmware is not None:
-            unregister_firmware(self.firmware)
+        if self.release is not None:
+            self.release()
 
     def __enter__(self) -> OpenRig:
         return self
@@ -87,7 +89,7 @@ def open_rig(config: RigConfig, specimen: Specimen | None = None, speed: Speed =
         except BaseException:
             unregister_firmware(name)
             raise
-        return _with_bench(config, motion, clock, firmware, specimen, seed, name)
+        return _with_bench(config, motion, clock, firmware, specimen, seed, partial(unregister_firmware, name))
     return _open_remote(config, specimen, seed)
 
 
@@ -99,15 +101,25 @@ def _open_remote(config: RigConfig, specimen: Specimen | None, seed: int) -> Ope
     if not host or not port.isdigit():
         raise UsageError("E-RIG-01", path=config.name, reason="a virtual rig on a real port needs 'witness = \"host:port\"' of the firmware process")
     timeline = RemoteTimeline(host, int(port))
-    motion = open_controller(config.controller, timeline.clock)
-    return _with_bench(config, motion, timeline.clock, timeline, specimen, seed, None)
+    try:
+        motion = open_controller(config.controller, timeline.clock)
+    except BaseException:
+        timeline.close()
+        raise
+    return _with_bench(config, motion, timeline.clock, timeline, specimen, seed, timeline.close)
 
 
 def _with_bench(
-    config: RigConfig, motion: MotionController, clock: Clock, timeline: MotionTimeline, specimen: Specimen | None, seed: int, name: str | None
+    config: RigConfig,
+    motion: MotionController,
+    clock: Clock,
+    timeline: MotionTimeline,
+    specimen: Specimen | None,
+    seed: int,
+    release: Callable[[], None],
 ) -> OpenRig:
     bench = VirtualBench(PRESETS[config.virtual or ""], specimen, clock, timeline, seed)
     # In simulated time a hand-over a frame would cost more than the frame; in real time previews want every frame at once.
     transfer = 8 if isinstance(clock, SteppedClock) else 1
     left, right = bench.camera("left", transfer), bench.camera("right", transfer)
-    return OpenRig(config, left, right, motion, clock, config.calibration, bench, name)
+    return OpenRig(config, left, right, motion, clock, config.calibration, bench, release)

@@ -11,6 +11,7 @@ from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
 from scanner_core.acquisition.status import FinishReason
 from scanner_core.case.store import CaseStore, Order
+from scanner_core.commands.calibration_report import calibration_json, calibration_summary
 from scanner_core.commands.console import Console
 from scanner_core.commands.reconstructing import reconstruction_summary, run_reconstruction
 from scanner_core.commands.scanning import run_scan, scan_json, scan_summary, sized_for, specimen_on_table
@@ -61,28 +62,6 @@ def run(given: argparse.Namespace, console: Console) -> int:
             )
             console.result(values, [*lines, f"Written to {folder}: {CASE}, {', '.join(MESHES)}."])
     return 0
-
-
-def calibration_json(calibration: StereoCalibration) -> dict[str, object]:
-    """The calibration in the JSON of ``demo``."""
-    axis = calibration.turntable
-    return {
-        "id": calibration.identity(),
-        "date": calibration.date,
-        "views": calibration.views,
-        "reprojection_rms_px": round(calibration.reprojection_rms_px, 4),
-        "held_out_rms_um": round(calibration.held_out_rms_um, 2),
-        "axis_angle_rms_deg": round(axis.angle_rms_deg, 5),
-        "axis_position_rms_um": round(axis.position_rms_um, 2),
-    }
-
-
-def calibration_summary(calibration: StereoCalibration) -> str:
-    """The calibration in words."""
-    return (
-        f"Calibrated on {calibration.views} views: reprojection {calibration.reprojection_rms_px:.3f} px, "
-        f"held-out corners {calibration.held_out_rms_um:.1f} um rms."
-    )
 
 
 def _calibrate(rig: OpenRig, console: Console) -> StereoCalibration:

@@ -48,10 +48,11 @@ class RemoteBoard:
 
     url: str
     witness: RemoteTimeline
+    side_channel: str
 
     @property
     def config(self) -> ControllerConfig:
-        return ControllerConfig("grbl", self.url)
+        return ControllerConfig("grbl", self.url, witness=self.side_channel)
 
     def open(self) -> GrblController:
         return open_controller(self.config, self.witness.clock)
@@ -68,7 +69,7 @@ def remote_board(**settings: Any) -> Iterator[RemoteBoard]:
         about = json.loads(process.stdout.readline())
         host, _, port = about["witness"].partition(":")
         with RemoteTimeline(host, int(port)) as witness:
-            yield RemoteBoard(about["serial"], witness)
+            yield RemoteBoard(about["serial"], witness, about["witness"])
     finally:
         process.kill()
         process.wait()
