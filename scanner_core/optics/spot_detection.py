@@ -56,9 +56,10 @@ class SpotDetectorParameters:
         0.65 lambda / (2 pi sin u) on the surface (Dorsch, Haeusler & Herrmann, Appl. Opt. 33, 1994), which is
         ``0.65 lambda N / (pi p)`` pixels at f-number N and pixel pitch p whatever the distance: 0.045 px rms over x and y
         at f/4 and 10 x 15.6 um, 0.15 px at 3.45 um
-    centroid : ``weighted``, or ``border``: the middle of the area within the half-height contour, its border interpolated
-        between pixels, as the published system has it; several times less certain, and it locks to the pixels when the
-        spot is small
+    centroid : ``weighted``, or ``border``: the middle of the area within a contour, its border interpolated between pixels,
+        as the published system has it; several times less certain, and it locks to the pixels when the spot is small
+    border_level : 0.05 to 0.9; height of that contour between background and peak.  The publication does not state its
+        own; the higher it is, the stronger a spot smaller than a pixel locks
     """
 
     threshold_sigmas: float = 4.5
@@ -75,6 +76,7 @@ class SpotDetectorParameters:
     shot_dn: float = 0.0255
     floor_px: float = 0.045
     centroid: Literal["weighted", "border"] = "weighted"
+    border_level: float = 0.2
 
     def __post_init__(self) -> None:
         for name, (low, high) in _RANGES.items():
@@ -99,6 +101,7 @@ _RANGES: dict[str, tuple[float, float]] = {
     "read_noise_dn": (0, 20),
     "shot_dn": (0, 10),
     "floor_px": (0, 1),
+    "border_level": (0.05, 0.9),
 }
 
 _NOISE_AREA_PX = 3
@@ -218,7 +221,7 @@ class SpotDetector:
         uncertainty = math.sqrt(from_pixels + p.floor_px * p.floor_px)
         if p.centroid == "border":
             around = image[top - 1 : top + height + 1, left - 1 : left + width + 1].astype(np.float64)
-            cx, cy = _border_centroid(around, max(background.threshold_dn, 0.5 * (background.mean_dn + peak)))
+            cx, cy = _border_centroid(around, max(background.threshold_dn, background.mean_dn + p.border_level * (peak - background.mean_dn)))
         whole = _untruncated((background.threshold_dn - background.mean_dn) / (peak - background.mean_dn))
         spot = Spot(left + cx, top + cy, math.sqrt(mxx * whole), math.sqrt(myy * whole), peak, flux, area, uncertainty)
         return spot, flux
