@@ -109,14 +109,12 @@ class Scene:
                 shares.append(weight * albedo)
         if not points:
             return None
-        specular = self._preset.specular
-        if specular > 0:
-            stray = self._stray(np.array(points[len(points) // 2]), np.array(normals[len(points) // 2]), direction)
-            if stray is not None:
-                point, normal, albedo = stray
-                points.append(point)
-                normals.append(normal)
-                shares.append(specular * albedo)
+        stray = self._stray(np.array(points[len(points) // 2]), np.array(normals[len(points) // 2]), direction)
+        if stray is not None:
+            point, normal, albedo = stray
+            points.append(point)
+            normals.append(normal)
+            shares.append(self._preset.specular * albedo)
         where, up = np.array(points), np.array(normals)
         return Footprint(where, up, np.array(shares), self._seen(where, up, eyes))
 
@@ -139,7 +137,9 @@ class Scene:
         return None if on_table is None else (on_table, [0.0, 0.0, 1.0], TABLE_ALBEDO)
 
     def _stray(self, point: Array, normal: Array, direction: Array) -> tuple[list[float], list[float], float] | None:
-        """Where the mirrored part of the light hits again."""
+        """Where the mirrored part of the light hits again; the matt table mirrors nothing."""
+        if self._preset.specular <= 0 or point[2] <= 0:
+            return None
         mirrored = direction - 2 * (direction @ normal) * normal
         return self._first_hit((point + _LIFT_MM * normal).tolist(), mirrored.tolist())
 

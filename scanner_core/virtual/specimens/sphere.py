@@ -11,13 +11,14 @@ from scanner_core.virtual.specimens.specimen import Specimen
 Array = NDArray[np.float64]
 
 RADIUS_MM = 11.133
-CENTRE_MM = (0.0, 0.0, 25.0)
+CENTRE_MM = (0.0, 0.0, 13.0)
 STEM_RADIUS_MM = 1.5
+"""The stem is so short that the sphere keeps the laser off it: what is scanned is sphere and table alone."""
 
 
 def sphere() -> Specimen:
     """Sphere of :data:`RADIUS_MM` about :data:`CENTRE_MM`; its distance is analytic."""
-    mesh = mesh_implicit(solid, (-11.9, -11.9, -0.7), (11.9, 11.9, 36.9), 0.2137)
+    mesh = mesh_implicit(solid, (-11.9, -11.9, -0.7), (11.9, 11.9, 24.9), 0.2137)
     return Specimen("sphere", mesh, true_radius_mm=RADIUS_MM, analytic_distance=surface_distance)
 
 
