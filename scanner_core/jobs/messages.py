@@ -51,6 +51,13 @@ class Run:
     target: str
 
 
+@dataclass(frozen=True, slots=True)
+class Begun:
+    """Child to parent: the request has arrived and the job with this number begins."""
+
+    number: int
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Told:
     """Child to parent: an event of the job with this number."""

@@ -13,7 +13,7 @@ from multiprocessing.connection import Connection
 from typing import Any
 
 from scanner_core.errors import ImprontaError, WorkerError
-from scanner_core.jobs.messages import JobCancelled, JobDone, JobFailed, JobOutcome, JobProgress, Ready, Run, Told
+from scanner_core.jobs.messages import Begun, JobCancelled, JobDone, JobFailed, JobOutcome, JobProgress, Ready, Run, Told
 from scanner_core.jobs.progress import Cancelled, Progress
 from scanner_core.jobs.registry import resolve
 
@@ -60,6 +60,7 @@ def serve(connection: Connection, cancelled_number: ctypes.c_int64, preload: tup
 def _outcome(connection: Connection, run: Run, cancelled_number: ctypes.c_int64) -> JobOutcome:
     try:
         request = _receive(connection)
+        _send(connection, Begun(run.number))
         job = resolve(run.target)
         result = job(
             request,

@@ -18,11 +18,14 @@ from types import TracebackType
 
 from scanner_core.errors import UsageError, WorkerError, WorkerLostError
 from scanner_core.jobs.child import work
-from scanner_core.jobs.messages import JobCancelled, JobEvent, JobFailed, JobOutcome, JobProgress, Ready, Run, Told
+from scanner_core.jobs.messages import Begun, JobCancelled, JobEvent, JobFailed, JobOutcome, JobProgress, Ready, Run, Told
 from scanner_core.jobs.registry import modules, target_of
 
 CANCEL_GRACE_S = 0.7
 """A job that has not stopped this long after its cancel is killed with its process."""
+
+_TRIES = 2
+"""Children that a job is given to until one of them begins it."""
 
 OnEvent = Callable[[JobEvent], None]
 
@@ -58,6 +61,8 @@ class _Current:
     handle: JobHandle
     phase: str = "start"
     sent: bool = False
+    begun: bool = False
+    tries: int = 1
     cancelled_at_s: float | None = None
 
 
@@ -231,8 +236,6 @@ class Worker:
             self._kill_child()
             self._end(JobFailed(WorkerError("E-JOB-02", details=repr(fault), reason=f"the request cannot be sent ({fault})")))
             self._start_child()
-        else:
-            current.request = None
 
     def _receive(self) -> None:
         assert self._connection is not None
@@ -247,6 +250,8 @@ class Worker:
         current = self._current
         if isinstance(message, Ready):
             self._ready = True
+        elif isinstance(message, Begun) and current is not None and message.number == current.number:
+            current.begun, current.request = True, None
         elif isinstance(message, Told) and current is not None and message.number == current.number:
             if isinstance(message.event, JobProgress):
                 current.phase = message.event.progress.phase
@@ -261,7 +266,10 @@ class Worker:
         self._process.join(1.0)
         code, was_ready, current = self._process.exitcode, self._ready, self._current
         self._kill_child()
-        if current is not None:
+        if current is not None and not current.begun and current.tries < _TRIES:
+            # An idle child was killed just when the job came: the job has done nothing yet and can go to the next one.
+            current.tries, current.sent = current.tries + 1, False
+        elif current is not None:
             self._end(JobFailed(WorkerLostError("E-JOB-01", details=f"exit code {code}", phase=current.phase, reason=_reason(code))))
         if was_ready:  # one that dies while it starts would do so for ever; the next job tries again
             self._start_child()

@@ -34,6 +34,17 @@ def worker(monkeypatch: pytest.MonkeyPatch) -> Iterator[Worker]:
     assert not [child for child in psutil.Process().children() if child.status() == psutil.STATUS_ZOMBIE]
 
 
+def _raise(reason: str) -> None:
+    raise ValueError(reason)
+
+
+class Unloadable:
+    """Fails when the child unpickles it."""
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _raise, ("not in this child",)
+
+
 def outcome(worker: Worker, job: str, request: object) -> JobOutcome:
     ended = worker.submit(job, request, lambda event: None).wait(LONG_S)
     assert ended is not None
@@ -165,9 +176,17 @@ def test_an_idle_child_that_dies_is_replaced(worker: Worker) -> None:
     assert isinstance(outcome(worker, "add", (1, 1)), JobDone)
     assert worker.pid is not None
     os.kill(worker.pid, signal.SIGKILL)
+    assert isinstance(outcome(worker, "add", (1, 1)), JobDone)  # whether the job or the death came first
+
+
+def test_children_that_die_before_they_begin_are_tried_twice(worker: Worker, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert isinstance(outcome(worker, "echo", Unloadable()), JobFailed)
+    monkeypatch.setitem(registry.JOBS, "dead", "tests.core.jobs.deadly:job")  # preloaded by the children from now on
+    assert isinstance(outcome(worker, "die", -1), JobFailed)
     ended = outcome(worker, "add", (1, 1))
-    # Whether the job or the death came first cannot be known; either way the answer is clear and the next job runs.
-    assert isinstance(ended, JobDone) or (isinstance(ended, JobFailed) and ended.error.code == "E-JOB-01")
+    assert isinstance(ended, JobFailed)
+    assert (ended.error.code, ended.error.fields["phase"]) == ("E-JOB-01", "start")
+    monkeypatch.delitem(registry.JOBS, "dead")
     assert isinstance(outcome(worker, "add", (1, 1)), JobDone)
 
 
