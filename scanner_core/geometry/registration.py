@@ -20,13 +20,12 @@ from numpy.typing import NDArray
 from scanner_core.geometry.local_surface import LocalSurface
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.geometry.view_matching import MIN_MATCHES, ViewMatches, match_views, overlap_fractions, overlapping_pairs
 
 Array = NDArray[np.float64]
 
 _TUKEY = 4.685
 """Residuals beyond so many standard deviations count for nothing; 95 % efficient on clean ones (Beaton & Tukey 1974)."""
-_MIN_PAIR = 30
-"""Correspondences between two views: fewer say nothing about six unknowns."""
 _STEPS = 4
 """Reweighted steps between two searches for correspondences."""
 _SETTLED_MM = 5e-4
@@ -101,21 +100,6 @@ class RegistrationResult:
         }
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Matches:
-    """Correspondences of a pair of views: points of `first` against the surface of `second`."""
-
-    first: int
-    second: int
-    points: Array
-    """(n, 3) mm, moved by the first view's correction."""
-    distance: Array
-    """(n,) signed, mm."""
-    normals: Array
-    relative_variance: Array
-    """(n,), of the distance in units of a typical point's variance."""
-
-
 def register_views(cloud: PointCloud, parameters: RegistrationParameters | None = None) -> RegistrationResult:
     """Small rigid corrections of the views of a cloud in the object frame.
 
@@ -137,30 +121,30 @@ def register_views(cloud: PointCloud, parameters: RegistrationParameters | None 
     rng = np.random.default_rng(_SEED)
     members = [rng.permutation(np.flatnonzero(number == view)) for view in range(count)]
     surfaces = [LocalSurface(cloud.points[np.sort(m)]) for m in members]
-    pairs = _overlapping([cloud.points[m] for m in members], p.partners)
-    share = max(p.queries // max(len(pairs), 1), 2 * _MIN_PAIR)
+    pairs = overlapping_pairs([cloud.points[m] for m in members], p.partners)
+    share = max(p.queries // max(len(pairs), 1), 2 * MIN_MATCHES)
     half = [min(share, len(m) // 2) for m in members]
     fit_points = [m[:n] for m, n in zip(members, half, strict=True)]
     check_points = [m[n : 2 * n] for m, n in zip(members, half, strict=True)]
 
-    before = _match(cloud, check_points, surfaces, pairs, identity, p)
+    before = match_views(cloud, check_points, surfaces, pairs, identity, p.max_distance_mm)
     if not before:
         return RegistrationResult(identity, 0.0, 0.0, (0.0,) * count, False, 0, False, "the views do not overlap")
-    overlap = _overlap(before, check_points, count)
+    overlap = overlap_fractions(before, check_points, count)
     centre = np.mean([matches.points.mean(axis=0) for matches in before], axis=0)
     radius = float(np.sqrt(np.mean([((m.points - centre) ** 2).sum(axis=1).mean() for m in before])))
 
     corrections, converged, iterations = identity, False, 0
     for iteration in range(p.rounds):
         iterations = iteration + 1
-        matches = _match(cloud, fit_points, surfaces, pairs, corrections, p)
+        matches = match_views(cloud, fit_points, surfaces, pairs, corrections, p.max_distance_mm)
         if not matches:
             break
         corrections, moved_mm = _solve(matches, corrections, centre, radius, p)
         if moved_mm < _SETTLED_MM:
             converged = True
             break
-    after = _match(cloud, check_points, surfaces, pairs, corrections, p)
+    after = match_views(cloud, check_points, surfaces, pairs, corrections, p.max_distance_mm)
     residual_before, residual_after = _residual_um(before), _residual_um(after) if after else float("inf")
     if not converged or not residual_after < _GAIN * residual_before:
         reason = "the refinement gained nothing" if converged else "the refinement did not settle"
@@ -205,68 +189,12 @@ def _about(rotation_vector: Array, shift: Array, centre: Array) -> RigidTransfor
     return RigidTransform(turn.rotation, centre - turn.rotation @ centre + shift)
 
 
-def _overlapping(views: list[Array], partners: int) -> list[tuple[int, int]]:
-    """Ordered pairs of views to compare: each view with those that share the most cells of space with it."""
-    filled = [v for v in views if len(v)]
-    if len(filled) < 2:
-        return []
-    every = np.concatenate(filled)
-    low = every.min(axis=0)
-    cell = max(float((every.max(axis=0) - low).max()) / 40, 1e-6)
-    cells = []
-    for points in views:
-        i, j, k = np.floor((points - low) / cell).astype(np.int64).T if len(points) else np.empty((3, 0), np.int64)
-        cells.append(np.unique(i + 64 * (j + 64 * k)))
-    shared = np.array([[0 if a is b else len(np.intersect1d(a, b, assume_unique=True)) for b in cells] for a in cells])
-    pairs = set()
-    for view in range(len(views)):
-        for partner in np.argsort(-shared[view], kind="stable")[:partners]:
-            if shared[view, partner] > 0:
-                pairs |= {(view, int(partner)), (int(partner), view)}
-    return sorted(pairs)
-
-
-def _match(
-    cloud: PointCloud,
-    chosen: list[NDArray[np.int64]],
-    surfaces: list[LocalSurface],
-    pairs: list[tuple[int, int]],
-    corrections: tuple[RigidTransform, ...],
-    p: RegistrationParameters,
-) -> list[_Matches]:
-    """Distances of the chosen points to the other views' surfaces, with the corrections so far."""
-    found = []
-    typical = _typical_variance(cloud)
-    for first, second in pairs:
-        index = chosen[first]
-        moved = corrections[first].apply(cloud.points[index])
-        back = corrections[second].inverse()
-        near = surfaces[second].distance(back.apply(moved))
-        keep = near.valid & (np.abs(near.signed_mm) < p.max_distance_mm)
-        if np.count_nonzero(keep) < _MIN_PAIR:
-            continue
-        normals = corrections[second].rotate(near.normals[keep])
-        variance = np.ones(len(normals))
-        if cloud.covariances is not None:
-            own = np.einsum("ni,nij,nj->n", normals, cloud.covariances[index[keep]], normals)
-            variance = np.clip(own / typical, 0.25, 16.0)
-        found.append(_Matches(first, second, moved[keep], near.signed_mm[keep], normals, variance + near.leverage[keep]))
-    return found
-
-
-def _typical_variance(cloud: PointCloud) -> float:
-    """Median variance of a coordinate, mm^2."""
-    if cloud.covariances is None:
-        return 1.0
-    return max(float(np.median(np.trace(cloud.covariances, axis1=1, axis2=2))) / 3, 1e-12)
-
-
-def _residual_um(matches: list[_Matches]) -> float:
+def _residual_um(matches: list[ViewMatches]) -> float:
     return 1e3 * 1.4826 * float(np.median(np.abs(np.concatenate([m.distance for m in matches]))))
 
 
 def _solve(
-    matches: list[_Matches], corrections: tuple[RigidTransform, ...], centre: Array, radius: float, p: RegistrationParameters
+    matches: list[ViewMatches], corrections: tuple[RigidTransform, ...], centre: Array, radius: float, p: RegistrationParameters
 ) -> tuple[tuple[RigidTransform, ...], float]:
     """Corrections for these correspondences by reweighted least squares; also the largest change of a view, mm.
 
@@ -316,11 +244,3 @@ def _rotation_vector(transform: RigidTransform) -> Array:
     """Of a small rotation, (3,) radians."""
     r = transform.rotation
     return 0.5 * np.array([r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]])
-
-
-def _overlap(matches: list[_Matches], chosen: list[NDArray[np.int64]], count: int) -> tuple[float, ...]:
-    """By view, the largest part of its chosen points that one partner's surface covers."""
-    best = [0.0] * count
-    for m in matches:
-        best[m.first] = max(best[m.first], len(m.distance) / max(len(chosen[m.first]), 1))
-    return tuple(best)

@@ -43,11 +43,11 @@ class EpipolarGate:
     Attributes
     ----------
     sigmas : the limit in standard uncertainties of the residual
-    floor_px : the limit is never below this: a calibration leaves up to a quarter of a pixel towards the image's border
+    floor_px : the limit is never below this: what a calibration may leave towards the image's border
     """
 
     sigmas: float = 3.0
-    floor_px: float = 0.35
+    floor_px: float = 0.25
 
     def limit_px(self, left_sigma_px: Array, right_sigma_px: Array) -> Array:
         """Largest believable ``|epipolar_residual_px|`` of centroids with these standard uncertainties, (n,) each."""
