@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtGui import QAction, QColor, QLinearGradient, QPainter, QPaintEvent
+from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QStackedLayout, QToolButton, QVBoxLayout, QWidget
 
 from app.theme import MUTED
@@ -45,6 +46,11 @@ class Stage(QWidget):
         head.setFixedHeight(46)
         waiting = label(self.tr("Preparing the 3D view…"), "muted")
         waiting.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        # The first OpenGL widget in a window has its native window made anew, which flickers and loses the focus: have
+        # one from the start.
+        self._first_of_its_kind = QOpenGLWidget(self)
+        self._first_of_its_kind.setFixedSize(1, 1)
+        self._first_of_its_kind.hide()
         self._stack = QStackedLayout()
         self._stack.addWidget(waiting)
         box = QVBoxLayout(self)
