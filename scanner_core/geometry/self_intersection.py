@@ -47,12 +47,13 @@ def self_intersection_pairs(mesh: TriangleMesh) -> NDArray[np.int64]:
     length = np.sqrt(np.einsum("ij,ij->i", normal, normal))
     usable = np.flatnonzero(length > THINNEST * size * size)
     normal[usable] /= length[usable, None]
-    pairs = usable[BoxTree(corners[usable].min(axis=1), corners[usable].max(axis=1)).overlapping_pairs()]
+    a, b, c = (corners[usable, i] for i in range(3))
+    pairs = usable[BoxTree(np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)).overlapping_pairs()]
     found = [np.empty((0, 2), np.int64)]
     for begin in range(0, len(pairs), _AT_ONCE):
         part = pairs[begin : begin + _AT_ONCE]
         shared = _shared_corners(faces[part[:, 0]], faces[part[:, 1]])
-        count = shared.any(axis=2).sum(axis=1)
+        count = np.count_nonzero(shared[:, :, 0] | shared[:, :, 1] | shared[:, :, 2], axis=1)
         cut = count == 3
         apart = count <= 1
         cut[apart] = _intersect(corners, normal, size, part[apart])
@@ -120,8 +121,13 @@ def _snapped(distance: Array, reach: Array) -> Array:
 
 
 def _straddles(distance: Array) -> NDArray[np.bool_]:
-    """Not all three corners strictly on one side."""
-    return np.asarray((distance.min(axis=1) <= 0) & (distance.max(axis=1) >= 0), np.bool_)
+    """Whether more than one point of a triangle lies on the plane: corners on both sides, or two on it.
+
+    This drops nearly all neighbours over a vertex at once.
+    """
+    a, b, c = distance.T
+    both = (np.minimum(np.minimum(a, b), c) < 0) & (np.maximum(np.maximum(a, b), c) > 0)
+    return np.asarray(both | ((a == 0).view(np.int8) + (b == 0).view(np.int8) + (c == 0).view(np.int8) >= 2), np.bool_)
 
 
 def _interval(along: Array, distance: Array) -> tuple[Array, Array]:
