@@ -105,7 +105,7 @@ _RANGES: dict[str, tuple[float, float]] = {
 }
 
 _NOISE_AREA_PX = 3
-"""Dim blobs below this are the background's noise, of which every frame has some."""
+"""Dim blobs in boxes below this are the background's noise, of which every frame has some."""
 
 _MAX_BLOBS = 16
 """Blobs looked at per frame, largest first: bounds the time that a frame full of reflections can take."""
@@ -181,15 +181,17 @@ class SpotDetector:
         p = self.parameters
         left, top, width, height = box
         pixels = image[top : top + height, left : left + width].astype(np.float64)
+        peak = float(pixels.max())
+        if width * height < _NOISE_AREA_PX and peak - background.mean_dn < p.min_peak_dn:
+            return SpotMiss(MissReason.NO_SPOT, peak), 0.0
         weight = pixels - background.threshold_dn
         np.maximum(weight, 0.0, out=weight)
         columns, rows = weight.sum(axis=0), weight.sum(axis=1)
         flux = float(columns.sum())
-        peak = float(pixels.max())
         area = int(np.count_nonzero(weight))
 
         if peak - background.mean_dn < p.min_peak_dn:
-            return SpotMiss(MissReason.NO_SPOT if area < _NOISE_AREA_PX else MissReason.TOO_DIM, peak), flux
+            return SpotMiss(MissReason.TOO_DIM, peak), flux
         if area < p.min_area_px:
             return SpotMiss(MissReason.TOO_SMALL, peak), flux
         if area > p.max_area_px:
