@@ -18,9 +18,13 @@ from scanner_core.virtual.projection import ImagePoints
 Array = NDArray[np.float64]
 Floats = NDArray[np.floating]
 
-_REACH_SIGMA = 5.0
+_REACH_SIGMA = 4.5
 _WINDOW_PX = 4096
 """A window larger than this is rendered point by point (light split by an edge, stray light far away)."""
+_FAINTEST_DN = 1e-2
+"""Points with less flux than this are left out."""
+_EDGES = np.arange(8192) - 0.5
+"""Left or upper edges of the pixels."""
 _NORMALS = 1 << 18
 _POOL_FRAMES = 3
 
@@ -60,8 +64,13 @@ class ImageSensor:
     def _digits(self, signal: Floats, normal: Floats, gain: float) -> Floats:
         """Photons to counts, still as floats in 0 to 255: storing them as uint8 rounds (half a count is added here)."""
         p = self._preset
-        sigma = np.sqrt(signal * (1 / p.electrons_per_dn) + p.read_noise_dn**2)
-        digits: Floats = np.clip(gain * (signal + sigma * normal) + (p.black_dn + 0.5), 0, 255)
+        digits: Floats = np.sqrt(signal * (1 / p.electrons_per_dn) + p.read_noise_dn**2)
+        digits *= normal
+        digits += signal
+        digits *= gain
+        digits += p.black_dn + 0.5
+        np.maximum(digits, 0.0, out=digits)
+        np.minimum(digits, 255.0, out=digits)
         return digits
 
     def _noise_start(self, key: int) -> int:
@@ -78,8 +87,8 @@ class ImageSensor:
     def windows(self, points: ImagePoints) -> list[tuple[int, int, Array]]:
         """Noise-free signal in DN over black: (left, top, (h, w)) for windows inside the image."""
         x, y, flux = points.x_px, points.y_px, points.flux_dn
-        bright = flux > 1e-2
-        if not bright.all():
+        if min(flux.tolist()) <= _FAINTEST_DN:
+            bright = flux > _FAINTEST_DN
             x, y, flux = x[bright], y[bright], flux[bright]
         if not len(x):
             return []
@@ -92,15 +101,20 @@ class ImageSensor:
         """Points rendered together; None when their window would be too large."""
         width, height = self.camera.size_px
         reach_x, reach_y = _REACH_SIGMA * sigma[0] + 1, _REACH_SIGMA * sigma[1] + 1
-        left, right = max(0, int(x.min() - reach_x)), min(width - 1, int(x.max() + reach_x) + 1)
-        top, bottom = max(0, int(y.min() - reach_y)), min(height - 1, int(y.max() + reach_y) + 1)
+        xs, ys = x.tolist(), y.tolist()  # minimum and maximum of a few numbers are faster without an array
+        left, right = max(0, int(min(xs) - reach_x)), min(width - 1, int(max(xs) + reach_x) + 1)
+        top, bottom = max(0, int(min(ys) - reach_y)), min(height - 1, int(max(ys) + reach_y) + 1)
         columns, rows = max(0, right - left + 1), max(0, bottom - top + 1)
         if columns * rows > _WINDOW_PX and len(x) > 1:
             return None
-        edges_x = (np.arange(left, left + columns + 1) - 0.5 - x[:, None]) / sigma[0]
-        edges_y = (np.arange(top, top + rows + 1) - 0.5 - y[:, None]) / sigma[1]
-        across, down = ndtr(edges_x), ndtr(edges_y)
-        signal: Array = ((down[:, 1:] - down[:, :-1]) * flux[:, None]).T @ (across[:, 1:] - across[:, :-1])
+        edges = np.empty((len(x), columns + rows + 2))
+        np.subtract(_EDGES[left : left + columns + 1], x[:, None], out=edges[:, : columns + 1])
+        np.subtract(_EDGES[top : top + rows + 1], y[:, None], out=edges[:, columns + 1 :])
+        edges[:, : columns + 1] /= sigma[0]
+        edges[:, columns + 1 :] /= sigma[1]
+        below = ndtr(edges)
+        shares = below[:, 1:] - below[:, :-1]
+        signal: Array = (shares[:, columns + 1 :] * flux[:, None]).T @ shares[:, :columns]
         return left, top, signal
 
 

@@ -150,7 +150,7 @@ class Scene:
         lifted = (points + _LIFT_MM * normals).tolist()
         for eye, row in zip(eyes.tolist(), facing, strict=True):
             for i in np.flatnonzero(row).tolist():
-                row[i] = not self._surface.blocks(lifted[i], eye)
+                row[i] = not self._surface.meets(lifted[i], eye)
         return facing
 
 
@@ -163,7 +163,7 @@ class _Surface:
         self._normals = area / np.maximum(np.linalg.norm(area, axis=1), 1e-30)[:, None]
         self._locator = vtkStaticCellLocator()
         self._locator.SetDataSet(poly_data(specimen.mesh))
-        self._locator.SetNumberOfCellsPerNode(2)
+        self._locator.SetNumberOfCellsPerNode(1)
         self._locator.BuildLocator()
         self._cell = vtkGenericCell()
         self._t: Any = reference(0.0)
@@ -173,15 +173,12 @@ class _Surface:
 
     def first_hit(self, start: list[float], end: list[float]) -> tuple[list[float], list[float]] | None:
         """The first point of the segment on the surface, and its facet's outward normal."""
-        if not self._cast(start, end):
+        if not self.meets(start, end):
             return None
         return self._point.copy(), self._normals[int(self._id)].tolist()
 
-    def blocks(self, start: list[float], end: list[float]) -> bool:
+    def meets(self, start: list[float], end: list[float]) -> bool:
         """Whether the surface meets the segment."""
-        return self._cast(start, end)
-
-    def _cast(self, start: list[float], end: list[float]) -> bool:
         return bool(self._locator.IntersectWithLine(start, end, 0.0, self._t, self._point, self._parametric, self._sub, self._id, self._cell))
 
 
