@@ -8,7 +8,7 @@ from scanner_core.errors import UsageError
 from scanner_core.virtual.specimens.arch import arch
 from scanner_core.virtual.specimens.ear import ear
 from scanner_core.virtual.specimens.heart import heart
-from scanner_core.virtual.specimens.specimen import Specimen, check_fits, stand_on_table
+from scanner_core.virtual.specimens.specimen import Specimen, check_fits, opening_down, stand_on_table
 from scanner_core.virtual.specimens.sphere import sphere
 
 __all__ = ["SPECIMENS", "Specimen", "check_fits", "load_specimen"]
@@ -18,7 +18,7 @@ SPECIMENS = ("ear", "arch", "heart", "sphere")
 
 
 def load_specimen(name_or_path: str | Path, *, treated: bool = False) -> Specimen:
-    """A built-in specimen by name, or any mesh file (it may be open) put onto the middle of the table.
+    """A built-in specimen by name, or any mesh file put onto the middle of the table, an open one on its opening.
 
     Raises
     ------
@@ -37,7 +37,7 @@ def load_specimen(name_or_path: str | Path, *, treated: bool = False) -> Specime
     from scanner_core.mesh_io import read_mesh
 
     path = Path(name_or_path)
-    return Specimen(path.stem, stand_on_table(read_mesh(path)))
+    return Specimen(path.stem, stand_on_table(opening_down(read_mesh(path))))
 
 
 _MAKERS = {"ear": ear, "heart": heart, "sphere": sphere}

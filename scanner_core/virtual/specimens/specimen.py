@@ -15,8 +15,12 @@ from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 from scanner_core.devices.rig import VolumeConfig
 from scanner_core.errors import UsageError
 from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.rigid import RigidTransform
 
 Array = NDArray[np.float64]
+
+_OPENING = 0.1
+"""A mesh is open when its opening is larger than this share of its surface: small holes do not turn an object over."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -71,6 +75,24 @@ def poly_data(mesh: TriangleMesh) -> vtkPolyData:
     surface.SetPoints(points)
     surface.SetPolys(cells)
     return surface
+
+
+def opening_down(mesh: TriangleMesh) -> TriangleMesh:
+    """An open mesh turned so that it stands on its opening, as a person puts a cast on the table; others as they are.
+
+    The area vectors of a closed surface sum to zero; those of an open one sum to the opening's own area, and face away
+    from it.
+    """
+    faces = mesh.area_vectors().sum(axis=0)
+    length = float(np.linalg.norm(faces))
+    if length < _OPENING * mesh.area():
+        return mesh
+    axis = np.cross(faces, [0.0, 0.0, 1.0])
+    sine, cosine = float(np.linalg.norm(axis)), float(faces[2])
+    # Upside down there is no axis between the two directions: any horizontal one serves.
+    unit = axis / sine if sine > 1e-9 * length else np.array([1.0, 0.0, 0.0])
+    turn = RigidTransform.from_vector(np.arctan2(sine, cosine) * unit, np.zeros(3))
+    return TriangleMesh(turn.apply(mesh.vertices), mesh.triangles, mesh.vertex_attributes)
 
 
 def stand_on_table(mesh: TriangleMesh) -> TriangleMesh:

@@ -11,12 +11,14 @@ import pytest
 from scanner_core.devices.rig import VolumeConfig, load_preset
 from scanner_core.errors import InputFileError, UsageError
 from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.mesh_io import write_mesh
 from scanner_core.virtual.motion_state import MotionInstant
 from scanner_core.virtual.presets import PRESETS
 from scanner_core.virtual.scene import Scene
 from scanner_core.virtual.specimens import SPECIMENS, Specimen, check_fits, load_specimen
 from scanner_core.virtual.specimens.arch import TREATMENT, foot
+from scanner_core.virtual.specimens.specimen import opening_down
 from scanner_core.virtual.specimens.sphere import CENTRE_MM, STEM_RADIUS_MM
 from tests.core.virtual.conftest import box
 
@@ -120,3 +122,20 @@ def test_too_large_a_specimen_is_refused_with_both_sizes() -> None:
     with pytest.raises(UsageError, match=r"282\.8 .*150\.0 x 105\.0") as caught:
         check_fits(crate, VolumeConfig(75.0, 105.0))
     assert caught.value.code == "E-RIG-02"
+
+
+@pytest.mark.parametrize("turn", [(0.0, 0.0, 0.0), (np.pi, 0.0, 0.0), (0.3, -1.1, 0.4)])
+def test_an_open_mesh_stands_on_its_opening(turn: tuple[float, float, float]) -> None:
+    rng = np.random.default_rng(2)
+    x, y = np.meshgrid(np.linspace(-10, 10, 21), np.linspace(-10, 10, 21))
+    dome = np.c_[x.ravel(), y.ravel(), 8.0 - 0.07 * (x.ravel() ** 2 + y.ravel() ** 2) + 0.01 * rng.normal(size=441)]
+    corner = (np.arange(20)[:, None] * 21 + np.arange(20)).ravel()
+    faces = np.concatenate([np.c_[corner, corner + 1, corner + 22], np.c_[corner, corner + 22, corner + 21]])
+    moved = RigidTransform.from_vector(turn, np.zeros(3)).apply(dome)
+    up = opening_down(TriangleMesh(moved, faces)).vertices
+    assert up[220, 2] > up[[0, 20, 420, 440], 2].max() + 5
+
+
+def test_a_closed_mesh_stays_as_it_is() -> None:
+    mesh = load_specimen("ear").mesh
+    assert opening_down(mesh) is mesh
