@@ -7,6 +7,8 @@ import pytest
 
 from scanner_core.acquisition.aiming import beam_angles, cylinder_outline
 from scanner_core.devices import rig
+from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.optics.triangulation import Triangulator
 from scanner_core.virtual.presets import ELEVATION_DEG, PRESETS, TARGET, VirtualPreset, camera_azimuth_deg
 
 
@@ -67,3 +69,22 @@ def test_speckle_of_the_bench_is_that_of_its_lens() -> None:
     # 0.65 x 0.633 um / (2 pi x 8.5 / (2 x 4 x 435)) = 26.8 um
     assert PRESETS["bench"].speckle_shift_mm == pytest.approx(0.0268, rel=0.02)
     assert PRESETS["bench"].speckle_cell_mm == pytest.approx(0.13, abs=0.001)
+
+
+@pytest.mark.parametrize("preset", PRESETS.values(), ids=PRESETS)
+def test_the_rig_file_s_calibration_is_of_this_rig(preset: VirtualPreset) -> None:
+    """Perfect images of known points, triangulated with the shipped calibration, give the points in the object frame.
+
+    It fails when somebody moves a true camera without calibrating the rig file anew.
+    """
+    config = rig.load_preset(preset.name)
+    calibration = config.calibration
+    assert calibration is not None
+    half = 0.6 * config.volume.radius_mm
+    in_object = np.random.default_rng(8).uniform((-half, -half, 0), (half, half, 0.8 * config.volume.height_mm), (200, 3))
+    for table_deg in (0.0, 140.0):
+        pixels = [camera.project(RigidTransform.about_z(table_deg).apply(in_object)) for camera in preset.cameras]
+        sigma = np.full(len(in_object), 0.05)
+        points = Triangulator(calibration).triangulate(*pixels, sigma, sigma).points
+        errors = calibration.rig_to_object(table_deg).apply(points) - in_object
+        assert np.sqrt((errors**2).sum(axis=1).mean()) < 0.06
