@@ -1,4 +1,4 @@
-"""The calibration board before the virtual cameras, under ambient light."""
+"""The calibration board before the virtual cameras, under a lamp."""
 
 from __future__ import annotations
 
@@ -10,9 +10,11 @@ from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.board import CharucoTarget
 from scanner_core.optics.camera_model import CameraModel
 from scanner_core.virtual.presets import TARGET, VirtualPreset
+from scanner_core.virtual.print_errors import PrintErrors
 from scanner_core.virtual.projection import lens_sigma_px
 
 Array = NDArray[np.float64]
+Image = NDArray[np.float32]
 
 WHITE_DN, BLACK_DN, ROOM_DN = 190.0, 22.0, 14.0
 """Over the black level, at the preset's exposure: paper that faces the lamp, ink, and everything round the board."""
@@ -25,49 +27,73 @@ _TEXELS_PER_SQUARE = 200
 _MARGIN_MM = 12.0
 _FINE = 3
 """Samples per pixel and axis."""
+_BLUR_PX = 8
+"""Pixels round the board that its blur reaches."""
 
 
 class BoardRenderer:
     """Images of a board by inverse mapping of a fine grid of samples per pixel.
 
-    Each sample's ray is undistorted with the true camera and met with the board's plane (a homography); the texture is
-    read there, blurred like the lens does and averaged over the pixel.
+    Each sample's ray is undistorted with the true camera and met with the board's plane (a homography), moved by the
+    board's own errors; the texture is read there, blurred like the lens does and averaged over the pixel.
     """
 
     def __init__(self, preset: VirtualPreset, index: int, target: CharucoTarget) -> None:
         self._preset, self._camera = preset, preset.cameras[index]
         self._target = target
+        self.errors = PrintErrors(target)
         self._per_mm = _TEXELS_PER_SQUARE / target.square_mm
         size = (target.columns * _TEXELS_PER_SQUARE, target.rows * _TEXELS_PER_SQUARE)
         self._margin = round(_MARGIN_MM * self._per_mm)
         paper = np.asarray(target.board().generateImage(size, marginSize=0, borderBits=1))
         paper = cv2.copyMakeBorder(paper, *(self._margin,) * 4, cv2.BORDER_CONSTANT, value=255)
         self._texture = (BLACK_DN + (WHITE_DN - BLACK_DN) / 255.0 * paper).astype(np.float32)
-        self._rays: NDArray[np.float32] | None = None
+        self._rays: Image | None = None
 
-    def signal(self, pose: RigidTransform) -> NDArray[np.float32]:
+    def signal(self, pose: RigidTransform) -> Image:
         """Noise-free image (H, W) in DN over the black level; `pose` takes the board's frame to the table frame."""
-        camera = self._camera
-        width, height = camera.size_px
-        rotation = camera.rotation @ pose.rotation
-        origin = camera.rotation @ pose.translation + camera.translation
-        if rotation[:, 2] @ origin <= 0:
-            return np.full((height, width), ROOM_DN, np.float32)
-        # Board (x, y) in mm to normalized image coordinates is [r1 r2 t]; its inverse takes rays to the board.
-        to_board = np.linalg.inv(np.c_[rotation[:, :2], origin])
-        to_texel = np.array([[self._per_mm, 0, self._margin - 0.5], [0, self._per_mm, self._margin - 0.5], [0, 0, 1]])
-        m = (to_texel @ to_board).astype(np.float32)
-        x, y = self._fine_rays()
-        depth = m[2, 0] * x + m[2, 1] * y + m[2, 2]
-        depth[np.abs(depth) < 1e-9] = 1e-9
-        u, v = (m[0, 0] * x + m[0, 1] * y + m[0, 2]) / depth, (m[1, 0] * x + m[1, 1] * y + m[1, 2]) / depth
+        width, height = self._camera.size_px
+        image = np.full((height, width), ROOM_DN, np.float32)
+        rotation = self._camera.rotation @ pose.rotation
+        origin = self._camera.rotation @ pose.translation + self._camera.translation
+        left, top, right, bottom = self._outline(pose)
+        if rotation[:, 2] @ origin <= 0 or left >= right or top >= bottom:
+            return image
+        rays = self._fine_rays()[:, _FINE * top : _FINE * bottom, _FINE * left : _FINE * right]
+        u, v = self._texels(rays[0], rays[1], rotation, origin)
         fine = cv2.remap(self._texture * self._lamp_light(pose), u, v, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=ROOM_DN)
         centre = origin + rotation[:, :2] @ (0.5 * np.array(self._target.size_mm))
         sigma = lens_sigma_px(self._preset, float(max(centre[2], 1.0)))
         fine = cv2.GaussianBlur(fine, (0, 0), sigmaX=_FINE * sigma[0], sigmaY=_FINE * sigma[1], borderType=cv2.BORDER_REPLICATE)
-        return np.asarray(cv2.resize(fine, (width, height), interpolation=cv2.INTER_AREA), np.float32)
+        image[top:bottom, left:right] = cv2.resize(fine, (right - left, bottom - top), interpolation=cv2.INTER_AREA)
+        return image
 
-    def _lamp_light(self, pose: RigidTransform) -> NDArray[np.float32]:
+    def _outline(self, pose: RigidTransform) -> tuple[int, int, int, int]:
+        """Left, top, right and bottom (exclusive) of the part of the image that the board can reach."""
+        (width_mm, height_mm), edge = self._target.size_mm, _MARGIN_MM
+        along = np.linspace(-edge, width_mm + edge, 12), np.linspace(-edge, height_mm + edge, 12)
+        x, y = np.meshgrid(*along)
+        pixels = self._camera.project(pose.apply(np.stack([x.ravel(), y.ravel(), np.zeros(x.size)], axis=1)))
+        low = np.floor(pixels.min(axis=0)).astype(int) - _BLUR_PX
+        high = np.ceil(pixels.max(axis=0)).astype(int) + _BLUR_PX + 1
+        width, height = self._camera.size_px
+        return max(0, int(low[0])), max(0, int(low[1])), min(width, int(high[0])), min(height, int(high[1]))
+
+    def _texels(self, x: Image, y: Image, rotation: Array, origin: Array) -> tuple[Image, Image]:
+        """Where in the texture rays (normalized image coordinates) end; rotation and origin take the board to the camera."""
+        # Board (x, y) in mm to normalized image coordinates is [r1 r2 t]; its inverse takes rays to the board.
+        m = np.linalg.inv(np.c_[rotation[:, :2], origin]).astype(np.float32)
+        depth = m[2, 0] * x + m[2, 1] * y + m[2, 2]
+        depth[np.abs(depth) < 1e-9] = 1e-9
+        board_x, board_y = (m[0, 0] * x + m[0, 1] * y + m[0, 2]) / depth, (m[1, 0] * x + m[1, 1] * y + m[1, 2]) / depth
+        along_x, along_y, into = (np.float32(r[0]) * x + np.float32(r[1]) * y + np.float32(r[2]) for r in rotation.T)
+        shift_x, shift_y, bulge = self.errors.at(board_x, board_y)
+        board_x -= shift_x + bulge * along_x / into
+        board_y -= shift_y + bulge * along_y / into
+        scale, offset = np.float32(self._per_mm), np.float32(self._margin - 0.5)
+        return scale * board_x + offset, scale * board_y + offset
+
+    def _lamp_light(self, pose: RigidTransform) -> Image:
         """Light of the lamp on every texel, ``cos(normal, lamp) / d^2`` plus a tenth from everywhere; it varies slowly."""
         rows, columns = self._texture.shape
         along = (np.arange(_LAMP_GRID) + 0.5) / _LAMP_GRID
@@ -80,8 +106,8 @@ class BoardRenderer:
         light = np.minimum(0.1 + 0.9 * cosine * reference / distance2, 1.15).reshape(x.shape).astype(np.float32)
         return np.asarray(cv2.resize(light, (columns, rows), interpolation=cv2.INTER_LINEAR), np.float32)
 
-    def _fine_rays(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-        """Undistorted normalized coordinates of the samples, each (fine H, fine W)."""
+    def _fine_rays(self) -> Image:
+        """Undistorted normalized coordinates of the samples, (2, fine H, fine W)."""
         if self._rays is None:
             width, height = self._camera.size_px
             columns = (np.arange(_FINE * width) + 0.5) / _FINE - 0.5
@@ -89,7 +115,7 @@ class BoardRenderer:
             x, y = np.meshgrid(columns, rows)
             rays = self._camera.normalize(np.stack([x.ravel(), y.ravel()], axis=1))
             self._rays = np.ascontiguousarray(rays.T.reshape(2, *x.shape), np.float32)
-        return self._rays[0], self._rays[1]
+        return self._rays
 
 
 def flat_on_table(target: CharucoTarget, table_deg: float) -> RigidTransform:
@@ -106,7 +132,7 @@ def flat_on_table(target: CharucoTarget, table_deg: float) -> RigidTransform:
 def operator_poses(preset: VirtualPreset, target: CharucoTarget, count: int = 24, seed: int = 0) -> list[RigidTransform]:
     """Board poses (board to table frame) as an operator holds it: through the whole volume, tilted and turned.
 
-    Both cameras see at least half of the board's corners in each, at less than 62 degrees from its normal.
+    Each camera sees at least half of the board's corners, at less than 62 degrees from its normal.
     """
     rng = np.random.default_rng([seed, 0xB0A2D])
     middle = sum((camera.centre_mm() for camera in preset.cameras), np.zeros(3)) / 2

@@ -11,6 +11,7 @@ from scanner_core.optics.board_detection import BoardView, detect_board
 from scanner_core.virtual.board import BoardRenderer, flat_on_table, operator_poses
 from scanner_core.virtual.image_formation import ImageSensor
 from scanner_core.virtual.presets import PRESETS, TARGET
+from scanner_core.virtual.print_errors import PrintErrors
 
 BENCH = PRESETS["bench"]
 BOARD = CharucoTarget()
@@ -26,7 +27,7 @@ def corner_errors(renderer: BoardRenderer, index: int, pose: RigidTransform) -> 
     frame = ImageSensor(BENCH, index, seed=2).lit_frame(renderer.signal(pose), key=index)
     view = detect_board(frame, BOARD)
     assert isinstance(view, BoardView)
-    return view.corners_px - BENCH.cameras[index].project(pose.apply(BOARD.object_points[view.ids]))
+    return view.corners_px - BENCH.cameras[index].project(pose.apply(renderer.errors.marks(BOARD.object_points[view.ids])))
 
 
 @pytest.mark.parametrize("index", [0, 1])
@@ -78,3 +79,13 @@ def test_the_board_on_the_table_lies_face_up_at_zero_and_turns_with_it() -> None
         np.testing.assert_allclose(pose.rotation[:, 2], [0, 0, -1], atol=1e-9)
     np.testing.assert_allclose((RigidTransform.about_z(45.0) @ first).matrix(), second.matrix(), atol=1e-9)
     assert np.linalg.norm(first.apply(BOARD.object_points).mean(axis=0)) < 10
+
+
+def test_the_board_s_own_errors_are_those_of_a_good_print() -> None:
+    errors = PrintErrors(BOARD)
+    off = 1e3 * (errors.marks(BOARD.object_points) - BOARD.object_points)
+    assert 4 < np.sqrt((off[:, :2] ** 2).mean()) < 12
+    assert np.abs(off[:, :2]).max() < 30
+    assert 0 <= -off[:, 2].max() < -off[:, 2].min() <= 20
+    again = PrintErrors(BOARD)
+    np.testing.assert_array_equal(errors.marks(BOARD.object_points), again.marks(BOARD.object_points))
