@@ -25,8 +25,8 @@ _LAMP_GRID = 9
 
 _TEXELS_PER_SQUARE = 200
 _MARGIN_MM = 12.0
-_FINE = 3
-"""Samples per pixel and axis."""
+_MANY_PIXELS = 500_000
+"""Above this two samples per pixel and axis suffice instead of three: the pixels are finer than the lens."""
 _BLUR_PX = 8
 """Pixels round the board that its blur reaches."""
 
@@ -41,6 +41,7 @@ class BoardRenderer:
     def __init__(self, preset: VirtualPreset, index: int, target: CharucoTarget) -> None:
         self._preset, self._camera = preset, preset.cameras[index]
         self._target = target
+        self._fine = 3 if self._camera.size_px[0] * self._camera.size_px[1] < _MANY_PIXELS else 2
         self.errors = PrintErrors(target)
         self._per_mm = _TEXELS_PER_SQUARE / target.square_mm
         size = (target.columns * _TEXELS_PER_SQUARE, target.rows * _TEXELS_PER_SQUARE)
@@ -59,12 +60,13 @@ class BoardRenderer:
         left, top, right, bottom = self._outline(pose)
         if rotation[:, 2] @ origin <= 0 or left >= right or top >= bottom:
             return image
-        rays = self._fine_rays()[:, _FINE * top : _FINE * bottom, _FINE * left : _FINE * right]
+        step = self._fine
+        rays = self._fine_rays()[:, step * top : step * bottom, step * left : step * right]
         u, v = self._texels(rays[0], rays[1], rotation, origin)
         fine = cv2.remap(self._texture * self._lamp_light(pose), u, v, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=ROOM_DN)
         centre = origin + rotation[:, :2] @ (0.5 * np.array(self._target.size_mm))
         sigma = lens_sigma_px(self._preset, float(max(centre[2], 1.0)))
-        fine = cv2.GaussianBlur(fine, (0, 0), sigmaX=_FINE * sigma[0], sigmaY=_FINE * sigma[1], borderType=cv2.BORDER_REPLICATE)
+        fine = cv2.GaussianBlur(fine, (0, 0), sigmaX=step * sigma[0], sigmaY=step * sigma[1], borderType=cv2.BORDER_REPLICATE)
         image[top:bottom, left:right] = cv2.resize(fine, (right - left, bottom - top), interpolation=cv2.INTER_AREA)
         return image
 
@@ -110,8 +112,8 @@ class BoardRenderer:
         """Undistorted normalized coordinates of the samples, (2, fine H, fine W)."""
         if self._rays is None:
             width, height = self._camera.size_px
-            columns = (np.arange(_FINE * width) + 0.5) / _FINE - 0.5
-            rows = (np.arange(_FINE * height) + 0.5) / _FINE - 0.5
+            columns = (np.arange(self._fine * width) + 0.5) / self._fine - 0.5
+            rows = (np.arange(self._fine * height) + 0.5) / self._fine - 0.5
             x, y = np.meshgrid(columns, rows)
             rays = self._camera.normalize(np.stack([x.ravel(), y.ravel()], axis=1))
             self._rays = np.ascontiguousarray(rays.T.reshape(2, *x.shape), np.float32)
