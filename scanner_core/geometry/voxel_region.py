@@ -87,16 +87,17 @@ def largest_piece(region: Region) -> Region:
 
 
 def handles(region: Region) -> int:
-    """Number of handles (the genus) of one 6-connected region without cavities, from its Euler number.
+    """Number of handles (the genus) of one 6-connected region without cavities, from its Euler number."""
+    return 1 - euler_number(region)
 
-    Euler number of the union of voxels that share faces: voxels - pairs + squares of four - cubes of eight.
-    """
+
+def euler_number(region: Region) -> int:
+    """Of the union of voxels that share faces: voxels - pairs + squares of four - cubes of eight."""
     r = region
     pairs = [r[1:] & r[:-1], r[:, 1:] & r[:, :-1], r[:, :, 1:] & r[:, :, :-1]]
     squares = [pairs[0][:, 1:] & pairs[0][:, :-1], pairs[1][:, :, 1:] & pairs[1][:, :, :-1], pairs[2][1:] & pairs[2][:-1]]
     cubes = squares[0][:, :, 1:] & squares[0][:, :, :-1]
-    euler = int(r.sum()) - sum(int(p.sum()) for p in pairs) + sum(int(s.sum()) for s in squares) - int(cubes.sum())
-    return 1 - euler
+    return int(r.sum()) - sum(int(p.sum()) for p in pairs) + sum(int(s.sum()) for s in squares) - int(cubes.sum())
 
 
 def closed_by(region: Region, radius_voxels: float) -> Region:

@@ -104,6 +104,7 @@ class Refinement:
         self._support(fit)
         fit.mesh = centred_facets(fit.mesh)
         fit.mesh = fair_cap(fit.mesh, fit.supported, self._pace.check)
+        fit.weights = robust_weights(fit.residuals_mm, self._scale, patient=False)
         return fit
 
     def _support(self, fit: Fit) -> None:
@@ -210,15 +211,15 @@ def mean_edge(mesh: TriangleMesh) -> float:
     return float(np.sqrt(mesh.area() / (_EQUILATERAL * len(mesh.triangles))))
 
 
-def robust_weights(residuals_mm: Array, scale: CloudScale) -> Array:
+def robust_weights(residuals_mm: Array, scale: CloudScale, *, patient: bool = True) -> Array:
     """1 up to 3 sigma, 0 from 5 sigma on, with sigma from the median of the residuals after the fit, (n,).
 
-    Points that agree with their neighbours are no outliers however far they are: the surface has not got there yet, for
+    With patience, points that agree with their neighbours are no outliers however far they are: the surface has not got there yet, for
     example into a slit.  They keep their weight if they are sampled as densely as the rest.
     """
     sigma = max(1.4826 * float(np.median(np.abs(residuals_mm))), 0.1 * scale.spacing_mm)
     weights = np.clip((5 - np.abs(residuals_mm) / sigma) / 2, 0, 1)
-    far = np.flatnonzero(weights < 1)
+    far = np.flatnonzero(weights < 1) if patient else np.zeros(0, np.int64)
     around = np.median(residuals_mm[scale.neighbours[far]], axis=1)
     agree = (np.abs(residuals_mm[far] - around) < 3 * sigma) & (scale.reach_mm[far] < 2 * np.median(scale.reach_mm))
     weights[far[agree]] = 1.0

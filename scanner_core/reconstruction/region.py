@@ -8,7 +8,7 @@ Points carry no normals, and the base of an object is often not scanned.  The re
     Hoppe, SGP 2006), solved on the whole grid by a sine transform.  Its own gradient orients the points anew (Hou et al.,
     "Iterative Poisson surface reconstruction for unoriented points", SIGGRAPH 2022), until no point turns any more.
     Where the border of an unscanned base is plane, its level one half is that plane: a flat cap.
-3.  *Cleaning*: the largest piece, without cavities, closed where thin tunnels would make handles.
+3.  *Cleaning*: the largest piece, without cavities; narrow tunnels are closed and thin bridges cut, so that it has no handle.
 
 The region is only a guide: the surface itself is the balloon's and is fitted to the points.
 """
@@ -23,7 +23,7 @@ from scipy import fft, ndimage
 from scipy.spatial import cKDTree
 
 from scanner_core.errors import ReconstructionError
-from scanner_core.geometry.voxel_region import Field, Region, VoxelGrid, closed_by, handles, largest_piece, signed_depth
+from scanner_core.geometry.voxel_region import Field, Region, VoxelGrid, closed_by, euler_number, handles, largest_piece, opened_by, signed_depth
 from scanner_core.reconstruction.cloud_scale import CloudScale
 from scanner_core.reconstruction.pace import Pace
 
@@ -32,6 +32,10 @@ Array = NDArray[np.float64]
 _COARSE_NODES = 150_000
 _FINE_NODES = 2_400_000
 _ROUNDS = 12
+_OPEN_SHARE = 0.02
+_OPEN_LEVEL = 0.7
+"""A scan with an open base is cut at a lower level: the thin wedge that cap and wall make at a slanting rim gets room for
+the balloon.  The cap stands out a little then, until it is pulled tight; where there are points the level makes no difference."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -81,8 +85,10 @@ def enclosed_region(points: Array, scale: CloudScale, pace: Pace) -> EnclosedReg
         field = _winding_number(fine, chosen, normals, areas, max(blur, 0.8 * fine.voxel_mm))
     pace.check()
     level = _weighted_median(fine.sample(field, chosen), areas)
-    inside = largest_piece(np.asarray(ndimage.binary_fill_holes(field > level)))
+    inside = _body(field, level)
     _check_body(fine, inside, chosen)
+    if _open_share(fine, inside, chosen, scale.spacing_mm) > _OPEN_SHARE:
+        inside = _body(field, _OPEN_LEVEL * level)
     inside, genus = _without_tunnels(inside, pace)
     depth = signed_depth(inside, fine.voxel_mm)
     return EnclosedRegion(fine, inside, depth, genus)
@@ -143,6 +149,19 @@ def _winding_number(grid: VoxelGrid, points: Array, normals: Array, areas: Array
     return np.asarray(fft.idstn(spectrum, type=1, overwrite_x=True))
 
 
+def _body(field: Field, level: float) -> Region:
+    """The largest piece where a field exceeds a level, without its cavities."""
+    return largest_piece(np.asarray(ndimage.binary_fill_holes(field > level)))
+
+
+def _open_share(grid: VoxelGrid, inside: Region, points: Array, spacing_mm: float) -> float:
+    """Share of a region's border that is far from all points."""
+    border = grid.positions(inside & ~ndimage.binary_erosion(inside))
+    border = border[:: max(1, len(border) // 20_000)]
+    bound = 3 * spacing_mm + 2 * grid.voxel_mm
+    return float(np.isinf(cKDTree(points).query(border, distance_upper_bound=bound)[0]).mean())
+
+
 def _check_body(grid: VoxelGrid, inside: Region, points: Array) -> None:
     """Refuse what encloses nothing: points on a plane or a line, or a scan from one side."""
     size = np.sort(np.linalg.svd(points - points.mean(axis=0), compute_uv=False) / np.sqrt(len(points)))
@@ -158,17 +177,33 @@ def _check_body(grid: VoxelGrid, inside: Region, points: Array) -> None:
 
 
 def _without_tunnels(inside: Region, pace: Pace) -> tuple[Region, int]:
-    """Close the smallest tunnels until the region has no handle; returns it and the handles that stay."""
+    """Close tunnels and cut thin bridges, smallest first, until the region has no handle; returns it and those that stay."""
     best, fewest = inside, handles(inside)
-    for radius in (1.0, 1.5, 2.0, 3.0, 4.0, 6.0):
-        if fewest == 0:
-            break
-        pace.check()
-        closed = largest_piece(np.asarray(ndimage.binary_fill_holes(closed_by(inside, radius))))
-        left = handles(closed)
-        if left < fewest:
-            best, fewest = closed, left
+    for radius in (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0):
+        for change in (closed_by, opened_by):
+            if fewest == 0:
+                return best, fewest
+            pace.check()
+            changed = largest_piece(np.asarray(ndimage.binary_fill_holes(change(inside, radius))))
+            left = handles(changed)
+            if left < fewest:
+                best, fewest = _given_back(changed, inside, pace), left
     return best, fewest
+
+
+def _given_back(opened: Region, inside: Region, pace: Pace) -> Region:
+    """Of what an opening took away, return each piece that makes no handle: tips and edges, but not bridges."""
+    region = opened.copy()
+    pieces, _ = ndimage.label(inside & ~opened)
+    for number, box in enumerate(ndimage.find_objects(pieces), start=1):
+        if number % 16 == 0:
+            pace.check()
+        wide = tuple(slice(max(s.start - 1, 0), s.stop + 1) for s in box)
+        before = region[wide]
+        after = before | (pieces[wide] == number)
+        if euler_number(after) == euler_number(before):
+            region[wide] = after
+    return region
 
 
 def _unit(vectors: Array) -> Array:

@@ -136,6 +136,8 @@ class SmoothingSpline:
         step = self.step(bandwidth_mm, noise_mm, tolerance=1e-2)
         freedom = self.degrees_of_freedom(bandwidth_mm, signs)
         total = float(self.weights.sum())
-        squares = float((self.weights * step.residuals_mm**2).sum())
+        # places that the surface has not reached yet must not speak for the noise
+        typical = 1.4826 * float(np.median(np.abs(step.residuals_mm)))
+        squares = float((self.weights * np.minimum(np.abs(step.residuals_mm), 3 * typical) ** 2).sum())
         left = max(total - freedom, 0.02 * total)
         return total * squares / left**2, float(np.sqrt(squares / left))
