@@ -103,13 +103,24 @@ def test_only_the_arch_can_be_treated() -> None:
 
 
 def test_a_mesh_file_is_put_onto_the_middle_of_the_table(tmp_path: Path) -> None:
-    lid = TriangleMesh(np.array([[10.0, 0, 7], [14, 0, 7], [14, 6, 7], [10, 6, 9]]), np.array([[0, 1, 2], [0, 2, 3]]))
-    write_mesh(tmp_path / "lid.ply", lid)
-    specimen = load_specimen(tmp_path / "lid.ply")
+    write_mesh(tmp_path / "block.ply", box((10, 0, 7), (14, 6, 9)))
+    specimen = load_specimen(tmp_path / "block.ply")
     low, high = specimen.mesh.bounds()
     np.testing.assert_allclose(low, [-2, -3, 0], atol=1e-5)
     np.testing.assert_allclose(high, [2, 3, 2], atol=1e-5)
-    assert specimen.name == "lid"
+    assert specimen.name == "block"
+
+
+def test_an_open_mesh_file_stands_on_its_opening(tmp_path: Path) -> None:
+    """A box without its top, as a scanner writes a cast that it saw from below."""
+    block = box((0, 0, 0), (4, 6, 3))
+    normals = block.area_vectors()
+    cup = TriangleMesh(block.vertices, block.triangles[normals[:, 2] <= 0])
+    write_mesh(tmp_path / "cup.ply", cup)
+    stood = load_specimen(tmp_path / "cup.ply").mesh
+    assert stood.area_vectors().sum(axis=0)[2] == pytest.approx(24)  # what is left of the bottom faces up
+    np.testing.assert_allclose(np.sort(np.ptp(stood.vertices, axis=0)), [3, 4, 6], atol=1e-5)
+    assert stood.vertices[:, 2].min() == pytest.approx(0, abs=1e-6)
 
 
 def test_a_missing_file_is_named() -> None:
