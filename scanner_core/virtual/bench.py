@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import threading
 from collections import OrderedDict
 from typing import Literal
@@ -64,7 +63,6 @@ class VirtualBench:
         self._exposures: OrderedDict[tuple[float, float], Exposure] = OrderedDict()
         self._board: RigidTransform | Literal["table"] | None = None
         self._board_images: dict[int, tuple[object, NDArray[np.float32]]] = {}
-        self._runs = itertools.count()
 
     @property
     def specimen(self) -> Specimen | None:

@@ -52,7 +52,7 @@ class Shutter:
         if not lit:
             return Exposure((None, None), middle.table_deg)
         level = exposure_ms / self._preset.exposure_ms / len(instants)
-        speckle = self._speckle.at(lit[len(lit) // 2][1].centre())
+        speckle = self._speckle.at(lit[len(lit) // 2][1].centre)
         points, normals, shares, seen = self._in_table_frame(scene, lit)
         spots = self._projection.image(points, normals, seen * shares * (level * speckle.fluxes)[:, None], speckle.shifts_mm)
         return Exposure(spots, middle.table_deg)
@@ -72,7 +72,7 @@ class Shutter:
         for instant, footprint in lit:
             points, normals = footprint.points, footprint.normals
             if self._grain is not None:
-                x, y, z = footprint.centre().tolist()
+                x, y, z = footprint.centre.tolist()
                 points = points + 1e-3 * self._preset.surface_um * self._grain.at(x, y, z)[0] * normals
             turn = scene.to_object(instant.table_deg)
             parts.append((points @ turn, normals @ turn, footprint.shares * instant.laser_power, footprint.seen))

@@ -42,17 +42,14 @@ class Footprint:
     normals : (n, 3), towards the side that is lit
     shares : (n,) share of the beam's power that leaves each point as scattered light
     seen : (2, n) bool: no surface between the point and the left, right camera
+    centre : (3,) mm, mean of the points that the beam itself lights, without stray light
     """
 
     points: Array
     normals: Array
     shares: Array
     seen: NDArray[np.bool_]
-
-    def centre(self) -> Array:
-        """Mean of the lit points, (3,) mm."""
-        centre: Array = self.shares @ self.points / self.shares.sum()
-        return centre
+    centre: Array
 
 
 class Scene:
@@ -100,15 +97,17 @@ class Scene:
     def _footprint(self, starts: Array, direction: Array, eyes: Array) -> Footprint | None:
         points, normals, shares = [], [], []
         towards = direction.tolist()
-        for start, weight in zip(starts.tolist(), self._weights, strict=True):
+        for start, power in zip(starts.tolist(), self._weights, strict=True):
             hit = self._first_hit(start, towards)
             if hit is not None:
                 point, normal, albedo = hit
                 points.append(point)
                 normals.append(normal)
-                shares.append(weight * albedo)
+                shares.append(power * albedo)
         if not points:
             return None
+        weight = np.array(shares)
+        centre: Array = weight @ np.array(points) / weight.sum()
         stray = self._stray(np.array(points[len(points) // 2]), np.array(normals[len(points) // 2]), direction)
         if stray is not None:
             point, normal, albedo = stray
@@ -116,7 +115,7 @@ class Scene:
             normals.append(normal)
             shares.append(self._preset.specular * albedo)
         where, up = np.array(points), np.array(normals)
-        return Footprint(where, up, np.array(shares), self._seen(where, up, eyes))
+        return Footprint(where, up, np.array(shares), self._seen(where, up, eyes), centre)
 
     def _first_hit(self, start: list[float], towards: list[float]) -> tuple[list[float], list[float], float] | None:
         """Point, lit side's normal and albedo where a ray ends."""

@@ -56,7 +56,7 @@ def test_the_spot_is_where_the_beam_meets_the_specimen(ball: Specimen, motion: S
         assert image.dtype == np.uint8
         assert image.shape == (294, 604)
         assert image.max() > 60
-        np.testing.assert_allclose(brightest(image), camera.project(footprint.centre()[None])[0], atol=1.2)
+        np.testing.assert_allclose(brightest(image), camera.project(footprint.centre[None])[0], atol=1.2)
 
 
 def test_without_light_the_frame_is_dark(ball: Specimen, motion: ScriptedMotion) -> None:

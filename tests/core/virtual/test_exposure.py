@@ -84,7 +84,7 @@ def test_the_object_turns_with_the_table(slab: Specimen, motion: ScriptedMotion)
     motion.table_deg = 20.0
     footprint = scene.light(motion.instant(0))
     assert footprint is not None
-    on_wall = footprint.centre()
+    on_wall = footprint.centre
     np.testing.assert_allclose(on_wall[0], 0, atol=0.01)
     spots = shutter.expose(scene, motion, 0.0, 2.0)
     turn = np.radians(20)
@@ -119,7 +119,7 @@ def test_the_surface_term_moves_both_images_as_one_point_along_the_normal(slab: 
         a, b = rough.expose(scene, motion, 0.0, 2.0), smooth.expose(scene, motion, 0.0, 2.0)
         footprint = scene.light(motion.instant(0))
         assert footprint is not None
-        place = footprint.centre()
+        place = footprint.centre
         moved = []
         for i in (0, 1):
             camera = preset.cameras[i]

@@ -68,7 +68,7 @@ def test_an_empty_table_reflects_two_percent() -> None:
     scene = Scene(BENCH, None)
     footprint = scene.light(aimed(scene, np.array([20.0, -15.0, 0.0])))
     assert footprint is not None
-    np.testing.assert_allclose(footprint.centre(), [20, -15, 0], atol=0.01)
+    np.testing.assert_allclose(footprint.centre, [20, -15, 0], atol=0.01)
     assert footprint.shares.sum() == pytest.approx(TABLE_ALBEDO)
     assert footprint.seen.all()
 
