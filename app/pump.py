@@ -1,19 +1,26 @@
 """One timer drains everything that other threads have left for the window.
 
-Other threads never emit signals: they leave values in slots, logs and queues, and the pump takes them out, at most 30
-times a second and never sooner than twice the time of the last painting.  A thousand signals a second would make the
-window stand still; a thousand points taken out at once do not.
+Other threads never emit signals: they leave values in slots, logs and queues, and the pump takes them out 30 times a
+second.  A thousand signals a second would make the window stand still; a thousand points taken out at once do not.
+
+Painting has a pace of its own.  A picture holds Python's lock while it is drawn, so on a machine without a graphics
+card every picture stops the scan's threads: the next one comes no sooner than four times the time of the last.
 """
 
 from __future__ import annotations
 
 import sys
+import time
 from collections.abc import Callable
 from typing import TypeVar
 
 from PySide6.QtCore import QObject, Qt, QTimer
 
 PERIOD_MS = 33
+PAINT_SHARE = 4.0
+"""From picture to picture at least this many times the time of the last one ..."""
+LONGEST_PAUSE_S = 0.15
+"""... but no longer than this: new points are seen within 200 ms."""
 T = TypeVar("T")
 
 
@@ -24,7 +31,7 @@ class Pump(QObject):
         super().__init__(parent)
         self._sources: list[Callable[[], None]] = []
         self._painters: list[Callable[[], float]] = []
-        self.ticks = 0
+        self._paint_s = 0.0
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
@@ -50,12 +57,12 @@ class Pump(QObject):
             _guarded(source)
 
     def _tick(self) -> None:
-        self.ticks += 1
         self.drain()
-        longest_s = 0.0
-        for painter in tuple(self._painters):
-            longest_s = max(longest_s, _guarded(painter) or 0.0)
-        self._timer.start(max(PERIOD_MS, int(2000 * longest_s)))
+        now_s = time.monotonic()
+        if now_s >= self._paint_s:
+            longest_s = max((_guarded(painter) or 0.0 for painter in tuple(self._painters)), default=0.0)
+            self._paint_s = now_s + min(PAINT_SHARE * longest_s, LONGEST_PAUSE_S)
+        self._timer.start(PERIOD_MS)
 
 
 def _guarded(call: Callable[[], T]) -> T | None:

@@ -62,7 +62,7 @@ def load_settings(path: Path) -> Settings:
         return settings
     for known in fields(Settings):
         value = stored.get(known.name, None)
-        if known.name != "version" and _fits(value, getattr(settings, known.name)):
+        if known.name != "version" and _fits(value, known.type):
             setattr(settings, known.name, value)
     return settings
 
@@ -78,11 +78,12 @@ def save_settings(settings: Settings, path: Path) -> None:
         _log.warning("settings %s were not kept: %s", path, fault)
 
 
-def _fits(value: Any, default: Any) -> bool:
-    if isinstance(default, list):
-        kind = int if default == [] and isinstance(value, list) and value and isinstance(value[0], int) else str
-        return isinstance(value, list) and all(isinstance(entry, kind) for entry in value)
-    return isinstance(value, type(default))
+def _fits(value: Any, kind: object) -> bool:
+    """Whether a stored value is what the annotation of its attribute says."""
+    if kind in ("list[str]", "list[int]"):
+        entry = str if kind == "list[str]" else int
+        return isinstance(value, list) and all(type(part) is entry for part in value)
+    return type(value) is {"str": str, "int": int}[str(kind)]
 
 
 def _set_aside(path: Path) -> None:

@@ -255,6 +255,9 @@ class MainWindow(QMainWindow):
 
     def _end_scan(self) -> None:
         self._with_scene(lambda scene: scene.set_live(False))
+        cloud = self.services.case.cloud
+        if cloud is not None:  # the live points are those before the views were registered
+            self._with_scene(lambda scene: scene.replace_cloud(cloud))
         self._show_activity()
         self._show_actions()
 

@@ -77,6 +77,14 @@ class SceneView(QWidget):
         self._follow_bounds(self.cloud.bounds_mm)
         self._dirty = True
 
+    def replace_cloud(self, cloud: PointCloud) -> None:
+        """These points instead of those that are shown; the camera stays."""
+        self._open()
+        self.cloud.clear()
+        follow, self._follow = self._follow, False
+        self.show_cloud(cloud)
+        self._follow = follow
+
     def show_cloud(self, cloud: PointCloud) -> None:
         """All points of a case at once."""
         views = np.zeros(len(cloud), np.int32) if cloud.views is None else cloud.views

@@ -10,7 +10,7 @@ import os
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -19,6 +19,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.main import make_application
 from app.program import Program
+from tests.gui.waiting import wait_ms
 
 HERE = Path(__file__).parent
 
@@ -56,15 +57,6 @@ def application(display: None) -> QApplication:
     return make_application()
 
 
-def until(condition: Callable[[], object], timeout_s: float = 20.0, why: str = "") -> None:
-    """Run the event loop until it is so."""
-    deadline_s = time.monotonic() + timeout_s
-    while not condition():
-        if time.monotonic() > deadline_s:
-            raise AssertionError(f"not within {timeout_s} s: {why or condition}")
-        QTest.qWait(10)
-
-
 @pytest.fixture
 def settings_file(tmp_path: Path) -> Path:
     """Settings whose folders are the test's own."""
@@ -83,4 +75,4 @@ def program(application: QApplication, settings_file: Path) -> Iterator[Program]
     yield running
     running.window.close()
     running.window.deleteLater()
-    QTest.qWait(10)
+    wait_ms(10)

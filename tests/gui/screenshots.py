@@ -14,29 +14,19 @@ import os
 import sys
 import tempfile
 import time
-from collections.abc import Callable
 from pathlib import Path
-
-from PySide6.QtTest import QTest
 
 from app.main import make_application
 from app.program import Program
+from tests.gui.waiting import until, wait_ms
 
 SIZE = (1280, 800)
-
-
-def until(condition: Callable[[], object], timeout_s: float, why: str) -> None:
-    deadline_s = time.monotonic() + timeout_s
-    while not condition():
-        if time.monotonic() > deadline_s:
-            raise TimeoutError(why)
-        QTest.qWait(10)
 
 
 def shoot(program: Program, path: Path) -> None:
     """The window as it stands on the screen, the 3D view included."""
     window = program.window
-    QTest.qWait(700)
+    wait_ms(700)
     window.screen().grabWindow(0, window.x(), window.y(), window.width(), window.height()).save(str(path))
     print(path, flush=True)
 
@@ -69,13 +59,13 @@ def tour(program: Program, folder: Path, points: int) -> None:
     until(lambda: services.acquisition.status is not None and services.acquisition.status.counts.measured > 0.6 * points, 400, "points")
     shoot(program, folder / "scan.png")
     until(lambda: not services.acquisition.running, 400, "the end of the scan")
-    QTest.qWait(1500)
+    wait_ms(1500)
     shoot(program, folder / "scanned.png")
     window.start_reconstruction()
     until(lambda: (services.reconstruction.shown_triangles or 0) > 1000 or not services.reconstruction.running, 200, "a preview")
     shoot(program, folder / "inflating.png")
     until(lambda: services.case.surface is not None or not services.reconstruction.running, 600, "the surface")
-    QTest.qWait(1000)
+    wait_ms(1000)
     shoot(program, folder / "reconstruct.png")
     window.actions_by_id["show_uncertainty"].setChecked(True)
     shoot(program, folder / "uncertainty.png")

@@ -12,7 +12,7 @@ from app.program import Program
 from app.views.banner import Banner
 from scanner_core.errors import CaseLockedError, ImprontaError
 from scanner_core.sentences import SENTENCES
-from tests.gui.conftest import until
+from tests.gui.waiting import until
 
 
 @pytest.mark.parametrize("code", SENTENCES)

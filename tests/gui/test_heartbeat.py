@@ -5,10 +5,10 @@ import time
 from pathlib import Path
 
 from PySide6.QtCore import QTimer
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from app.heartbeat import Heartbeat
+from tests.gui.waiting import wait_ms
 
 
 def hold_the_breath() -> None:
@@ -20,9 +20,9 @@ def hold_the_breath() -> None:
 def test_a_long_gap_is_measured_and_names_its_cause(application: QApplication, tmp_path: Path) -> None:
     heartbeat = Heartbeat()
     heartbeat.start()
-    QTest.qWait(50)
+    wait_ms(50)
     QTimer.singleShot(0, hold_the_breath)
-    QTest.qWait(500)
+    wait_ms(500)
     heartbeat.stop()
     heartbeat.write(tmp_path / "beat.json")
     told = json.loads((tmp_path / "beat.json").read_text())
@@ -34,9 +34,9 @@ def test_what_came_before_forget_does_not_count(application: QApplication) -> No
     heartbeat = Heartbeat()
     heartbeat.start()
     hold_the_breath()
-    QTest.qWait(30)
+    wait_ms(30)
     heartbeat.forget()
-    QTest.qWait(100)
+    wait_ms(100)
     heartbeat.stop()
     assert heartbeat.result()["beats"]
     assert float(str(heartbeat.result()["worst_ms"])) < 390

@@ -13,8 +13,8 @@ from app.program import Program
 from app.views.export_page import ExportPage
 from scanner_core.acquisition.status import FinishReason
 from scanner_core.case.store import CaseStore
-from tests.gui.conftest import until
 from tests.gui.pictures import coloured, near
+from tests.gui.waiting import until
 
 POINTS = 2500
 
@@ -31,7 +31,7 @@ def test_from_the_order_to_an_stl(program: Program, tmp_path: Path) -> None:
     services.draft.edit("views", 6)
     services.draft.edit("points", POINTS)
     QTest.keyClick(window, Qt.Key.Key_F5)
-    until(lambda: services.acquisition.running, 10, "the scan")
+    until(lambda: services.acquisition.running, 10, f"the scan {window.banner.text} {window.isActiveWindow()} {window.page_id}")
     until(lambda: len(scene.cloud) > 300, 60, "points in the scene")
     assert window.page_id == "scan"
     assert coloured(scene.grab_picture())[:, 100:].sum() > 1000

@@ -1,16 +1,17 @@
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Iterator
+from itertools import pairwise
 
 import pytest
-from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from app.background import Background
 from app.faults import install_hooks, remove_hooks
 from app.pump import Pump
-from tests.gui.conftest import until
+from tests.gui.waiting import until
 
 
 @pytest.fixture
@@ -51,16 +52,22 @@ def test_a_source_that_fails_is_told_and_does_not_stop_the_others(application: Q
     assert isinstance(told[0], IndexError)
 
 
-def test_slow_pictures_slow_the_pump_down(application: QApplication) -> None:
-    def ticks_in_half_a_second(picture_s: float) -> int:
-        pump = Pump()
-        pump.add_painter(lambda: picture_s)
-        pump.start()
-        QTest.qWait(500)
-        pump.stop()
-        return pump.ticks
+def test_pictures_take_at_most_a_share_of_the_time_and_the_draining_goes_on(application: QApplication) -> None:
+    pump = Pump()
+    drained: list[float] = []
+    painted: list[float] = []
+    pump.add_source(lambda: drained.append(time.monotonic()))
 
-    assert ticks_in_half_a_second(0.1) <= 3  # twice the picture's time apart: at most at 33, 233, 433 ms
+    def paint() -> float:
+        painted.append(time.monotonic())
+        return 0.1
+
+    pump.add_painter(paint)
+    pump.start()
+    until(lambda: len(painted) >= 4)
+    pump.stop()
+    assert min(after - before for before, after in pairwise(painted)) >= 0.15
+    assert len(drained) > len(painted)
 
 
 def test_a_fault_in_a_thread_that_nobody_asked_about_is_told(application: QApplication, told: list[BaseException]) -> None:

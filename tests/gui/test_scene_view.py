@@ -16,8 +16,8 @@ from app.views.surface import Surface
 from scanner_core.geometry.icosahedron import icosahedron
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.subdivision import subdivide_uniform
-from tests.gui.conftest import until
 from tests.gui.pictures import coloured, near
+from tests.gui.waiting import until, wait_ms
 
 
 @pytest.fixture
@@ -26,11 +26,11 @@ def scene(application: QApplication) -> Iterator[SceneView]:
     view.resize(500, 420)
     view.show()
     QTest.qWaitForWindowExposed(view)
-    QTest.qWait(50)
+    wait_ms(50)
     yield view
     view.close()
     view.deleteLater()
-    QTest.qWait(10)
+    wait_ms(10)
 
 
 def _ball(count: int, radius_mm: float = 10.0) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -82,10 +82,11 @@ def test_points_are_painted_by_the_pumps_call_alone(scene: SceneView) -> None:
     scene.append_points(*_ball(1000))
     scene.paint()
     until(lambda: scene.pictures > before, 5)
+    wait_ms(200)
     painted = scene.pictures
     for _ in range(5):
         scene.paint()
-    QTest.qWait(100)
+    wait_ms(100)
     assert scene.pictures == painted  # nothing new, nothing painted
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -11,15 +13,37 @@ from PySide6.QtTest import QTest
 
 from app.program import Program
 from app.views.pages import PAGES
-from scanner_core.acquisition.status import FinishReason
+from scanner_core.acquisition.status import FinishReason, ScanState
 from scanner_core.case.store import CaseStore, Order
-from tests.gui.conftest import until
 from tests.gui.pictures import pixels_of
+from tests.gui.waiting import until, wait_ms
+
+ROOT = Path(__file__).resolve().parents[2]
 
 
-def test_the_window_is_there_before_the_3d_engine(program: Program) -> None:
-    assert program.window.isVisible()
-    assert program.window.scene is None
+def _scanning(program: Program) -> bool:
+    """The object has been found and points of the plan are coming."""
+    status = program.services.acquisition.status
+    return status is not None and status.state is ScanState.SCANNING and status.counts.measured > 50
+
+
+_START = """
+import sys, time
+from pathlib import Path
+from app.main import make_application
+from app.program import Program
+
+program = Program(make_application(), started_s=time.perf_counter(), settings_file=Path(sys.argv[1]))
+assert program.window.isVisible()
+heavy = sorted({name.split(".")[0] for name in sys.modules} & {"pyvista", "vtkmodules", "scipy", "cv2", "matplotlib"})
+program.window.close()
+sys.exit(f"imported before the window stood there: {heavy}" if heavy else 0)
+"""
+
+
+def test_the_window_is_there_before_anything_heavy_is_imported(display: None, tmp_path: Path) -> None:
+    ended = subprocess.run([sys.executable, "-c", _START, str(tmp_path / "settings.json")], capture_output=True, text=True, timeout=60, cwd=ROOT)
+    assert ended.returncode == 0, ended.stderr
 
 
 def test_every_page_is_shown_and_none_makes_the_window_larger(program: Program) -> None:
@@ -30,21 +54,22 @@ def test_every_page_is_shown_and_none_makes_the_window_larger(program: Program) 
     for number, info in enumerate(PAGES, start=1):
         QTest.keyClick(window, Qt.Key(Qt.Key.Key_0 + number), Qt.KeyboardModifier.ControlModifier)
         until(lambda id=info.id: window.page_id == id, 5, info.id)
-        QTest.qWait(30)
+        wait_ms(30)
         pictures[info.id] = pixels_of(window.pages[info.id])
         assert pictures[info.id].std() > 5, f"{info.id} is blank"
         assert window.size() == size, info.id
     window.banner.tell_note("A sentence that is as long as the sentences of the program are, with what to do.", "And a second half.")
-    QTest.qWait(30)
+    wait_ms(30)
     assert window.size() == size
 
 
 def test_escape_ends_a_scan_from_another_page_and_the_counts_balance(program: Program) -> None:
     window, services = program.window, program.services
     until(lambda: services.rig.snapshot.connected and services.rig.snapshot.calibration is not None, 120, "a calibrated rig")
-    services.draft.edit("points", 200_000)
+    services.draft.edit("views", 2)
+    services.draft.edit("points", 40_000)
     window.start_scan()
-    until(lambda: services.acquisition.status is not None and services.acquisition.status.counts.measured > 100, 60, "points")
+    until(lambda: _scanning(program), 60, "points of the plan")
     window.show_page("home")
     QTest.keyClick(window, Qt.Key.Key_Escape)
     until(lambda: not services.acquisition.running, 20, "the end of the scan")
@@ -52,7 +77,7 @@ def test_escape_ends_a_scan_from_another_page_and_the_counts_balance(program: Pr
     assert result is not None
     assert result.finish_reason is FinishReason.CANCELLED
     counts = result.counts
-    assert counts.measured > 100
+    assert counts.measured > 50
     assert counts.planned == counts.measured + sum(counts.rejected.values()) + counts.skipped
     assert not services.rig.snapshot.laser_on
     assert services.case.path is not None
@@ -61,9 +86,10 @@ def test_escape_ends_a_scan_from_another_page_and_the_counts_balance(program: Pr
 def test_closing_the_window_ends_a_running_scan_and_keeps_its_points(program: Program) -> None:
     window, services = program.window, program.services
     until(lambda: services.rig.snapshot.connected and services.rig.snapshot.calibration is not None, 120, "a calibrated rig")
-    services.draft.edit("points", 200_000)
+    services.draft.edit("views", 2)
+    services.draft.edit("points", 40_000)
     window.start_scan()
-    until(lambda: services.acquisition.status is not None and services.acquisition.status.counts.measured > 50, 60, "points")
+    until(lambda: _scanning(program), 60, "points of the plan")
     path = services.case.path
     assert path is not None
     window.close()
