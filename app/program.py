@@ -69,7 +69,8 @@ class Program(QObject):
         self.window.closing.connect(self.shut_down)
         install_hooks(self.tell)
         self._shading = Shading(self.background)
-        for source in (self.background.drain, acquisition.drain, reconstruction.drain, self._shading.tick):
+        pages = [page.tick for page in self.window.pages.values()]
+        for source in (self.background.drain, acquisition.drain, reconstruction.drain, self._shading.tick, *pages):
             self.pump.add_source(source)
         self.pump.add_painter(self.window.paint_scene)
         self.pump.start()

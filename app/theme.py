@@ -86,6 +86,19 @@ QListWidget {{ background: transparent; border: none; outline: none; }}
 QListWidget::item {{ border-bottom: 1px solid {SEAM}; padding: 8px 4px; }}
 QListWidget::item:selected {{ background: {RAISED}; color: {TEXT}; }}
 QListWidget::item:hover {{ background: {RAISED}; }}
+QListWidget::item:focus {{ background: {RAISED}; }}
+QComboBox {{ background: {RAISED}; border: 1px solid {SEAM}; border-radius: 5px; padding: 3px 10px; }}
+QComboBox:hover {{ background: #373d44; }}
+QComboBox:focus {{ border-color: {ACCENT}; }}
+QComboBox:disabled {{ color: {FAINT}; background: {PANEL}; }}
+QComboBox::drop-down {{ border: none; width: 26px; }}
+QComboBox::down-arrow {{ image: url(CHEVRON); width: 12px; height: 12px; }}
+QComboBox QAbstractItemView {{ background: {RAISED}; border: 1px solid {SEAM}; selection-background-color: {ACCENT_DIM}; outline: none; }}
+QScrollBar:vertical {{ background: transparent; width: 10px; margin: 0; }}
+QScrollBar::handle:vertical {{ background: {SEAM}; border-radius: 3px; min-height: 24px; margin: 0 2px; }}
+QScrollBar::add-line, QScrollBar::sub-line {{ height: 0; width: 0; }}
+QScrollBar:horizontal {{ background: transparent; height: 10px; margin: 0; }}
+QScrollBar::handle:horizontal {{ background: {SEAM}; border-radius: 3px; min-width: 24px; margin: 2px 0; }}
 QScrollArea {{ border: none; background: transparent; }}
 QPlainTextEdit[role="details"] {{ background: {GROUND}; border: 1px solid {SEAM}; color: {MUTED}; }}
 QFrame[role="banner"] {{ background: #352f22; border: none; border-bottom: 1px solid {WARNING}; }}
@@ -128,7 +141,8 @@ def apply_theme(application: QApplication) -> None:
     font.setHintingPreference(QFont.HintingPreference.PreferNoHinting)
     font.setFeature(QFont.Tag("tnum"), 1)
     application.setFont(font)
-    application.setStyleSheet(_SHEET)
+    chevron = str(resources.files("resources") / "icons" / "chevron.svg").replace("\\", "/")
+    application.setStyleSheet(_SHEET.replace("CHEVRON", f'"{chevron}"'))
 
 
 @cache

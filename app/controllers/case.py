@@ -177,6 +177,21 @@ def free_case_path(folder: Path, values: DraftValues, today: date) -> Path:
     return path
 
 
+@dataclass(frozen=True, slots=True)
+class CaseName:
+    """What the name of a case file tells."""
+
+    order: str
+    side: str
+    kind: str
+
+
+def read_case_name(stem: str) -> CaseName | None:
+    """The reverse of :func:`free_case_path`; None for a name that a person has chosen."""
+    found = re.fullmatch(r"(.+)_(left|right)_(ear|arch|other)_\d{4}-\d\d-\d\d(-\d+)?", stem)
+    return None if found is None else CaseName(*found.groups()[:3])
+
+
 def safe_stem(text: str) -> str:
     """The text as a file's name on every system."""
     return re.sub(r"[^\w.+-]+", "-", text).strip("-. ")[:120] or "case"

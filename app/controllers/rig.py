@@ -17,6 +17,9 @@ from PySide6.QtCore import QObject, Signal
 
 from app.background import Background
 from app.controllers.device_thread import DeviceThread
+from app.controllers.tapped_camera import TappedCamera
+from scanner_core.acquisition.handover import LatestSlot
+from scanner_core.devices.camera import Camera, Frame
 from scanner_core.devices.motion import MotionState, MotionStatus
 from scanner_core.errors import ImprontaError
 from scanner_core.jobs.progress import Cancelled, Progress
@@ -81,6 +84,10 @@ class RigController(QObject):
         self.snapshot = RigSnapshot()
         self._rig: OpenRig | None = None
         self._loaned = threading.Event()
+        self.watching = threading.Event()
+        """Set while somebody looks at the cameras of the idle rig."""
+        self.frames: dict[str, LatestSlot[Frame]] = {"left": LatestSlot(), "right": LatestSlot()}
+        """The newest frames of the idle rig and of a calibration."""
         self._cancel_calibration = threading.Event()
         self._closing = threading.Event()
         self._device = DeviceThread(self._watch, _STATUS_PERIOD_S, tell)
@@ -105,10 +112,10 @@ class RigController(QObject):
         self._cancel_calibration.set()
 
     def laser_off(self) -> None:
-        """Laser off and motion stopped, at once; the rig is homed again by whoever uses it next."""
+        """Laser off and motion stopped, at once, whatever the device thread is waiting for."""
         rig = self._rig
         if rig is not None:
-            self._background.run("laser-off", lambda: self._stop(rig))
+            self._background.run("laser-off", rig.motion.stop, lambda _: self._device.call(self._recover), self._tell)
 
     # -------------------------------------------------------------------------------- lending
     def borrow(self) -> OpenRig | None:
@@ -177,7 +184,8 @@ class RigController(QObject):
             self._background.post(partial(self._calibrating, told.fraction, began_s))
 
         try:
-            calibration = calibrate_rig(rig, progress=tell, cancelled=self._cancel_calibration.is_set)
+            watched = replace(rig, left=self._tapped(rig.left), right=self._tapped(rig.right))
+            calibration = calibrate_rig(watched, progress=tell, cancelled=self._cancel_calibration.is_set)
             rig.calibration = calibration
             rig.config = rig.config.with_calibration(calibration)
             self._background.post(partial(self._calibrated, rig.config))
@@ -195,6 +203,9 @@ class RigController(QObject):
         if rig is None or self._loaned.is_set():
             return
         try:
+            if self.watching.is_set():
+                for camera in (rig.left, rig.right):
+                    self.frames[camera.name].put(camera.grab())
             status = rig.motion.status()
         except ImprontaError as fault:
             self._close()
@@ -202,8 +213,15 @@ class RigController(QObject):
             return
         self._background.post(lambda: self._heard(status))
 
-    def _stop(self, rig: OpenRig) -> None:
-        rig.motion.stop()
+    def _recover(self) -> None:
+        """After a stop: back to idle, so that the next scan can begin."""
+        rig = self._rig
+        if rig is not None and not self._loaned.is_set():
+            rig.motion.recover()
+            self._watch()
+
+    def _tapped(self, camera: Camera) -> Camera:
+        return TappedCamera(camera, self.frames[camera.name].put)
 
     def _close(self) -> None:
         rig, self._rig = self._rig, None

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.theme import ACCENT, GROUND, MUTED, SEAM, TEXT, WARNING
 from scanner_core.acquisition.handover import Preview
+from scanner_core.devices.camera import Frame
 from scanner_core.optics.spot import Spot
 
 LENS_PX = 24
@@ -54,12 +55,20 @@ class CameraPreview(QWidget):
 
     def show_preview(self, preview: Preview, miss: str = "") -> None:
         """A new frame; `miss` says why it holds no spot."""
-        self._pixels = np.ascontiguousarray(preview.frame.image)  # kept: QImage does not copy
+        self._spot = preview.seen if isinstance(preview.seen, Spot) else None
+        self._miss = miss
+        self._put(preview.frame)
+
+    def show_frame(self, frame: Frame) -> None:
+        """A frame in which nobody looked for a spot."""
+        self._spot, self._miss = None, ""
+        self._put(frame)
+
+    def _put(self, frame: Frame) -> None:
+        self._pixels = np.ascontiguousarray(frame.image)  # kept: QImage does not copy
         height, width = self._pixels.shape
         self._image = QImage(self._pixels.data, width, height, width, QImage.Format.Format_Indexed8)
         self._image.setColorTable(self._colours)
-        self._spot = preview.seen if isinstance(preview.seen, Spot) else None
-        self._miss = miss
         self.update()
 
     def clear(self) -> None:

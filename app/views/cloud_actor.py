@@ -15,7 +15,7 @@ LIVE_LIMIT = 60_000
 """Points drawn while the cloud grows."""
 MOVING_LIMIT = 30_000
 """Points drawn while the camera moves."""
-POINT_SIZES = ((4_000, 6.0), (12_000, 5.0), (40_000, 4.0), (10**9, 3.0))
+POINT_SIZES = ((2_500, 6.0), (8_000, 5.0), (60_000, 4.0), (10**9, 3.0))
 """Most points, and their size on the screen."""
 STILL_LIMIT = 400_000
 """Points drawn while nothing moves."""

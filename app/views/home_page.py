@@ -9,11 +9,12 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication, Qt, QTimer
 from PySide6.QtWidgets import QButtonGroup, QGridLayout, QHBoxLayout, QLineEdit, QListWidget, QListWidgetItem, QPushButton, QVBoxLayout, QWidget
 
+from app.controllers.case import read_case_name
 from app.draft import KINDS, SIDES, DraftValues
 from app.services import Services
 from app.views import format as fmt
 from app.views.page import Page
-from app.views.parts import BigNumber, button, label, number_field, row, seam
+from app.views.parts import BigNumber, SideBadge, button, label, number_field, row, seam
 from app.views.rig_page import specimen_words
 
 
@@ -185,11 +186,12 @@ class HomePage(Page):
             self._accuracy_note.setText(self.tr("The Rig page calibrates it in a few minutes."))
         else:
             self._accuracy.show_number(fmt.micrometres(calibration.held_out_rms_um))
-            self._accuracy.show_unit(self.tr("µm rms error of a measured point"))
+            self._accuracy.show_unit(self.tr("µm rms error of the calibration"))
             self._accuracy_note.setText(
-                self.tr("Measured on {date} at corners of the calibration board that were not used to calibrate. Rig: {rig}.").format(
-                    date=fmt.day(calibration.date), rig=self.services.rig.snapshot.preset
-                )
+                self.tr(
+                    "Measured on {date} at corners of the board that were not used to calibrate. "
+                    "The laser spot adds its own noise: every surface states the error that is expected of it."
+                ).format(date=fmt.day(calibration.date))
             )
         self._show_start()
 
@@ -214,10 +216,13 @@ class HomePage(Page):
                 changed = datetime.fromtimestamp(path.stat().st_mtime)
             except OSError:
                 continue
-            item = QListWidgetItem(f"{path.stem}\n{fmt.day(changed.isoformat())}  ·  {path.parent}")
+            item = QListWidgetItem()
             item.setData(Qt.ItemDataRole.UserRole, text)
             item.setToolTip(text)
+            entry = _RecentCase(path, fmt.day(changed.isoformat()))
+            item.setSizeHint(entry.sizeHint())
             self._recent.addItem(item)
+            self._recent.setItemWidget(item, entry)
         empty = self._recent.count() == 0
         self._no_recent.setVisible(empty)
         self._recent.setVisible(not empty)
@@ -226,3 +231,24 @@ class HomePage(Page):
         path = Path(item.data(Qt.ItemDataRole.UserRole))
         QTimer.singleShot(0, lambda: self.services.case.open(path))
         self.wanted.emit("reconstruct")
+
+
+class _RecentCase(QWidget):
+    """A case by what its name tells."""
+
+    def __init__(self, path: Path, day: str) -> None:
+        super().__init__()
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        told = read_case_name(path.stem)
+        title = label(told.order if told else path.stem)
+        title.setStyleSheet("font-weight: 600;")
+        line = row(title, spacing=10)
+        if told:
+            badge = SideBadge()
+            badge.show_side(told.side, QCoreApplication.translate("draft", SIDES[told.side]))
+            line.addWidget(badge)
+            line.addWidget(label(QCoreApplication.translate("draft", KINDS[told.kind]), "muted"))
+        line.addStretch(1)
+        line.addWidget(label(day, "muted"))
+        line.setContentsMargins(4, 9, 4, 9)
+        self.setLayout(line)

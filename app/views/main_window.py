@@ -277,6 +277,7 @@ class MainWindow(QMainWindow):
 
     def _show_case(self) -> None:
         """Everything of the open case, after it was opened or closed."""
+        self._show_activity()
         scene, case = self.scene, self.services.case
         path = case.path
         self.setWindowTitle(f"{path.stem} – Impronta" if path is not None else "Impronta")
@@ -312,6 +313,8 @@ class MainWindow(QMainWindow):
             self.stage.legend.show_uncertainty(*scene.mesh.range_um)
         elif bounds is not None and self.actions_by_id["show_points"].isChecked():
             self.stage.legend.show_height(float(bounds[0, 2]), float(bounds[1, 2]))
+        elif scene is not None and scene.mesh.surface is not None and not scene.mesh.surface.growing:
+            self.stage.legend.show_support(self.tr("scanned"), self.tr("not scanned"))
         else:
             self.stage.legend.hide()
 
@@ -332,6 +335,8 @@ class MainWindow(QMainWindow):
             text = self.tr("Reconstructing")
         elif services.rig.snapshot.calibrating is not None:
             text = self.tr("Calibrating")
+        elif services.case.opening:
+            text = self.tr("Opening the case…")
         self.status_line.show_activity(text)
 
     def _show_rig(self) -> None:

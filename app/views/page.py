@@ -31,6 +31,9 @@ class Page(QWidget):
     def entered(self) -> None:
         """The page is shown from now on."""
 
+    def tick(self) -> None:
+        """Called by the pump; takes out what came for this page."""
+
     def inspector(self, title: str) -> QVBoxLayout:
         """The layout of a page that stands beside the 3D view."""
         self.setFixedWidth(INSPECTOR_WIDTH)

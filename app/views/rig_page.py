@@ -6,12 +6,14 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QComboBox, QFileDialog, QGridLayout, QHBoxLayout, QLabel, QProgressBar, QPushButton, QVBoxLayout, QWidget
 
 from app.controllers.rig import SPECIMENS, SPEEDS
 from app.services import Services
 from app.translation import QT_TRANSLATE_NOOP
 from app.views import format as fmt
+from app.views.camera_preview import CameraPreview
 from app.views.page import Page
 from app.views.parts import BigNumber, Lamp, button, label, row, seam
 
@@ -55,6 +57,21 @@ class RigPage(Page):
 
     def entered(self) -> None:
         self._show()
+
+    def showEvent(self, event: QShowEvent) -> None:  # noqa: N802 - Qt's name
+        self.services.rig.watching.set()
+        super().showEvent(event)
+
+    def hideEvent(self, event: QHideEvent) -> None:  # noqa: N802 - Qt's name
+        self.services.rig.watching.clear()
+        super().hideEvent(event)
+
+    def tick(self) -> None:
+        """For the pump: the newest frames of the idle rig."""
+        for name, preview in self._previews.items():
+            frame = self.services.rig.frames[name].take()
+            if frame is not None and self.isVisible():
+                preview.show_frame(frame)
 
     # -------------------------------------------------------------------------------- parts
     def _left(self) -> QWidget:
@@ -123,7 +140,9 @@ class RigPage(Page):
         side_box.addWidget(label(self.tr("Devices"), "section"))
         side_box.addSpacing(12)
         side_box.addLayout(devices)
-        side_box.addStretch(1)
+        side_box.addSpacing(22)
+        self._previews = {"left": CameraPreview(self.tr("Camera left")), "right": CameraPreview(self.tr("Camera right"))}
+        side_box.addLayout(row(*self._previews.values(), spacing=10), 1)
         return side
 
     def _right(self) -> QWidget:

@@ -15,7 +15,7 @@ from app.views.parts import BigNumber, button, label, number_field, row, seam
 from app.views.reasons import reason_text
 from scanner_core.acquisition.handover import Preview
 from scanner_core.acquisition.status import FinishReason, ScanState, ScanStatus
-from scanner_core.optics.spot import SpotMiss
+from scanner_core.optics.spot import MissReason, SpotMiss
 
 SHOWN_REASONS = 5
 STATUS_PERIOD_S = 0.1
@@ -114,7 +114,10 @@ class ScanPage(Page):
         if widget is None or not self.isVisible() or now - self._shown_s[camera] < PREVIEW_PERIOD_S:
             return
         self._shown_s[camera] = now
-        widget.show_preview(preview, reason_text(preview.seen.reason.value) if isinstance(preview.seen, SpotMiss) else "")
+        widget.show_preview(preview, self._miss_text(preview.seen) if isinstance(preview.seen, SpotMiss) else "")
+
+    def _miss_text(self, miss: SpotMiss) -> str:
+        return self.tr("no spot") if miss.reason is MissReason.NO_SPOT else reason_text(miss.reason.value)
 
     def _tick(self) -> None:
         now = time.monotonic()

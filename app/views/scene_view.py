@@ -66,6 +66,7 @@ class SceneView(QWidget):
         if self._table is not None:
             engine.remove_actor(self._table, render=False)
         self._table = engine.add_mesh(_table_lines(radius_mm), color=SEAM, line_width=1, lighting=False, render=False, pickable=False)
+        self._scale.SetText(1, f"grid {GRID_MM:.0f} mm ")
         if not len(self.cloud) and self.mesh.surface is None:
             self._frame(np.array([[-radius_mm, -radius_mm, 0.0], [radius_mm, radius_mm, 1.2 * radius_mm]]) * 0.75)
         self._dirty = True
@@ -200,6 +201,7 @@ class SceneView(QWidget):
         engine.add_actor(self.cloud.actor, render=False)
         engine.add_actor(self.mesh.actor, render=False)
         engine.add_axes(line_width=2, color=MUTED, x_color="#e0857a", y_color="#7fc98f", z_color="#7aa7e8", viewport=(0.0, 0.0, 0.14, 0.17))
+        self._scale = engine.add_text("", position="lower_right", font_size=8, color=MUTED, render=False)
         engine.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         style = engine.iren.interactor
         style.AddObserver("StartInteractionEvent", lambda *_: self._interact(True))
@@ -255,7 +257,7 @@ class SceneView(QWidget):
             camera.position = (1.0, -0.75, 0.55)
             camera.up = (0.0, 0.0, 1.0)
         engine.renderer.ResetCamera(*np.asarray(bounds, float).T.ravel().tolist())
-        camera.zoom(1.25)
+        camera.zoom(1.15)
         engine.renderer.ResetCameraClippingRange()
         self._dirty = True
 

@@ -10,7 +10,7 @@ from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QStackedLayout, QToolButton, QVBoxLayout, QWidget
 
 from app.theme import MUTED
-from app.views.height_colours import HEIGHT, UNCERTAINTY
+from app.views.height_colours import HEIGHT, SUPPORTED, UNCERTAINTY, UNSUPPORTED
 from app.views.parts import label, seam
 
 
@@ -79,7 +79,7 @@ class Legend(QWidget):
         super().__init__()
         self._stops: tuple[str, ...] = HEIGHT
         self._low = self._high = ""
-        self.setFixedSize(150, 34)
+        self.setFixedSize(160, 34)
         self.hide()
 
     def show_height(self, low_mm: float, high_mm: float) -> None:
@@ -88,6 +88,10 @@ class Legend(QWidget):
     def show_uncertainty(self, low_um: float, high_um: float) -> None:
         self._show(UNCERTAINTY, f"{low_um:.0f}", f"{high_um:.0f} µm")
 
+    def show_support(self, scanned: str, not_scanned: str) -> None:
+        """Two colours with their words."""
+        self._show((), scanned, not_scanned)
+
     def _show(self, stops: tuple[str, ...], low: str, high: str) -> None:
         if (stops, low, high) != (self._stops, self._low, self._high) or self.isHidden():
             self._stops, self._low, self._high = stops, low, high
@@ -95,15 +99,24 @@ class Legend(QWidget):
             self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802 - Qt's name
-        painter = QPainter(self)
+        with QPainter(self) as painter:
+            self._paint(painter)
+
+    def _paint(self, painter: QPainter) -> None:
+        font = painter.font()
+        font.setPixelSize(11)
+        painter.setFont(font)
+        if not self._stops:
+            for left, colour, word in ((0, SUPPORTED, self._low), (self.width() // 2 - 8, UNSUPPORTED, self._high)):
+                painter.fillRect(left, 13, 9, 9, QColor(colour))
+                painter.setPen(QColor(MUTED))
+                painter.drawText(left + 15, 22, word)
+            return
         bar = QRect(0, 7, self.width() - 1, 6)
         fill = QLinearGradient(bar.left(), 0, bar.right(), 0)
         for i, stop in enumerate(self._stops):
             fill.setColorAt(i / (len(self._stops) - 1), QColor(stop))
         painter.fillRect(bar, fill)
-        font = painter.font()
-        font.setPixelSize(11)
-        painter.setFont(font)
         painter.setPen(QColor(MUTED))
         words = self.rect().adjusted(0, 16, -1, 0)
         painter.drawText(words, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, self._low)

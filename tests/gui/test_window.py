@@ -5,12 +5,15 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from datetime import date
 from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
+from app.controllers.case import free_case_path, read_case_name
+from app.draft import DraftValues
 from app.program import Program
 from app.views.pages import PAGES
 from scanner_core.acquisition.status import FinishReason, ScanState
@@ -31,6 +34,8 @@ _START = """
 import sys, time
 from pathlib import Path
 from app.main import make_application
+from app.controllers.case import free_case_path, read_case_name
+from app.draft import DraftValues
 from app.program import Program
 
 program = Program(make_application(), started_s=time.perf_counter(), settings_file=Path(sys.argv[1]))
@@ -137,3 +142,24 @@ def test_the_settings_are_kept_at_the_end(program: Program, settings_file: Path)
     kept = json.loads(settings_file.read_text())
     assert kept["preset"] == "bench"
     assert kept["window"] == [program.window.width(), program.window.height()]
+
+
+def test_escape_on_an_idle_rig_leaves_it_ready_for_the_next_scan(program: Program) -> None:
+    window, services = program.window, program.services
+    until(lambda: services.rig.snapshot.connected and services.rig.snapshot.motion is not None, 60, "the rig")
+    QTest.keyClick(window, Qt.Key.Key_Escape)
+    wait_ms(300)
+    services.draft.edit("views", 1)
+    services.draft.edit("points", 500)
+    window.start_scan()
+    until(lambda: services.acquisition.running, 10, "the scan")
+    until(lambda: not services.acquisition.running, 60, "the end of the scan")
+    assert services.acquisition.result is not None
+    assert services.acquisition.result.finish_reason is FinishReason.COMPLETED, window.banner.text
+
+
+def test_a_case_name_is_read_back() -> None:
+    name = read_case_name(free_case_path(Path("/nowhere"), DraftValues(order="A_7", side="right", kind="arch"), date(2026, 11, 23)).stem)
+    assert name is not None
+    assert (name.order, name.side, name.kind) == ("A_7", "right", "arch")
+    assert read_case_name("my own name") is None

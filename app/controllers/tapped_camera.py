@@ -1,0 +1,48 @@
+"""A camera whose single frames can also be watched."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterator
+from typing import Self
+
+from scanner_core.devices.camera import Camera, Frame, Trigger
+
+
+class TappedCamera:
+    """Everything of another camera; `tap` gets a copy of every frame that is grabbed one by one."""
+
+    def __init__(self, camera: Camera, tap: Callable[[Frame], None]) -> None:
+        self._camera, self._tap = camera, tap
+
+    @property
+    def name(self) -> str:
+        return self._camera.name
+
+    @property
+    def size_px(self) -> tuple[int, int]:
+        return self._camera.size_px
+
+    @property
+    def rate_hz(self) -> float:
+        return self._camera.rate_hz
+
+    def start(self, trigger: Trigger) -> None:
+        self._camera.start(trigger)
+
+    def frames(self, stop: threading.Event) -> Iterator[Frame]:
+        return self._camera.frames(stop)
+
+    def grab(self) -> Frame:
+        frame = self._camera.grab()
+        self._tap(frame)
+        return frame
+
+    def close(self) -> None:
+        self._camera.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *exception: object) -> None:
+        self.close()
