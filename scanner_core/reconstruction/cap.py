@@ -16,7 +16,7 @@ from scanner_core.reconstruction.conjugate_gradients import conjugate_gradients
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
-_REACH = 3.0
+_REACH = 2.2
 """A vertex is supported within so many local spacings of the data: random points leave gaps of two."""
 
 

@@ -1,0 +1,227 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from scanner_core.errors import ReconstructionError, UsageError
+from scanner_core.geometry.checks import check_mesh
+from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.point_cloud import PointCloud
+from scanner_core.geometry.proximity import closest_points
+from scanner_core.jobs.progress import Cancelled, Progress
+from scanner_core.reconstruction.parameters import ReconstructionParameters
+from scanner_core.reconstruction.pipeline import Reconstruction, reconstruct
+from scanner_core.reconstruction.refine import facet_sag_mm
+from tests.core.reconstruction.shapes import horseshoe, impression, run, sampled, unit_sphere
+
+NOISE_MM = 0.17
+
+
+@pytest.fixture(scope="module")
+def seen() -> list[Progress]:
+    return []
+
+
+@pytest.fixture(scope="module")
+def ear(seen: list[Progress]) -> Reconstruction:
+    return run(sampled(impression(), 3500, NOISE_MM, 1), seen=seen)
+
+
+def rms_um(result: Reconstruction, truth: TriangleMesh, supported_only: bool = False) -> float:
+    mesh = result.mesh
+    centroids = mesh.vertices[mesh.triangles].mean(axis=1)
+    if supported_only:
+        centroids = centroids[(mesh.vertex_attributes["supported"][mesh.triangles] == 1).all(axis=1)]
+    distance = closest_points(truth, centroids).distances_mm
+    return 1e3 * float(np.sqrt((distance**2).mean()))
+
+
+def assert_sound(result: Reconstruction) -> None:
+    checks = check_mesh(result.mesh)
+    assert checks.closed
+    assert checks.manifold
+    assert checks.outward
+    assert checks.components == 1
+    assert checks.genus == 0
+    assert checks.self_intersections == 0
+
+
+def test_impression_is_closed_and_its_error_is_far_below_the_noise(ear: Reconstruction) -> None:
+    assert_sound(ear)
+    assert rms_um(ear, impression()) < 0.5 * 1e3 * NOISE_MM
+    assert ear.report.noise_sigma_um == pytest.approx(170, rel=0.08)
+    assert ear.report.supported_area_fraction > 0.99
+    assert ear.report.outliers_rejected < 20
+
+
+def test_predicted_error_is_of_the_size_of_the_true_one(ear: Reconstruction) -> None:
+    true = rms_um(ear, impression())
+    assert 0.5 * true < ear.report.expected_error_rms_um < 2 * true
+    uncertainty = ear.mesh.vertex_attributes["standard_uncertainty_um"]
+    assert uncertainty.dtype == np.float32
+    assert uncertainty.shape == (len(ear.mesh.vertices),)
+    assert np.all(uncertainty > 0)
+
+
+def test_progress_names_the_three_phases_in_order_and_never_goes_back(ear: Reconstruction, seen: list[Progress]) -> None:
+    names = [p.phase for p in seen]
+    assert list(dict.fromkeys(names)) == ["inflate", "refine", "smooth"]
+    fractions = [p.fraction for p in seen]
+    assert fractions == sorted(fractions)
+    assert fractions[-1] == 1.0
+    first = next(p.preview for p in seen if p.preview is not None)
+    assert len(first.vertices) == 12
+    assert len(first.triangles) == 20
+
+
+def test_report_has_the_keys_of_the_command_line(ear: Reconstruction) -> None:
+    report = ear.report.as_dict()
+    assert set(report) == {
+        "points", "outliers_rejected", "noise_sigma_um", "vertices", "triangles", "closed", "genus", "self_intersections",
+        "supported_area_fraction", "residual_rms_um", "expected_error_rms_um", "phases", "seconds", "peak_memory_mb", "warnings",
+    }  # fmt: skip
+    assert [p.name for p in ear.report.phases] == ["inflate", "refine", "smooth"]
+    assert report["triangles"] == len(ear.mesh.triangles)
+
+
+def test_same_points_and_seed_give_the_same_bytes() -> None:
+    points = sampled(impression(), 800, NOISE_MM, 4)
+    one, two = (run(points, ReconstructionParameters(triangles=4000, seed=5)) for _ in range(2))
+    assert one.mesh.vertices.tobytes() == two.mesh.vertices.tobytes()
+    assert one.mesh.triangles.tobytes() == two.mesh.triangles.tobytes()
+
+
+def test_sphere_has_the_true_radius() -> None:
+    rng = np.random.default_rng(7)
+    directions = rng.normal(size=(3500, 3))
+    directions /= np.linalg.norm(directions, axis=1)[:, None]
+    result = run(11.133 * directions + 0.1 * rng.normal(size=(3500, 3)) + (100.0, -50.0, 30.0))
+    assert_sound(result)
+    radius = (result.mesh.volume() * 3 / (4 * np.pi)) ** (1 / 3)
+    # 3,500 points with 100 um know the radius to 1.7 um
+    assert radius == pytest.approx(11.133, abs=0.006)
+    areas = result.mesh.areas()
+    centre = (areas[:, None] * result.mesh.vertices[result.mesh.triangles].mean(axis=1)).sum(axis=0) / areas.sum()
+    np.testing.assert_allclose(centre, (100, -50, 30), atol=0.02)
+
+
+def test_horseshoe_fills_from_one_inside_point() -> None:
+    truth = horseshoe()
+    result = run(sampled(truth, 4000, 0.05, 2))
+    assert_sound(result)
+    assert rms_um(result, truth) < 50
+    assert result.mesh.volume() == pytest.approx(truth.volume(), rel=0.01)
+
+
+def test_unscanned_base_gets_a_flat_cap_that_is_marked() -> None:
+    truth = impression()
+    base = -5.0
+    result = run(sampled(truth, 3500, 0.1, 3, keep=lambda p: p[:, 2] > base))
+    assert_sound(result)
+    supported = result.mesh.vertex_attributes["supported"] == 1
+    assert 0.6 < result.report.supported_area_fraction < 0.97
+    assert any("not scanned" in warning for warning in result.report.warnings)
+    assert rms_um(result, truth, supported_only=True) < 120
+    cap = result.mesh.vertices[~supported]
+    assert np.ptp(cap[:, 2]) < 0.8  # a soap film over 12 mm: flat, no bulge
+    assert np.all(np.abs(cap[:, 2] - base) < 1.2)
+
+
+def test_open_holes_leaves_the_cap_away() -> None:
+    points = sampled(impression(), 1500, 0.1, 3, keep=lambda p: p[:, 2] > -5.0)
+    opened = run(points, ReconstructionParameters(open_holes=True, triangles=3000))
+    assert check_mesh(opened.mesh).boundary_edges > 20
+    assert not opened.report.closed
+    assert np.all(opened.mesh.vertex_attributes["supported"] == 1)
+
+
+def test_stray_points_do_not_move_the_surface() -> None:
+    truth = impression()
+    points = sampled(truth, 3500, 0.1, 5)
+    rng = np.random.default_rng(6)
+    low, high = points.min(axis=0), points.max(axis=0)
+    points[rng.choice(3500, 70, replace=False)] = low + rng.random((70, 3)) * (high - low)
+    result = run(points)
+    assert_sound(result)
+    assert rms_um(result, truth) < 75
+    assert 30 < result.report.outliers_rejected < 110
+
+
+@pytest.mark.parametrize("triangles", [600, 5001, 30000])
+def test_triangle_budget_is_met_within_two_per_cent(triangles: int) -> None:
+    result = run(sampled(impression(), 2000, 0.05, 8), ReconstructionParameters(triangles=triangles))
+    assert 0.98 * triangles <= len(result.mesh.triangles) <= triangles
+    assert len(result.mesh.triangles) % 2 == 0
+    assert_sound(result)
+
+
+def test_tolerance_bounds_the_sag_of_the_facets() -> None:
+    points = sampled(impression(), 2000, 0.05, 8)
+    coarse, fine = (run(points, ReconstructionParameters(tolerance_um=tolerance)) for tolerance in (40.0, 10.0))
+    assert facet_sag_mm(coarse.mesh) < 1.3 * 0.040
+    assert facet_sag_mm(fine.mesh) < 1.3 * 0.010
+    assert len(fine.mesh.triangles) > 2 * len(coarse.mesh.triangles)
+
+
+class Impatient:
+    """A caller who asks to stop as soon as a phase has begun."""
+
+    def __init__(self, phase: str) -> None:
+        self._phase = phase
+        self.phases: list[str] = []
+
+    def told(self, progress: Progress) -> None:
+        self.phases.append(progress.phase)
+
+    def cancelled(self) -> bool:
+        return self._phase in self.phases
+
+
+def test_cancel_stops_in_every_phase() -> None:
+    points = PointCloud(sampled(impression(), 1500, 0.1, 9))
+    for phase in ("inflate", "refine", "smooth"):
+        caller = Impatient(phase)
+        with pytest.raises(Cancelled):
+            reconstruct(points, ReconstructionParameters(), progress=caller.told, cancelled=caller.cancelled)
+        assert caller.phases[-1] == phase
+
+
+def refused(points: np.ndarray) -> ReconstructionError:
+    with pytest.raises(ReconstructionError) as caught:
+        run(points)
+    assert "\n" not in str(caught.value)
+    return caught.value
+
+
+def test_what_cannot_be_a_body_is_refused_with_one_sentence() -> None:
+    rng = np.random.default_rng(0)
+    assert refused(rng.normal(size=(49, 3))).code == "E-REC-01"
+    broken = rng.normal(size=(200, 3))
+    broken[3, 1] = np.nan
+    assert refused(broken).code == "E-REC-04"
+    plane = rng.uniform(-10, 10, size=(2000, 3)) * (1, 1, 0)
+    assert refused(plane).code == "E-REC-02"
+    assert refused(plane + 0.05 * rng.normal(size=plane.shape)).code == "E-REC-02"
+    assert refused(np.linspace(0, 1, 500)[:, None] * (1.0, 2.0, 3.0)).code == "E-REC-02"
+    assert refused(np.zeros((500, 3))).code == "E-REC-02"
+
+
+def test_a_ring_is_refused_because_a_balloon_has_no_hole() -> None:
+    rng = np.random.default_rng(1)
+    around, tube = rng.uniform(0, 2 * np.pi, size=(2, 6000))
+    ring = 10 + 3 * np.cos(tube)
+    points = np.stack([ring * np.cos(around), ring * np.sin(around), 3 * np.sin(tube)], axis=1)
+    error = refused(points + 0.03 * rng.normal(size=points.shape))
+    assert error.code == "E-REC-03"
+    assert "1 hole" in str(error)
+
+
+def test_impossible_requests_are_refused() -> None:
+    with pytest.raises(UsageError):
+        ReconstructionParameters(triangles=10)
+    with pytest.raises(UsageError):
+        ReconstructionParameters(tolerance_um=0)
+
+
+def test_unit_sphere_of_the_tests_is_round() -> None:
+    assert unit_sphere(4).volume() == pytest.approx(4 / 3 * np.pi, rel=0.005)
