@@ -16,18 +16,26 @@ from scanner_core.reconstruction.conjugate_gradients import conjugate_gradients
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
+_AROUND = 12
+_ONE_SIDED = 0.8
+"""Share of the neighbours' mean distance by which their centre may be off: 0.64 on the rim itself, 1 far outside of it."""
+
 _REACH = 2.2
 """A vertex is supported within so many local spacings of the data: random points leave gaps of two."""
 
 
 def supported_vertices(vertices: Array, tree: cKDTree, reach_mm: Array, noise_mm: float) -> Mask:
-    """Which vertices (v, 3) lie within reach of the data, (v,).
+    """Which vertices (v, 3) lie within reach of the data and not beyond its rim, (v,).
 
     `tree` holds the points, `reach_mm` (n,) the distance of each to its eighth neighbour, which is 1.6 spacings on an
     evenly sampled surface.
     """
-    away, nearest = tree.query(vertices)
-    return np.asarray(away <= _REACH / 1.6 * reach_mm[nearest] + 2 * noise_mm)
+    away, nearest = tree.query(vertices, k=_AROUND)
+    near = away[:, 0] <= _REACH / 1.6 * reach_mm[nearest[:, 0]] + 2 * noise_mm
+    # Beyond the rim of the data all neighbours lie on one side: their mean is then as far away as they are.
+    towards = np.asarray(tree.data)[nearest].mean(axis=1) - vertices
+    surrounded = np.linalg.norm(towards, axis=1) <= _ONE_SIDED * away.mean(axis=1)
+    return np.asarray(near & surrounded)
 
 
 def tidy_support(mesh: TriangleMesh, supported: Mask, rounds: int = 2) -> Mask:

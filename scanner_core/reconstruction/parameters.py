@@ -17,6 +17,7 @@ class ReconstructionParameters:
     triangles : at most so many triangles and at least 0.98 times as many; None leaves it to the points
     tolerance_um : the facets may depart from the fitted surface by so much; ignored when `triangles` is given
     open_holes : leave away the part of the surface that no point supports; the mesh is then not closed
+    table_mm : height z of the table that the object stands on; None when nothing is known of one
     seed : of every random choice
     criterion : what phase two refines by: the ``data_error`` of the publication, or the ``sag`` of the facets
     """
@@ -24,6 +25,7 @@ class ReconstructionParameters:
     triangles: int | None = None
     tolerance_um: float | None = None
     open_holes: bool = False
+    table_mm: float | None = None
     seed: int = 0
     criterion: Criterion = Criterion.SAG
 

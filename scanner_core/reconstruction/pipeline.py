@@ -46,8 +46,11 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
     points, centre = _accepted(cloud)
     pace.centre_mm = centre
     tree = cKDTree(points)
+    pace.check()
     scale = measure_scale(points, tree, parameters.seed)
-    region = enclosed_region(points, scale, pace)
+    pace.check()
+    table = None if parameters.table_mm is None else parameters.table_mm - float(centre[2])
+    region = enclosed_region(points, scale, pace, table)
     if region.handles:
         raise ReconstructionError(
             "E-REC-03",
@@ -62,8 +65,11 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
     pace.enter("smooth")
     mesh = without_self_intersections(smooth(fit.mesh, fit.supported), pace.check)
     refined = len(fit.mesh.triangles)
+    pace.check()
     spline = SmoothingSpline(mesh, points, fit.weights, fit.supported, pace.check)
+    pace.check()
     uncertainty = standard_uncertainty(spline, fit.bandwidth_mm, fit.noise_mm, parameters.seed)
+    pace.check()
     checks = check_mesh(mesh)
     _guard(checks)
     kept = fit.weights > 0.5

@@ -1,6 +1,6 @@
 """The region that the points enclose, on voxels: what guides the balloon.
 
-Points carry no normals, and the base of an object is often not scanned.  The region comes from three steps.
+Points carry no normals, and the base of an object is often not scanned.  The region comes from four steps.
 
 1.  *Shielding* tells outside from inside without normals: a potential that is 1 far away and is absorbed by the points,
     as a cage shields its inside.  At each point it rises towards the outside.
@@ -8,7 +8,10 @@ Points carry no normals, and the base of an object is often not scanned.  The re
     Hoppe, SGP 2006), solved on the whole grid by a sine transform.  Its own gradient orients the points anew (Hou et al.,
     "Iterative Poisson surface reconstruction for unoriented points", SIGGRAPH 2022), until no point turns any more.
     Where the border of an unscanned base is plane, its level one half is that plane: a flat cap.
-3.  *Cleaning*: the largest piece, without cavities; narrow tunnels are closed and thin bridges cut, so that it has no handle.
+3.  *The table*, when it is known that the object stands on one: what hides under a rim that does not turn inwards is body
+    down to the table, and nothing reaches below it.  Without it, a rim that is not plane leaves hollows under the object
+    in which the balloon would meet itself.
+4.  *Cleaning*: the largest piece, without cavities; narrow tunnels are closed and thin bridges cut, so that it has no handle.
 
 The region is only a guide: the surface itself is the balloon's and is fitted to the points.
 """
@@ -26,6 +29,7 @@ from scanner_core.errors import ReconstructionError
 from scanner_core.geometry.voxel_region import Field, Region, VoxelGrid, closed_by, euler_number, handles, largest_piece, opened_by, signed_depth
 from scanner_core.reconstruction.cloud_scale import CloudScale
 from scanner_core.reconstruction.pace import Pace
+from scanner_core.reconstruction.table import standing_on_table
 
 Array = NDArray[np.float64]
 
@@ -59,8 +63,11 @@ class EnclosedRegion:
         return float(self.inside.sum()) * self.grid.voxel_mm**3
 
 
-def enclosed_region(points: Array, scale: CloudScale, pace: Pace) -> EnclosedRegion:
-    """The region enclosed by (n, 3) points; raises E-REC-02 where they enclose nothing."""
+def enclosed_region(points: Array, scale: CloudScale, pace: Pace, table_mm: float | None = None) -> EnclosedRegion:
+    """The region enclosed by (n, 3) points; raises E-REC-02 where they enclose nothing.
+
+    `table_mm` is the height z of the table that the object stands on, None when there is none.
+    """
     used = ~scale.isolated
     chosen = points[used]
     blur = max(scale.spacing_mm, 0.7 * scale.noise_mm)
@@ -86,10 +93,16 @@ def enclosed_region(points: Array, scale: CloudScale, pace: Pace) -> EnclosedReg
     pace.check()
     level = _weighted_median(fine.sample(field, chosen), areas)
     inside = _body(field, level)
+    pace.check()
     _check_body(fine, inside, chosen)
+    pace.check()
     if _open_share(fine, inside, chosen, scale.spacing_mm) > _OPEN_SHARE:
-        inside = _body(field, _OPEN_LEVEL * level)
+        lower = _body(field, _OPEN_LEVEL * level)
+        standing = None if table_mm is None else standing_on_table(fine, inside, chosen, normals, scale.spacing_mm, table_mm)
+        inside = lower if standing is None else largest_piece(standing)
+        pace.check()
     inside, genus = _without_tunnels(inside, pace)
+    pace.check()
     depth = signed_depth(inside, fine.voxel_mm)
     return EnclosedRegion(fine, inside, depth, genus)
 

@@ -51,6 +51,7 @@ def _smooth_where(mesh: TriangleMesh, find: Callable[[TriangleMesh], Indices], r
         bad = find(mesh)
         if not len(bad):
             break
+        check()
         averaging = uniform_averaging(mesh)
         ever[mesh.triangles[bad].ravel()] = True
         share = ever.astype(np.float64)

@@ -62,6 +62,7 @@ class SmoothingSpline:
         self._check = check
         self.normals = mesh.vertex_normals()
         self.feet: Feet = closest_near(mesh, points)
+        check()
         corners = mesh.triangles[self.feet.triangles]
         at_feet = np.einsum("nc,ncd->nd", self.feet.weights, self.normals[corners])
         at_feet /= np.maximum(np.linalg.norm(at_feet, axis=1), 1e-30)[:, None]
@@ -73,6 +74,7 @@ class SmoothingSpline:
         count, vertices = len(points), len(mesh.vertices)
         offsets = np.arange(0, 3 * count + 1, 3)
         self.interpolation = sparse.csr_array((self.feet.weights.ravel(), corners.ravel(), offsets), shape=(count, vertices))
+        check()
         self.stiffness, self.area = cotangent_laplacian(mesh)
         self.density = float(weights.sum()) / max(float(self.area[supported].sum()), 1e-12)
         weighted = sparse.diags_array(weights / self.density) @ self.interpolation
