@@ -1,20 +1,20 @@
 """Measures whether the window keeps breathing, and who held its breath.
 
-A 10 ms timer beats in the GUI thread; the time between two beats is a gap.  A watchdog thread looks at the GUI
-thread's stack whenever the beat is more than 100 ms late, so that a long gap names its cause.
+A 10 ms timer beats in the GUI thread; the time between two beats is a gap.  A watchdog thread asks for the GUI thread's
+stack whenever the beat is more than 100 ms late, so that a long gap names its cause.
 """
 
 from __future__ import annotations
 
 import json
 import os
-import sys
 import threading
 import time
-import traceback
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, QTimer
+
+from app.stack_probe import StackProbe
 
 BEAT_MS = 10
 LATE_S = 0.1
@@ -29,9 +29,9 @@ class Heartbeat(QObject):
         self._gaps_s: list[float] = []
         self._last_s = 0.0
         self._stacks: list[dict[str, object]] = []
-        self._gui = threading.get_ident()
         self._stop = threading.Event()
-        self._watchdog = threading.Thread(target=self._watch, name="heartbeat-watchdog")
+        self._probe: StackProbe | None = None
+        self._watchdog: threading.Thread | None = None
         self._timer = QTimer(self)
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self._beat)
@@ -41,6 +41,8 @@ class Heartbeat(QObject):
     def start(self) -> None:
         self._last_s = time.perf_counter()
         self._timer.start(BEAT_MS)
+        self._probe = StackProbe()
+        self._watchdog = threading.Thread(target=self._watch, args=(self._probe,), name="heartbeat-watchdog")
         self._watchdog.start()
 
     def forget(self) -> None:
@@ -53,8 +55,10 @@ class Heartbeat(QObject):
         """End the measurement and the watchdog."""
         self._timer.stop()
         self._stop.set()
-        if self._watchdog.is_alive():
+        if self._watchdog is not None and self._probe is not None:
             self._watchdog.join()
+            self._probe.close()
+            self._watchdog = self._probe = None
 
     def result(self) -> dict[str, object]:
         """Gaps in milliseconds: how many, the 99.9th percentile, the worst, and the stacks of the late ones."""
@@ -80,7 +84,7 @@ class Heartbeat(QObject):
         self._gaps_s.append(now - self._last_s)
         self._last_s = now
 
-    def _watch(self) -> None:
+    def _watch(self, probe: StackProbe) -> None:
         seen_s = 0.0
         while not self._stop.wait(LATE_S / 4):
             last_s = self._last_s
@@ -88,10 +92,7 @@ class Heartbeat(QObject):
             if late_s < LATE_S or last_s == seen_s or len(self._stacks) >= _KEPT_STACKS:
                 continue
             seen_s = last_s
-            frame = sys._current_frames().get(self._gui)
-            if frame is not None:
-                stack = [f"{entry.filename}:{entry.lineno} {entry.name}" for entry in traceback.extract_stack(frame)]
-                self._stacks.append({"late_ms": round(1000 * late_s, 1), "stack": stack[-12:]})
+            self._stacks.append({"late_ms": round(1000 * late_s, 1), "stack": probe.stack()[-12:]})
 
 
 def _quantile(ordered: list[float], share: float) -> float:

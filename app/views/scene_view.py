@@ -165,6 +165,10 @@ class SceneView(QWidget):
             self._engine.update()
         return self.paint_s
 
+    def warm_up(self) -> None:
+        """The first picture, out of sight: it has the graphics set up, which takes a quarter of a second."""
+        self._open().grabFramebuffer()
+
     def grab_picture(self) -> NDArray[np.uint8]:
         """The scene as (H, W, 3) bytes, drawn anew."""
         engine = self._open()
