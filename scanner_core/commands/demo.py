@@ -47,7 +47,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
                 if scan.error is not None:
                     console.say(str(scan.error))
                 return 130 if scan.finish_reason is FinishReason.CANCELLED else 1
-            parameters = ReconstructionParameters(triangles=given.triangles, seed=given.seed)
+            parameters = ReconstructionParameters(triangles=given.triangles, seed=given.seed, table_mm=0.0)
             surface = run_reconstruction(console, scan.views.cloud, parameters)
             report = surface.report.as_dict()
             store.put_mesh(surface.mesh, {"parameters": parameters.as_dict(), "report": report, "seed": given.seed})

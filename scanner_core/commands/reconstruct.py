@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import replace
 from pathlib import Path
 
 from scanner_core.case.points import case_cloud
@@ -24,6 +25,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
     check_free(out, given.force)
     parameters = ReconstructionParameters(triangles=given.triangles, tolerance_um=given.tolerance_um, open_holes=given.open_holes, seed=given.seed)
     if source.suffix.lower() == SUFFIX:
+        parameters = replace(parameters, table_mm=0.0)  # what was scanned stands on the turntable
         with CaseStore.open(source) as store:
             surface = run_reconstruction(console, case_cloud(store), parameters)
             store.put_mesh(surface.mesh, {"parameters": parameters.as_dict(), "report": surface.report.as_dict(), "seed": given.seed})

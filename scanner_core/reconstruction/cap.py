@@ -25,17 +25,23 @@ _REACH = 2.2
 
 
 def supported_vertices(vertices: Array, tree: cKDTree, reach_mm: Array, noise_mm: float) -> Mask:
-    """Which vertices (v, 3) lie within reach of the data and not beyond its rim, (v,).
+    """Which vertices (v, 3) lie within reach of the data, (v,).
 
     `tree` holds the points, `reach_mm` (n,) the distance of each to its eighth neighbour, which is 1.6 spacings on an
     evenly sampled surface.
     """
-    away, nearest = tree.query(vertices, k=_AROUND)
-    near = away[:, 0] <= _REACH / 1.6 * reach_mm[nearest[:, 0]] + 2 * noise_mm
-    # Beyond the rim of the data all neighbours lie on one side: their mean is then as far away as they are.
-    towards = np.asarray(tree.data)[nearest].mean(axis=1) - vertices
-    surrounded = np.linalg.norm(towards, axis=1) <= _ONE_SIDED * away.mean(axis=1)
-    return np.asarray(near & surrounded)
+    away, nearest = tree.query(vertices)
+    return np.asarray(away <= _REACH / 1.6 * reach_mm[nearest] + 2 * noise_mm)
+
+
+def within_rim(mesh: TriangleMesh, tree: cKDTree) -> Mask:
+    """Which vertices of a fitted mesh lie among the points, not beyond the rim of the data, (v,).
+
+    Beyond the rim all neighbours lie on one side: their mean is then as far away as they are.
+    """
+    away, nearest = tree.query(mesh.vertices, k=_AROUND)
+    towards = np.asarray(tree.data)[nearest].mean(axis=1) - mesh.vertices
+    return np.asarray(np.linalg.norm(towards, axis=1) <= _ONE_SIDED * away.mean(axis=1))
 
 
 def tidy_support(mesh: TriangleMesh, supported: Mask, rounds: int = 2) -> Mask:

@@ -18,7 +18,7 @@ from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.proximity import closest_near
 from scanner_core.geometry.remeshing import collapse_edges, collapse_short, flip_edges, relax
 from scanner_core.geometry.subdivision import curved_middles, side_lifts, split_edges
-from scanner_core.reconstruction.cap import fair_cap, supported_vertices, tidy_support
+from scanner_core.reconstruction.cap import fair_cap, supported_vertices, tidy_support, within_rim
 from scanner_core.reconstruction.cloud_scale import CloudScale
 from scanner_core.reconstruction.error_function import Criterion, sizes_by_data_error, sizes_by_sag
 from scanner_core.reconstruction.pace import Pace
@@ -107,6 +107,8 @@ class Refinement:
         for _ in range(2 if rounds else 0):
             self._improve(fit)
         self._support(fit)
+        # Only now that the surface is fitted can it be said on which side of a vertex its points lie.
+        fit.supported = tidy_support(fit.mesh, fit.supported & within_rim(fit.mesh, self._tree))
         fit.mesh = centred_facets(fit.mesh)
         fit.mesh = fair_cap(fit.mesh, fit.supported, self._pace.check)
         fit.weights = robust_weights(fit.residuals_mm, self._scale, patient=False)
