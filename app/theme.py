@@ -83,7 +83,7 @@ QToolButton:focus {{ border-color: {ACCENT}; }}
 QProgressBar {{ background: {RAISED}; border: none; border-radius: 3px; max-height: 6px; min-height: 6px; }}
 QProgressBar::chunk {{ background: {ACCENT}; border-radius: 3px; }}
 QListWidget {{ background: transparent; border: none; outline: none; }}
-QListWidget::item {{ border-bottom: 1px solid {SEAM}; padding: 8px 4px; }}
+QListWidget::item {{ border-bottom: 1px solid {SEAM}; padding: 0; }}
 QListWidget::item:selected {{ background: {RAISED}; color: {TEXT}; }}
 QListWidget::item:hover {{ background: {RAISED}; }}
 QListWidget::item:focus {{ background: {RAISED}; }}

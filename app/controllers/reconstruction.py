@@ -60,6 +60,11 @@ class ReconstructionController(QObject):
     def cancelling(self) -> bool:
         return self.running and self._cancelled.is_set()
 
+    @property
+    def worker_pid(self) -> int | None:
+        """The worker's process id, or None while there is none."""
+        return None if self._worker is None else self._worker.pid
+
     # -------------------------------------------------------------------------------- commands
     def start(self, values: DraftValues) -> None:
         """Reconstruct the points of the open case."""

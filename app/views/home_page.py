@@ -6,7 +6,7 @@ from datetime import datetime
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, Qt, QTimer
+from PySide6.QtCore import QCoreApplication, QSize, Qt, QTimer
 from PySide6.QtWidgets import QButtonGroup, QGridLayout, QHBoxLayout, QLineEdit, QListWidget, QListWidgetItem, QPushButton, QVBoxLayout, QWidget
 
 from app.controllers.case import read_case_name
@@ -220,7 +220,7 @@ class HomePage(Page):
             item.setData(Qt.ItemDataRole.UserRole, text)
             item.setToolTip(text)
             entry = _RecentCase(path, fmt.day(changed.isoformat()))
-            item.setSizeHint(entry.sizeHint())
+            item.setSizeHint(QSize(0, 46))
             self._recent.addItem(item)
             self._recent.setItemWidget(item, entry)
         empty = self._recent.count() == 0
@@ -250,5 +250,5 @@ class _RecentCase(QWidget):
             line.addWidget(label(QCoreApplication.translate("draft", KINDS[told.kind]), "muted"))
         line.addStretch(1)
         line.addWidget(label(day, "muted"))
-        line.setContentsMargins(4, 9, 4, 9)
+        line.setContentsMargins(4, 0, 4, 0)
         self.setLayout(line)

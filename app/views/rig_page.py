@@ -142,7 +142,8 @@ class RigPage(Page):
         side_box.addLayout(devices)
         side_box.addSpacing(22)
         self._previews = {"left": CameraPreview(self.tr("Camera left")), "right": CameraPreview(self.tr("Camera right"))}
-        side_box.addLayout(row(*self._previews.values(), spacing=10), 1)
+        side_box.addLayout(row(*self._previews.values(), spacing=10), 3)
+        side_box.addStretch(1)
         return side
 
     def _right(self) -> QWidget:

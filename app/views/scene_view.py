@@ -14,7 +14,7 @@ import numpy as np
 import pyvista as pv
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QCloseEvent
+from PySide6.QtGui import QCloseEvent, QResizeEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 from pyvistaqt import QtInteractor
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
@@ -22,6 +22,7 @@ from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 from app.theme import GROUND, MUTED, RAISED, SEAM
 from app.views.cloud_actor import CloudActor
 from app.views.mesh_actor import MeshActor
+from app.views.parts import label
 from app.views.surface import Surface
 from app.views.vtk_arrays import bytes_of
 from scanner_core.geometry.point_cloud import PointCloud
@@ -45,6 +46,10 @@ class SceneView(QWidget):
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.addWidget(self._engine)
+        self._scale = label(self.tr("grid {mm:.0f} mm").format(mm=GRID_MM), "faint")
+        self._scale.setParent(self)
+        self._scale.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self._scale.hide()
         self.cloud = CloudActor()
         self.mesh = MeshActor()
         self._table: pv.Actor | None = None
@@ -66,7 +71,7 @@ class SceneView(QWidget):
         if self._table is not None:
             engine.remove_actor(self._table, render=False)
         self._table = engine.add_mesh(_table_lines(radius_mm), color=SEAM, line_width=1, lighting=False, render=False, pickable=False)
-        self._scale.SetText(1, f"grid {GRID_MM:.0f} mm ")
+        self._scale.show()
         if not len(self.cloud) and self.mesh.surface is None:
             self._frame(np.array([[-radius_mm, -radius_mm, 0.0], [radius_mm, radius_mm, 1.2 * radius_mm]]) * 0.75)
         self._dirty = True
@@ -189,6 +194,12 @@ class SceneView(QWidget):
         if engine is not None:
             engine.close()
 
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        super().resizeEvent(event)
+        size = self._scale.sizeHint()
+        self._scale.setGeometry(self.width() - size.width() - 12, self.height() - size.height() - 8, size.width(), size.height())
+        self._scale.raise_()
+
     def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802 - Qt's name
         self.close_scene()
         super().closeEvent(event)
@@ -205,7 +216,6 @@ class SceneView(QWidget):
         engine.add_actor(self.cloud.actor, render=False)
         engine.add_actor(self.mesh.actor, render=False)
         engine.add_axes(line_width=2, color=MUTED, x_color="#e0857a", y_color="#7fc98f", z_color="#7aa7e8", viewport=(0.0, 0.0, 0.14, 0.17))
-        self._scale = engine.add_text("", position="lower_right", font_size=8, color=MUTED, render=False)
         engine.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         style = engine.iren.interactor
         style.AddObserver("StartInteractionEvent", lambda *_: self._interact(True))

@@ -16,6 +16,7 @@ import tempfile
 import time
 from pathlib import Path
 
+from app.draft import KINDS
 from app.main import make_application
 from app.program import Program
 from tests.gui.waiting import until, wait_ms
@@ -55,6 +56,8 @@ def tour(program: Program, folder: Path, points: int) -> None:
     window.show_page("rig")
     shoot(program, folder / "rig.png")
     services.draft.edit("points", points)
+    if services.rig.snapshot.specimen in KINDS:
+        services.draft.edit("kind", services.rig.snapshot.specimen)
     window.start_scan()
     until(lambda: services.acquisition.status is not None and services.acquisition.status.counts.measured > 0.6 * points, 400, "points")
     shoot(program, folder / "scan.png")

@@ -1,0 +1,69 @@
+"""Every text goes through the translation: with a translator that brackets what it is given, nothing stands unbracketed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QTranslator
+from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QLabel, QLineEdit, QSpinBox, QWidget
+
+from app.program import Program
+from scanner_core.errors import CaseLockedError
+from tests.gui.waiting import until
+
+NAMES = {"Impronta", "STL", "PLY", "OBJ", "3MF", "ear", "bench", "virtual://bench", "Ctrl+1", "Ctrl+2", "Ctrl+3", "Ctrl+4", "Ctrl+5"}
+"""What is called the same in every language."""
+VALUE = re.compile(r"^[\W\d_]*$|^[\d.,\s\u202f]+ ?(°|µm|px|s|mm)$|^[0-9a-f]{16}$|^virtual:(left|right)|^2026-|^P-0142$|^\{order\}|\.stl$|^/")
+
+
+class Bracketing(QTranslator):
+    def isEmpty(self) -> bool:  # noqa: N802 - Qt's name
+        return False
+
+    def translate(self, context: str, text: str, disambiguation: str | None = None, n: int = -1) -> str:
+        return f"«{text}»"
+
+
+@pytest.fixture
+def bracketed(application: QApplication, settings_file: Path) -> Iterator[Program]:
+    translator = Bracketing()
+    application.installTranslator(translator)
+    program = Program(application, started_s=0.0, settings_file=settings_file)
+    yield program
+    program.window.close()
+    program.window.deleteLater()
+    application.removeTranslator(translator)
+
+
+def _texts(root: QWidget) -> Iterator[str]:
+    for widget in [root, *root.findChildren(QWidget)]:
+        yield widget.toolTip()
+        yield widget.accessibleName()
+        if isinstance(widget, QLabel | QAbstractButton):
+            yield widget.text()
+        elif isinstance(widget, QLineEdit):
+            yield widget.placeholderText()
+        elif isinstance(widget, QSpinBox):
+            yield widget.suffix()
+            yield widget.specialValueText()
+        elif isinstance(widget, QComboBox):
+            yield from (widget.itemText(index) for index in range(widget.count()))
+
+
+def test_no_text_stands_outside_of_the_translation(bracketed: Program) -> None:
+    window = bracketed.window
+    until(lambda: bracketed.services.rig.snapshot.connected and bracketed.services.rig.snapshot.motion is not None, 60, "the rig")
+    for page in window.pages:
+        window.show_page(page)
+    shown = [*_texts(window), *(action.text() for action in window.actions_by_id.values()), *(menu.text() for menu in window.menuBar().actions())]
+    assert sum("«" in text for text in shown) > 100
+    loose = sorted({text for text in shown if text and "«" not in text and text not in NAMES and not VALUE.search(text)})
+    assert loose == []
+
+
+def test_an_error_is_translated_by_its_code(bracketed: Program) -> None:
+    bracketed.window.banner.tell_fault(CaseLockedError("E-CASE-02", path="a.impronta"))
+    assert bracketed.window.banner.text.startswith("«a.impronta is open")
