@@ -16,9 +16,15 @@ from scanner_core.reconstruction.conjugate_gradients import conjugate_gradients
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
-_AROUND = 12
+_AROUND = 16
 _ONE_SIDED = 0.8
-"""Share of the neighbours' mean distance by which their centre may be off: 0.64 on the rim itself, 1 far outside of it."""
+"""Share of the neighbours' mean distance by which their middle may be off: 0.64 on the rim of the data, 1 far outside."""
+
+_CLOSE = 0.75
+"""The nearest point must be so much nearer than the ninth: in the middle of a gap it is about half as far."""
+
+_OFF_NOISE, _OFF_REACH = 2.0, 0.06
+"""How far off the plane of its nearest points a vertex may stand: two sigma, and the sag of a curved sheet."""
 
 _REACH = 2.2
 """A vertex is supported within so many local spacings of the data: random points leave gaps of two."""
@@ -34,14 +40,22 @@ def supported_vertices(vertices: Array, tree: cKDTree, reach_mm: Array, noise_mm
     return np.asarray(away <= _REACH / 1.6 * reach_mm[nearest] + 2 * noise_mm)
 
 
-def within_rim(mesh: TriangleMesh, tree: cKDTree) -> Mask:
-    """Which vertices of a fitted mesh lie among the points, not beyond the rim of the data, (v,).
+def follows_points(vertices: Array, tree: cKDTree, noise_mm: float) -> Mask:
+    """Which vertices (v, 3) of a fitted mesh continue the sheet of their nearest points, (v,).
 
-    Beyond the rim all neighbours lie on one side: their mean is then as far away as they are.
+    The cap bends away from the measured surface at its rim: its vertices may be near to points, but they stand off the
+    plane through them by more than noise and curvature explain.
     """
-    away, nearest = tree.query(mesh.vertices, k=_AROUND)
-    towards = np.asarray(tree.data)[nearest].mean(axis=1) - mesh.vertices
-    return np.asarray(np.linalg.norm(towards, axis=1) <= _ONE_SIDED * away.mean(axis=1))
+    away, nearest = tree.query(vertices, k=_AROUND)
+    around = np.asarray(tree.data)[nearest]
+    middle = around.mean(axis=1)
+    spread = around - middle[:, None]
+    normals = np.linalg.eigh(np.einsum("vki,vkj->vij", spread, spread))[1][:, :, 0]
+    off = np.abs(((vertices - middle) * normals).sum(axis=1))
+    beside = np.linalg.norm(middle - vertices, axis=1)
+    reach = away.mean(axis=1)
+    close = away[:, 0] <= _CLOSE * away[:, 8] + noise_mm
+    return np.asarray(close & (off <= _OFF_NOISE * noise_mm + _OFF_REACH * reach) & (beside <= _ONE_SIDED * reach))
 
 
 def tidy_support(mesh: TriangleMesh, supported: Mask, rounds: int = 2) -> Mask:

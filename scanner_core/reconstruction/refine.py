@@ -18,7 +18,7 @@ from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.proximity import closest_near
 from scanner_core.geometry.remeshing import collapse_edges, collapse_short, flip_edges, relax
 from scanner_core.geometry.subdivision import curved_middles, side_lifts, split_edges
-from scanner_core.reconstruction.cap import fair_cap, supported_vertices, tidy_support, within_rim
+from scanner_core.reconstruction.cap import fair_cap, follows_points, supported_vertices, tidy_support
 from scanner_core.reconstruction.cloud_scale import CloudScale
 from scanner_core.reconstruction.error_function import Criterion, sizes_by_data_error, sizes_by_sag
 from scanner_core.reconstruction.pace import Pace
@@ -107,10 +107,10 @@ class Refinement:
         for _ in range(2 if rounds else 0):
             self._improve(fit)
         self._support(fit)
-        # Only now that the surface is fitted can it be said on which side of a vertex its points lie.
-        fit.supported = tidy_support(fit.mesh, fit.supported & within_rim(fit.mesh, self._tree))
+        # Only now that the surface is fitted can it be said which vertices follow the points and which the cap.
+        fit.supported = tidy_support(fit.mesh, fit.supported & follows_points(fit.mesh.vertices, self._tree, fit.noise_mm), rounds=6)
         fit.mesh = centred_facets(fit.mesh)
-        fit.mesh = fair_cap(fit.mesh, fit.supported, self._pace.check)
+        fit.mesh = fair_cap(fit.mesh, fit.supported, self._pace.check, rounds=10)
         fit.weights = robust_weights(fit.residuals_mm, self._scale, patient=False)
         return fit
 
@@ -131,7 +131,6 @@ class Refinement:
         fit.residuals_mm = step.residuals_mm
         fit.weights = robust_weights(step.residuals_mm, self._scale)
         mesh = TriangleMesh(fit.mesh.vertices + moved[:, None] * spline.normals, fit.mesh.triangles)
-        mesh = fair_cap(mesh, fit.supported, self._pace.check, rounds=1)
         fit.mesh = unfold(relax(flip_edges(mesh), step=0.25))
         self._pace.report(0.0)
         return spline
@@ -250,4 +249,3 @@ def reduced(mesh: TriangleMesh, triangles: int) -> TriangleMesh:
         mesh = collapse_edges(mesh, table, np.ones(len(lengths), bool), lengths, most=excess)[0]
         mesh = flip_edges(mesh)
     return mesh
-

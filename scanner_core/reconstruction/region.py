@@ -37,7 +37,7 @@ _COARSE_NODES = 150_000
 _FINE_NODES = 2_400_000
 _ROUNDS = 12
 _OPEN_SHARE = 0.02
-_OPEN_LEVEL = 0.7
+_OPEN_LEVEL = 0.35
 """A scan with an open base is cut at a lower level: the thin wedge that cap and wall make at a slanting rim gets room for
 the balloon.  The cap stands out a little then, until it is pulled tight; where there are points the level makes no difference."""
 

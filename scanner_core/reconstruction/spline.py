@@ -81,21 +81,26 @@ class SmoothingSpline:
         self._gram = sparse.csr_array(self.interpolation.T @ weighted)
         self._squared = self.stiffness.power(2)
         self.curvature = (self.stiffness @ mesh.vertices * self.normals).sum(axis=1) / self.area
+        self._inner = _away_from(mesh, ~supported)
         self._anchor = np.where(supported, 1e-6, 1e-2) * self.area
 
     def target_curvature(self, bandwidth_mm: float) -> Array:
-        """The sum of the principal curvatures, smoothed twice over the bandwidth, (v,), 1/mm."""
+        """The sum of the principal curvatures, smoothed twice over the bandwidth, (v,), 1/mm.
+
+        Only the measured part speaks: the bend where it meets the cap would be taken for the object's own.
+        """
         reach = bandwidth_mm**2
-        target = self.curvature
+        measured = np.where(self._inner, 1.0, 1e-6)
+        both = np.stack([measured * self.curvature, measured], axis=1)
         diagonal = self.area + reach * self.stiffness.diagonal()
 
         def apply(x: Array) -> Array:
             return np.asarray(self.area[:, None] * x + reach * (self.stiffness @ x))
 
         for _ in range(2):
-            right = (self.area * target)[:, None]
-            target = conjugate_gradients(apply, diagonal, right, target[:, None], tolerance=1e-3, most=200, check=self._check)[:, 0]
-        return np.asarray(target, np.float64)
+            right = self.area[:, None] * both
+            both = conjugate_gradients(apply, diagonal, right, both, tolerance=1e-3, most=200, check=self._check)
+        return np.asarray(both[:, 0] / np.maximum(both[:, 1], 1e-12), np.float64)
 
     def solve(self, bandwidth_mm: float, pulls: Array, bend: Array | None, *, start: Array | None = None, tolerance: float = 1e-3) -> Array:
         """Displacements (v, k) for distances `pulls` (n, k) and a curvature `bend` (v,) beyond the target; mm."""
@@ -143,3 +148,13 @@ class SmoothingSpline:
         squares = float((self.weights * np.minimum(np.abs(step.residuals_mm), 3 * typical) ** 2).sum())
         left = max(total - freedom, 0.02 * total)
         return total * squares / left**2, float(np.sqrt(squares / left))
+
+
+def _away_from(mesh: TriangleMesh, forbidden: NDArray[np.bool_], rings: int = 2) -> NDArray[np.bool_]:
+    """Which vertices are more than some rings away from the forbidden ones, (v,); all of them when none is left."""
+    touched = forbidden
+    for _ in range(rings):
+        wide = touched.copy()
+        wide[mesh.triangles[touched[mesh.triangles].any(axis=1)]] = True
+        touched = wide
+    return ~touched if not np.all(touched) else np.ones(len(forbidden), bool)

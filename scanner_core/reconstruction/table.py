@@ -23,9 +23,7 @@ _TURNS_IN = -0.35
 _FACES_DOWN = -0.5
 
 
-def standing_on_table(
-    grid: VoxelGrid, inside: Region, points: Array, normals: Array, spacing_mm: float, table_mm: float
-) -> Region | None:
+def standing_on_table(grid: VoxelGrid, inside: Region, points: Array, normals: Array, spacing_mm: float, table_mm: float) -> Region | None:
     """The region with its open base filled down to the table, or None when it does not stand on its rim.
 
     Parameters
