@@ -35,7 +35,7 @@ class DraftValues:
     patient_code: str = ""
     side: str = "left"
     kind: str = "ear"
-    views: int = 12
+    views: int = 16
     points: int = 20_000
     triangles: int = 0
     tolerance_um: int = 0

@@ -72,7 +72,7 @@ class PlanRequest:
     object_radius_mm, object_height_mm : a cylinder on the table that holds the object; None = the rig's whole volume
     """
 
-    views: int = 12
+    views: int = 16
     points: int = 20_000
     object_radius_mm: float | None = None
     object_height_mm: float | None = None
