@@ -120,7 +120,7 @@ class ReconstructionController(QObject):
 
         tolerance_um = float(values.tolerance_um) if values.tolerance_um else None
         triangles = max(LEAST_TRIANGLES, values.triangles) if values.triangles and tolerance_um is None else None
-        parameters = ReconstructionParameters(triangles=triangles, tolerance_um=tolerance_um)
+        parameters = ReconstructionParameters(triangles=triangles, tolerance_um=tolerance_um, table_mm=0.0)
         self._job = self._ready_worker().submit("reconstruct", ReconstructionRequest(cloud, parameters), partial(self._hear, parameters))
         if self._cancelled.is_set():
             self._job.cancel()
