@@ -99,7 +99,8 @@ def enclosed_region(points: Array, scale: CloudScale, pace: Pace, table_mm: floa
     if _open_share(fine, inside, chosen, scale.spacing_mm) > _OPEN_SHARE:
         lower = _body(field, _OPEN_LEVEL * level)
         standing = None if table_mm is None else standing_on_table(fine, inside, chosen, normals, scale.spacing_mm, table_mm)
-        inside = lower if standing is None else largest_piece(standing)
+        # Filled columns can wall in single voxels beside an overhang; a cavity would count as a negative handle.
+        inside = lower if standing is None else largest_piece(np.asarray(ndimage.binary_fill_holes(standing)))
         pace.check()
     inside, genus = _without_tunnels(inside, pace)
     pace.check()
