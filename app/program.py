@@ -137,6 +137,7 @@ class Program(QObject):
         self.settings.preset, self.settings.specimen, self.settings.speed = rig.preset, rig.specimen, rig.speed
         save_settings(self.settings, self._settings_file)
         remove_hooks()
+        self.undo_stack.blockSignals(True)  # it tells of its own end, when the window may be gone already
         self.window.close()
 
 

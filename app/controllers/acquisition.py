@@ -150,11 +150,12 @@ class AcquisitionController(QObject):
 
     def _in_own_seconds(self, status: ScanStatus) -> ScanStatus:
         """A virtual rig's clock may run faster than the one on the wall."""
-        speed = status.seconds / max(time.monotonic() - self._began_s, 1e-3)
+        own_s = max(time.monotonic() - self._began_s, 1e-3)
+        speed = status.seconds / own_s
         if speed < 1e-3:
             return status
         left = None if status.seconds_left is None else status.seconds_left / speed
-        return replace(status, rate_hz=status.rate_hz * speed, seconds_left=left)
+        return replace(status, rate_hz=status.rate_hz * speed, seconds=own_s, seconds_left=left)
 
     def _not_started(self, fault: Exception) -> None:
         self._wanted = False

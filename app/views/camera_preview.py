@@ -129,6 +129,7 @@ class CameraPreview(QWidget):
         painter.drawRect(frame)
 
     def _caption(self, painter: QPainter) -> None:
+        painter.fillRect(0, 0, self.width(), 24, QColor(16, 18, 20, 150))
         painter.setPen(QColor(TEXT))
         font = painter.font()
         font.setPixelSize(12)

@@ -46,7 +46,7 @@ class ExportPage(Page):
         box.addSpacing(4)
         box.addWidget(seam())
         box.addWidget(label(self.tr("Folder"), "section"))
-        self._folder = QLineEdit(services.settings.export_folder)
+        self._folder = QLineEdit(fmt.short_path(services.settings.export_folder))
         self._folder.setAccessibleName(self.tr("Folder"))
         self._folder.textChanged.connect(self._show)
         browse = QToolButton()
@@ -60,6 +60,9 @@ class ExportPage(Page):
         self._template.setToolTip(self.tr("In braces: {fields}").format(fields=", ".join(FIELDS)))
         self._template.textChanged.connect(self._show)
         box.addWidget(self._template)
+        for field in (self._folder, self._template):
+            field.setTextMargins(5, 0, 5, 0)
+            field.setMinimumHeight(30)
         self._name = label("", "", wrap=True, selectable=True)
         self._name.setStyleSheet("font-weight: 600;")
         box.addWidget(self._name)
@@ -96,9 +99,9 @@ class ExportPage(Page):
         self._show()
 
     def _browse(self) -> None:
-        folder = QFileDialog.getExistingDirectory(self, self.tr("Folder for exported files"), self._folder.text())
+        folder = QFileDialog.getExistingDirectory(self, self.tr("Folder for exported files"), str(Path(self._folder.text()).expanduser()))
         if folder:
-            self._folder.setText(folder)
+            self._folder.setText(fmt.short_path(folder))
 
     def _write(self, *, replace: bool) -> None:
         self.services.settings.name_template = self._template.text()

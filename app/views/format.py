@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from datetime import date, datetime
+from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QDate, QLocale
 
@@ -34,6 +36,12 @@ def micrometres(length_um: float | None) -> str:
 
 def percent(share: float | None) -> str:
     return NO_VALUE if share is None else f"{100 * share:.0f}"
+
+
+def short_path(path: str) -> str:
+    """A path in the person's own folder begins with ``~``."""
+    home = str(Path.home())
+    return "~" + path[len(home) :] if path.startswith(home + os.sep) else path
 
 
 def day(iso: str) -> str:
