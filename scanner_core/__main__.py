@@ -10,6 +10,7 @@ import argparse
 import importlib
 import signal
 import sys
+import threading
 from collections.abc import Sequence
 
 from scanner_core import __version__
@@ -23,8 +24,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     given = _parser().parse_args(argv)
     command = importlib.import_module(f"scanner_core.commands.{given.command}")
     console = importlib.import_module("scanner_core.commands.console").Console(given.json)
-    if threading_is_main():
-        signal.signal(signal.SIGTERM, _as_interrupt)
+    if threading.current_thread() is threading.main_thread():
+        for number in (signal.SIGINT, signal.SIGTERM):  # a shell starts its background jobs with SIGINT ignored
+            signal.signal(number, _as_interrupt)
     try:
         return int(command.run(given, console))
     except KeyboardInterrupt:
@@ -41,13 +43,6 @@ def main(argv: Sequence[str] | None = None) -> int:
     except MemoryError:
         console.say(str(ImprontaError("E-MEM-01", command=given.command)))
         return 1
-
-
-def threading_is_main() -> bool:
-    """Whether signals can be set here."""
-    import threading
-
-    return threading.current_thread() is threading.main_thread()
 
 
 def _as_interrupt(_number: int, _frame: object) -> None:

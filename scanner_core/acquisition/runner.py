@@ -98,6 +98,7 @@ class ScanRunner:
         self._scan_id: int | None = None
         self._unkept: list[StereoObservation] = []
         self._kept_s = time.monotonic()
+        self._ended = threading.Event()
         self._thread = threading.Thread(target=self._run, name="scan")
 
     # ------------------------------------------------------------------------------------------ commands
@@ -124,9 +125,12 @@ class ScanRunner:
 
     def join(self, timeout_s: float | None = None) -> bool:
         """Wait for the end; True when the scan is over."""
-        if self._thread.ident is not None:
-            self._thread.join(timeout_s)
-        return not self._thread.is_alive()
+        if self._thread.ident is None:
+            return True
+        # An interrupt in the middle of Thread.join makes Python 3.11 take the thread for dead: wait for the event first.
+        if self._ended.wait(timeout_s):
+            self._thread.join()
+        return self._ended.is_set()
 
     def status(self) -> ScanStatus:
         """A snapshot; from any thread, takes no time."""
@@ -196,8 +200,11 @@ class ScanRunner:
         with self._lock:
             self.result = result
             self._state = ScanState.IDLE
-        if self._on_end is not None:
-            self._on_end(result)
+        try:
+            if self._on_end is not None:
+                self._on_end(result)
+        finally:
+            self._ended.set()
 
     def _scan(self, left: CaptureThread, right: CaptureThread) -> None:
         rate_hz = self._rig.left.rate_hz

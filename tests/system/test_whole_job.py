@@ -61,7 +61,8 @@ def test_the_written_meshes_are_what_the_contract_says(demo: tuple[Path, Outcome
     assert checks.closed
     assert checks.manifold
     assert checks.outward
-    assert abs(mesh.volume() - 4 / 3 * np.pi * 11.133**3) < 0.05 * mesh.volume()
+    # A plane cap at 42 degrees below the equator cuts 7.6 % off the ball.
+    assert 0.90 < mesh.volume() / (4 / 3 * np.pi * 11.133**3) < 0.97
     ply = read_mesh(folder / "mesh.ply")
     assert {"standard_uncertainty_um", "supported"} <= set(ply.vertex_attributes)
 
