@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import logging
 import os
+import signal
 import sys
 import time
 from collections.abc import Sequence
@@ -21,14 +22,27 @@ def run_window(argv: Sequence[str] = ()) -> int:
     """Open the window and stay until it is closed; returns the exit code."""
     given = _arguments(argv)
     logging.basicConfig(level=logging.WARNING, format="%(asctime)s %(name)s %(levelname)s %(message)s")
+    if not _has_display():
+        print("There is no display for the window. Nothing was started; use 'impronta demo', or start it on a desktop.", file=sys.stderr)
+        return 1
     application = make_application()
     from app.program import Program
 
     program = Program(application, started_s=_STARTED_S, heartbeat_file=given.heartbeat, case=given.case, settings_file=given.settings)
+    for number in (signal.SIGINT, signal.SIGTERM):
+        # Handled when the pump next runs Python: an orderly end, the laser off and the case whole.
+        signal.signal(number, lambda *_: program.window.close())
     try:
         return application.exec()
     finally:
         program.shut_down()
+
+
+def _has_display() -> bool:
+    """Qt aborts the process where there is none."""
+    if not sys.platform.startswith("linux") or "QT_QPA_PLATFORM" in os.environ:
+        return True
+    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
 def make_application() -> QApplication:
