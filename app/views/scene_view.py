@@ -161,6 +161,12 @@ class SceneView(QWidget):
     def view_top(self) -> None:
         self._look((0.0, 0.0, 1.0), (-1.0, 0.0, 0.0))
 
+    @property
+    def camera_position(self) -> tuple[float, float, float]:
+        """Where the camera stands, mm, object frame."""
+        x, y, z = self._open().camera.position
+        return x, y, z
+
     # -------------------------------------------------------------------------------- painting
     def paint(self) -> float:
         """Ask for a picture if something changed; the time that the last one took, in seconds."""
@@ -217,9 +223,9 @@ class SceneView(QWidget):
         engine.add_actor(self.mesh.actor, render=False)
         engine.add_axes(line_width=2, color=MUTED, x_color="#e0857a", y_color="#7fc98f", z_color="#7aa7e8", viewport=(0.0, 0.0, 0.14, 0.17))
         engine.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        style = engine.iren.interactor
-        style.AddObserver("StartInteractionEvent", lambda *_: self._interact(True))
-        style.AddObserver("EndInteractionEvent", lambda *_: self._interact(False))
+        interactor = engine.iren.interactor
+        interactor.AddObserver("StartInteractionEvent", lambda *_: self._interact(True))
+        interactor.AddObserver("EndInteractionEvent", lambda *_: self._interact(False))
         window = engine.render_window
         window.AddObserver("StartEvent", lambda *_: self._begin_picture())
         window.AddObserver("EndEvent", lambda *_: self._end_picture())

@@ -7,6 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -136,3 +138,21 @@ def test_a_closed_view_says_so(scene: SceneView) -> None:
     with pytest.raises(SceneClosedError):
         scene.grab_picture()
     scene.close_scene()
+
+
+def test_fewer_points_are_drawn_while_the_camera_is_dragged(scene: SceneView) -> None:
+    scene.append_points(*_ball(50_000))
+    assert scene.cloud.drawn == 50_000
+    before = scene.camera_position
+    pane = scene.findChild(QOpenGLWidget)
+    assert isinstance(pane, QOpenGLWidget)
+    QTest.mousePress(pane, Qt.MouseButton.LeftButton, pos=QPoint(250, 200))
+    QTest.mouseMove(pane, QPoint(300, 220))
+    wait_ms(50)
+    assert not scene.still
+    assert scene.cloud.drawn <= 30_000
+    QTest.mouseMove(pane, QPoint(330, 230))
+    QTest.mouseRelease(pane, Qt.MouseButton.LeftButton, pos=QPoint(330, 230))
+    assert scene.still
+    assert scene.cloud.drawn == 50_000
+    assert scene.camera_position != before
