@@ -30,6 +30,7 @@ _STEP = 0.4
 _LEAST_EDGE_VOXELS = 1.8
 _LEAST_TRIANGLES = 1200
 _MOST_ITERATIONS = 1500
+_FOLDED = 1.2
 _GUARD = (0.88, 1.1)
 """Healthy range of volume(balloon) / volume(region): 0.93 to 1.02 when it fills it, several when it folded."""
 
@@ -52,11 +53,11 @@ class Balloon:
     iterations: int
 
 
-def inflate(region: EnclosedRegion, pace: Pace) -> Balloon:
-    """Inflate a balloon in a region; raises E-REC-03 when it does not fill it."""
+def inflate(region: EnclosedRegion, pace: Pace, tries: int = 3) -> Balloon:
+    """Inflate a balloon in a region, with ever finer edges; raises E-REC-03 when none of the tries fills it."""
     edge = choose_edge(region, pace)
     fill = 0.0
-    for _ in range(3):
+    for _ in range(tries):
         balloon = inflate_at(region, edge, pace)
         fill = balloon.fill
         if _GUARD[0] <= fill <= _GUARD[1]:
@@ -120,7 +121,7 @@ def inflate_at(region: EnclosedRegion, edge_mm: float, pace: Pace) -> Balloon:
         mesh = _grow(mesh, region, edge_mm)
         volumes.append(mesh.volume())
         pace.report(0.05 + 0.9 * volumes[-1] / target, mesh if pace.wants_preview() else None)
-        if volumes[-1] > 1.5 * target:
+        if volumes[-1] > _FOLDED * target:
             break
         if len(volumes) > 12 and abs(volumes[-1] - volumes[-9]) < 5e-4 * target:
             break

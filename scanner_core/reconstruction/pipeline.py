@@ -11,8 +11,8 @@ from scanner_core.geometry.checks import MeshChecks, check_mesh
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.jobs.progress import IsCancelled, OnProgress
-from scanner_core.reconstruction.cloud_scale import measure_scale
-from scanner_core.reconstruction.inflate import inflate
+from scanner_core.reconstruction.cloud_scale import CloudScale, measure_scale
+from scanner_core.reconstruction.inflate import Balloon, inflate
 from scanner_core.reconstruction.memory import peak_memory_mb
 from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.parameters import ReconstructionParameters
@@ -50,14 +50,13 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
     scale = measure_scale(points, tree, parameters.seed)
     pace.check()
     table = None if parameters.table_mm is None else parameters.table_mm - float(centre[2])
-    region = enclosed_region(points, scale, pace, table)
-    if region.handles:
-        raise ReconstructionError(
-            "E-REC-03",
-            reason=f"the body has {region.handles} holes right through it, and a balloon has none",
-            do="fill the hole, or scan the object in parts",
-        )
-    balloon = inflate(region, pace)
+    try:
+        balloon = _inflated(points, scale, pace, table)
+    except ReconstructionError as error:
+        if table is None or error.code != "E-REC-03":
+            raise
+        # Standing it on the table has made a body that no balloon fills: take the shape that the points alone enclose.
+        balloon = _inflated(points, scale, pace, None)
 
     pace.enter("refine")
     fit = Refinement(points, tree, scale, parameters, pace).run(balloon.mesh)
@@ -102,6 +101,18 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
     )
     pace.report(1.0, mesh, force=True)
     return Reconstruction(mesh, report)
+
+
+def _inflated(points: Array, scale: CloudScale, pace: Pace, table_mm: float | None) -> Balloon:
+    """Phase one in the region that the points enclose, continued down to a table or not."""
+    region = enclosed_region(points, scale, pace, table_mm)
+    if region.handles:
+        raise ReconstructionError(
+            "E-REC-03",
+            reason=f"the body has {region.handles} holes right through it, and a balloon has none",
+            do="fill the hole, or scan the object in parts",
+        )
+    return inflate(region, pace, tries=3 if table_mm is None else 1)
 
 
 def _accepted(cloud: PointCloud) -> tuple[Array, Array]:
