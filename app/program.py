@@ -6,6 +6,7 @@ import importlib
 import logging
 import sys
 import time
+from importlib import resources
 from pathlib import Path
 
 from PySide6.QtCore import QLocale, QObject, QTimer, QTranslator
@@ -128,6 +129,8 @@ class Program(QObject):
             late.append("rig")
         services.reconstruction.shutdown()
         services.case.close()
+        if not self._shading.close(_DEADLINE_S):
+            late.append("shading")
         late += self.background.join(_DEADLINE_S)
         if late:
             _log.error("still running at the end: %s", ", ".join(late))
@@ -146,13 +149,10 @@ def _import_scene() -> None:
 
 
 def _translate(application: QApplication, language: str) -> QTranslator | None:
-    """The translation of the settings' language, or of the system's."""
-    from importlib import resources
-
+    """The translation of the settings' language, or of the system's; English when there is none."""
     locale = QLocale(language) if language else QLocale()
     translator = QTranslator(application)
-    with resources.as_file(resources.files("resources") / "translations") as folder:
-        if translator.load(locale, "impronta", "_", str(folder)):
-            application.installTranslator(translator)
-            return translator
-    return None
+    if not translator.load(locale, "impronta", "_", str(resources.files("resources") / "translations")):
+        return None
+    application.installTranslator(translator)
+    return translator

@@ -19,7 +19,7 @@ from PySide6.QtCore import QObject, Qt, QTimer
 PERIOD_MS = 33
 PAINT_SHARE = 4.0
 """From picture to picture at least this many times the time of the last one ..."""
-LONGEST_PAUSE_S = 0.15
+LONGEST_PAUSE_S = 0.1
 """... but no longer than this: new points are seen within 200 ms."""
 T = TypeVar("T")
 
