@@ -14,6 +14,7 @@ from scanner_core.jobs.progress import IsCancelled, OnProgress
 from scanner_core.reconstruction.cloud_scale import CloudScale, measure_scale
 from scanner_core.reconstruction.inflate import Balloon, inflate
 from scanner_core.reconstruction.memory import peak_memory_mb
+from scanner_core.reconstruction.observations import observations_of
 from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.reconstruction.refine import Fit, Refinement
@@ -45,6 +46,8 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
     pace.report(0.0, force=True)
     points, centre = _accepted(cloud)
     pace.centre_mm = centre
+    observations = observations_of(cloud, centre)
+    points = observations.points
     tree = cKDTree(points)
     pace.check()
     scale = measure_scale(points, tree, parameters.seed)
@@ -59,19 +62,19 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
         balloon = _inflated(points, scale, pace, None)
 
     pace.enter("refine")
-    fit = Refinement(points, tree, scale, parameters, pace).run(balloon.mesh)
+    fit = Refinement(observations, tree, scale, parameters, pace).run(balloon.mesh)
 
     pace.enter("smooth")
     mesh = without_self_intersections(smooth(fit.mesh, fit.supported), pace.check)
     refined = len(fit.mesh.triangles)
     pace.check()
-    spline = SmoothingSpline(mesh, points, fit.weights, fit.supported, pace.check)
+    spline = SmoothingSpline(mesh, observations, fit.robust, fit.supported, fit.noise_mm, pace.check)
     pace.check()
-    uncertainty = standard_uncertainty(spline, fit.bandwidth_mm, fit.noise_mm, parameters.seed)
+    uncertainty = standard_uncertainty(spline, fit.bandwidth_mm, parameters.seed)
     pace.check()
     checks = check_mesh(mesh)
     _guard(checks)
-    kept = fit.weights > 0.5
+    kept = fit.robust > 0.5
     residual = float(np.sqrt((spline.distances_mm[kept] ** 2).mean()))
     mesh = _finished(mesh, fit, uncertainty, centre, parameters)
     pace.centre_mm = None  # the finished mesh stands in the object frame
@@ -80,7 +83,7 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
     supported = fit.supported
     report = ReconstructionReport(
         points=len(cloud),
-        outliers_rejected=int(np.count_nonzero(fit.weights <= 0)),
+        outliers_rejected=int(np.count_nonzero(fit.robust <= 0)),
         noise_sigma_um=1e3 * fit.noise_mm,
         vertices=len(mesh.vertices),
         triangles=len(mesh.triangles),
@@ -161,7 +164,7 @@ def _warnings(fit: Fit, area: Array) -> tuple[str, ...]:
     open_share = 1 - float(area[fit.supported].sum() / area.sum())
     if open_share > 0.02:
         warnings.append(f"{100 * open_share:.0f} % of the surface was not scanned; it is capped and marked as unsupported.")
-    rejected = float((fit.weights <= 0).mean())
+    rejected = float((fit.robust <= 0).mean())
     if rejected > 0.05:
         warnings.append(f"{100 * rejected:.0f} % of the points do not belong to the surface and were rejected.")
     return tuple(warnings)

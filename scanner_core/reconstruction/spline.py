@@ -2,15 +2,13 @@
 
 Unknown is one displacement u along the normal of every vertex.  It minimises
 
-    sum_i w_i ((A u)_i - r_i)^2 / density  +  h^4  integral (laplace u - (curvature of the surface - target))^2
+    sum_i w_i ((A u)_i - d_i)^2 / density  +  integral h^4 (laplace u - (curvature of the surface - target))^2
 
-where r_i is the distance of point i from the curved surface over its foot on the mesh, A interpolates u at the feet, and the target is the
-surface's own curvature, smoothed over the bandwidth h: what is penalised is not curvature but its unevenness, so that a
-sphere is not flattened.  A point's share in the result reaches about h far.  Where no point supports the surface there
-is neither a penalty nor a pull; that part is left to the cap.
-
-The bandwidth is chosen by generalized cross-validation (Craven and Wahba 1979), with the trace of the smoother estimated
-from random signs (Hutchinson 1989).
+where d_i is the distance of observation i from the surface and A ties it to the vertices (``association``), and the target
+is the surface's own curvature, smoothed over the bandwidth h: what is penalised is not curvature but its unevenness, so that
+a sphere is not flattened.  An observation's share in the result reaches about h far; h varies over the surface (``bandwidth``
+chooses it).  The weight of an observation is its number of measurements over its relative variance along the normal, times
+its robust weight.  Where no point supports the surface there is neither a penalty nor a pull; that part is left to the cap.
 """
 
 from __future__ import annotations
@@ -20,15 +18,23 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import sparse
 
 from scanner_core.geometry.mesh import TriangleMesh
-from scanner_core.geometry.proximity import Feet, closest_near
 from scanner_core.geometry.smoothing import cotangent_laplacian
-from scanner_core.geometry.subdivision import side_lifts
+from scanner_core.reconstruction.association import associate
 from scanner_core.reconstruction.conjugate_gradients import conjugate_gradients
+from scanner_core.reconstruction.observations import Observations
 
 Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+_EQUILATERAL = 0.433
+"""Area of an equilateral triangle of side 1."""
+
+_LAGS = 2
+
+_REJECTED_BEYOND = 3.0
+"""Residuals count for the noise with so many sigma at most: places that the surface has not reached must not speak for it."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -46,111 +52,161 @@ class SplineStep:
 
 
 class SmoothingSpline:
-    """The spline for one mesh, one set of points and one set of weights.
+    """The spline for one mesh, one set of observations and one set of robust weights.
 
     Parameters
     ----------
-    points : (n, 3), mm
-    weights : (n,) from 0 (ignored) to 1
+    robust : (n,) from 0 (ignored) to 1
     supported : (v,) bool
+    noise_mm : sigma of a typical observation along the normal, as far as it is known
     check : raises when the caller asked to stop
     """
 
-    def __init__(self, mesh: TriangleMesh, points: Array, weights: Array, supported: NDArray[np.bool_], check: Callable[[], None]) -> None:
+    def __init__(
+        self, mesh: TriangleMesh, observations: Observations, robust: Array, supported: Mask, noise_mm: float, check: Callable[[], None]
+    ) -> None:
         self.mesh = mesh
         self.supported = supported
+        self.noise_mm = noise_mm
         self._check = check
         self.normals = mesh.vertex_normals()
-        self.feet: Feet = closest_near(mesh, points)
-        check()
-        corners = mesh.triangles[self.feet.triangles]
-        at_feet = np.einsum("nc,ncd->nd", self.feet.weights, self.normals[corners])
-        at_feet /= np.maximum(np.linalg.norm(at_feet, axis=1), 1e-30)[:, None]
-        # the vertices are on the surface and the facets are its chords: measure from the curved surface over the foot
-        w = self.feet.weights
-        over_foot = 4 * (w * w[:, (1, 2, 0)] * side_lifts(mesh, self.normals)[self.feet.triangles]).sum(axis=1)
-        self.distances_mm = ((points - self.feet.points) * at_feet).sum(axis=1) - over_foot
-        self.weights = weights
-        count, vertices = len(points), len(mesh.vertices)
-        offsets = np.arange(0, 3 * count + 1, 3)
-        self.interpolation = sparse.csr_array((self.feet.weights.ravel(), corners.ravel(), offsets), shape=(count, vertices))
-        check()
         self.stiffness, self.area = cotangent_laplacian(mesh)
-        self.density = float(weights.sum()) / max(float(self.area[supported].sum()), 1e-12)
-        weighted = sparse.diags_array(weights / self.density) @ self.interpolation
-        self._gram = sparse.csr_array(self.interpolation.T @ weighted)
+        self.edge_mm = float(np.sqrt(self.area.sum() / (_EQUILATERAL * len(mesh.triangles))))
+        check()
+        self.association = associate(mesh, self.normals, self.area, observations, noise_mm, self.edge_mm)
+        check()
+        self.observations = observations
+        self.variance = observations.relative_variance(self.association.normals)
+        self.robust = robust
+        self.weights = robust * observations.counts / self.variance
+        self.density = float(self.weights.sum()) / max(float(self.area[supported].sum()), 1e-12)
+        self.spacing_mm = float(np.sqrt(self.area[supported].sum() / max(float((robust * observations.counts).sum()), 1e-12)))
+        interpolation = self.association.interpolation
+        self._interpolation = interpolation
+        self._pull = interpolation.multiply((self.weights / self.density)[:, None]).T.tocsr()
+        # Under a soft association the product of both is wide: it pays for many solves, for a few it is applied in two steps.
+        self._gram = None if self.association.soft else (self._pull @ interpolation).tocsr()
+        if self._gram is None:
+            self._gram_diagonal = np.asarray(interpolation.power(2).T @ (self.weights / self.density))
+        else:
+            self._gram_diagonal = self._gram.diagonal()
         self._squared = self.stiffness.power(2)
         self.curvature = (self.stiffness @ mesh.vertices * self.normals).sum(axis=1) / self.area
         self._inner = _away_from(mesh, ~supported)
         self._anchor = np.where(supported, 1e-6, 1e-2) * self.area
 
-    def target_curvature(self, bandwidth_mm: float) -> Array:
-        """The sum of the principal curvatures, smoothed twice over the bandwidth, (v,), 1/mm.
+    def prepare_for_many(self) -> None:
+        """Spend time once that many solves save."""
+        if self._gram is None:
+            self._gram = (self._pull @ self._interpolation).tocsr()
+
+    @property
+    def distances_mm(self) -> Array:
+        """(n,) of the observations from the surface, + outside."""
+        return self.association.distances_mm
+
+    def at_observations(self, values: Array) -> Array:
+        """Values at the vertices (v,) or (v, k), seen from the observations."""
+        return np.asarray(self._interpolation @ values)
+
+    def around_vertices(self, values: Array) -> Array:
+        """Weighted sums of values (n,) or (n, k) of the observations at the vertices."""
+        return np.asarray(self._pull @ values)
+
+    def diffused(self, values: Array, reach_mm: Array, *, tolerance: float = 1e-3, start: Array | None = None) -> Array:
+        """Values (v, k) smoothed by an implicit step of diffusion over a reach (v,), mm; constants stay."""
+        mass = (self.area / reach_mm**2)[:, None]
+        diagonal = mass[:, 0] + self.stiffness.diagonal()
+
+        def apply(x: Array) -> Array:
+            return np.asarray(mass * x + self.stiffness @ x)
+
+        begin = values if start is None else start
+        return conjugate_gradients(apply, diagonal, mass * values, begin, tolerance=tolerance, most=200, check=self._check)
+
+    def _smoothed_curvature(self, curvature: Array, bandwidth_mm: Array, start: Array) -> Array:
+        """Curvatures (v, k) smoothed twice over the bandwidth (v,).
 
         Only the measured part speaks: the bend where it meets the cap would be taken for the object's own.
         """
-        reach = bandwidth_mm**2
-        measured = np.where(self._inner, 1.0, 1e-6)
-        both = np.stack([measured * self.curvature, measured], axis=1)
-        diagonal = self.area + reach * self.stiffness.diagonal()
-
-        def apply(x: Array) -> Array:
-            return np.asarray(self.area[:, None] * x + reach * (self.stiffness @ x))
-
+        if np.all(self._inner):
+            once = self.diffused(curvature, bandwidth_mm, start=curvature if not start.any() else start)
+            return self.diffused(once, bandwidth_mm, start=once)
+        measured = np.where(self._inner, 1.0, 1e-6)[:, None]
+        both = np.concatenate([measured * curvature, measured], axis=1)
         for _ in range(2):
-            right = self.area[:, None] * both
-            both = conjugate_gradients(apply, diagonal, right, both, tolerance=1e-3, most=200, check=self._check)
-        return np.asarray(both[:, 0] / np.maximum(both[:, 1], 1e-12), np.float64)
+            both = self.diffused(both, bandwidth_mm)
+        return np.asarray(both[:, :-1] / np.maximum(both[:, -1:], 1e-12), np.float64)
 
-    def solve(self, bandwidth_mm: float, pulls: Array, bend: Array | None, *, start: Array | None = None, tolerance: float = 1e-3) -> Array:
-        """Displacements (v, k) for distances `pulls` (n, k) and a curvature `bend` (v,) beyond the target; mm."""
-        stiff = bandwidth_mm**4
-        rows = np.where(self.supported, stiff / self.area, 0.0)
-        right = self.interpolation.T @ (self.weights[:, None] / self.density * pulls)
-        if bend is not None:
-            right = right - (self.stiffness @ (rows * self.area * bend))[:, None]
-        diagonal = self._gram.diagonal() + self._squared @ rows + self._anchor
+    def solve(self, bandwidth_mm: Array, pulls: Array, curvature: Array, *, tolerance: float = 1e-3, majorized: bool = False) -> Array:
+        """Displacements (v, k) for distances `pulls` (n, k) from a surface with the sums of principal curvatures `curvature` (v, k).
+
+        The target depends on the answer: the curvature that is smoothed is that of the displaced surface.  It is found by
+        two rounds of lagging behind (each leaves an eighth of the error at most).
+        """
+        rows = np.where(self.supported, bandwidth_mm**4 / self.area, 0.0)
+        mass = (self._pull.sum(axis=1) if majorized else self._gram_diagonal)[:, None]
+        diagonal = mass[:, 0] + self._squared @ rows + self._anchor
+        stiffness, gram, anchor = self.stiffness, self._gram, self._anchor[:, None]
+        area, stiff = self.area[:, None], (rows * self.area)[:, None]
 
         def apply(x: Array) -> Array:
-            return np.asarray(self._gram @ x + self.stiffness @ (rows[:, None] * (self.stiffness @ x)) + self._anchor[:, None] * x)
+            data = mass * x if majorized else self._pull @ (self._interpolation @ x) if gram is None else gram @ x
+            return np.asarray(data + stiffness @ (rows[:, None] * (stiffness @ x)) + anchor * x)
 
-        begin = np.zeros_like(right) if start is None else start
-        return conjugate_gradients(apply, diagonal, right, begin, tolerance=tolerance, most=600, check=self._check)
+        pulled = self._pull @ pulls
+        answer = np.zeros_like(pulled)
+        target = np.zeros_like(pulled)
+        for lag in range(_LAGS):
+            if lag or np.any(curvature):
+                target = self._smoothed_curvature(curvature + stiffness @ answer / area, bandwidth_mm, target)
+            right = pulled - stiffness @ (stiff * (curvature - target))
+            answer = conjugate_gradients(apply, diagonal, right, answer, tolerance=tolerance, most=600, check=self._check)
+        return answer
 
-    def step(self, bandwidth_mm: float, noise_mm: float, *, tolerance: float = 1e-3) -> SplineStep:
-        """One displacement towards the points, corrected for the curvature bias of noisy points."""
-        target = self.target_curvature(bandwidth_mm)
-        pulls = self.distances_mm - self.curvature_bias(target, noise_mm)
-        moved = self.solve(bandwidth_mm, pulls[:, None], self.curvature - target, tolerance=tolerance)[:, 0]
-        return SplineStep(moved, pulls - self.interpolation @ moved)
+    def pulls(self, bandwidth_mm: Array) -> Array:
+        """Distances (n,) without the mean offset that noise causes on a curved surface."""
+        if self.association.soft:
+            return self.distances_mm  # the probabilities know it already
+        # Isotropic noise of sigma moves a point along the curved surface too: sigma^2 times the mean curvature.
+        curvature = self._smoothed_curvature(self.curvature[:, None], bandwidth_mm, np.zeros((len(self.area), 1)))[:, 0]
+        steepest = 1 / max(2 * self.noise_mm, 1e-9)
+        across = self.observations.tangential_variance(self.association.normals)
+        return np.asarray(self.distances_mm - 0.5 * self.noise_mm**2 * across * self.at_observations(np.clip(curvature, -steepest, steepest)))
 
-    def curvature_bias(self, target: Array, noise_mm: float) -> Array:
-        """How far outside of the surface a noisy point lies on average, (n,), mm.
+    def step(self, bandwidth_mm: Array, *, tolerance: float = 1e-3) -> SplineStep:
+        """One displacement towards the observations."""
+        pulls = self.pulls(bandwidth_mm)
+        moved = self.solve(bandwidth_mm, pulls[:, None], self.curvature[:, None], tolerance=tolerance, majorized=self.association.soft)[:, 0]
+        return SplineStep(moved, pulls - self.at_observations(moved))
 
-        Isotropic noise of sigma per axis moves a point along the curved surface too: sigma^2 times the mean curvature.
+    def step_and_freedom(self, bandwidth_mm: Array, signs: Array) -> tuple[SplineStep, float]:
+        """One coarse displacement, and the degrees of freedom of the fit: the trace of the smoother, from random signs (n,).
+
+        M. F. Hutchinson, "A stochastic estimator of the trace of the influence matrix", 1989.
         """
-        steepest = 1 / max(2 * noise_mm, 1e-9)
-        return np.asarray(0.5 * noise_mm**2 * (self.interpolation @ np.clip(target, -steepest, steepest)))
+        pulls = self.pulls(bandwidth_mm)
+        curvature = np.column_stack([self.curvature, np.zeros_like(self.curvature)])
+        answer = self.solve(bandwidth_mm, np.column_stack([pulls, signs]), curvature, tolerance=1e-2)
+        seen = self.at_observations(answer)
+        return SplineStep(answer[:, 0], pulls - seen[:, 0]), float(signs @ seen[:, 1])
 
-    def degrees_of_freedom(self, bandwidth_mm: float, signs: Array) -> float:
-        """Trace of the smoother, from random signs (n, k)."""
-        answer = self.solve(bandwidth_mm, signs, None, tolerance=1e-2)
-        back = signs * (self.interpolation @ answer) * self.weights[:, None]
-        return float(back.sum() / signs.shape[1])
+    def squares(self, residuals_mm: Array) -> Array:
+        """Squared residuals (n,) of single measurements in units of a typical one's variance, bounded; mm^2."""
+        variance = self.variance / self.observations.counts
+        typical = 1.4826 * float(np.median(np.abs(residuals_mm) / np.sqrt(variance)))
+        bounded = np.minimum(np.abs(residuals_mm), _REJECTED_BEYOND * typical * np.sqrt(variance))
+        within = self.association.spread_mm2 + self.observations.scatter_along(self.association.normals)
+        return np.asarray((bounded**2 + within) / self.variance)
 
-    def cross_validation(self, bandwidth_mm: float, noise_mm: float, signs: Array) -> tuple[float, float]:
-        """Generalized cross-validation score (mm^2, lower is better) of a bandwidth, and the noise it implies, mm."""
-        step = self.step(bandwidth_mm, noise_mm, tolerance=1e-2)
-        freedom = self.degrees_of_freedom(bandwidth_mm, signs)
-        total = float(self.weights.sum())
-        # places that the surface has not reached yet must not speak for the noise
-        typical = 1.4826 * float(np.median(np.abs(step.residuals_mm)))
-        squares = float((self.weights * np.minimum(np.abs(step.residuals_mm), 3 * typical) ** 2).sum())
-        left = max(total - freedom, 0.02 * total)
-        return total * squares / left**2, float(np.sqrt(squares / left))
+    def noise(self, residuals_mm: Array, freedom: float) -> float:
+        """Sigma of a typical measurement, mm, from residuals (n,) of a fit with so many degrees of freedom."""
+        counts = self.robust * self.observations.counts
+        left = max(float(counts.sum()) - freedom, 0.02 * float(counts.sum()))
+        return float(np.sqrt((counts * self.squares(residuals_mm)).sum() / left))
 
 
-def _away_from(mesh: TriangleMesh, forbidden: NDArray[np.bool_], rings: int = 2) -> NDArray[np.bool_]:
+def _away_from(mesh: TriangleMesh, forbidden: Mask, rings: int = 2) -> Mask:
     """Which vertices are more than some rings away from the forbidden ones, (v,); all of them when none is left."""
     touched = forbidden
     for _ in range(rings):
