@@ -39,31 +39,39 @@ def stratified(mesh: TriangleMesh, count: int, seed: int) -> Array:
 
 
 def errors(truth: TriangleMesh, to_truth: ClosestPoint, mesh: TriangleMesh, region: Region = everywhere) -> dict[str, float]:
-    """Distances of a mesh and the truth, where `region` accepts the point of the truth.
+    """Distances of a mesh and the truth both ways, where `region` accepts the point of the truth.
 
     Returns
     -------
     surface_rms_um, surface_p95_um, surface_max_um : area-uniform points of the mesh to the truth
     vertex_rms_um : vertices of the mesh to the truth
-    complete_rms_um : area-uniform points of the truth to the mesh
     bias_um : mean signed distance of the surface, positive where it lies outside of the truth
+    complete_rms_um : area-uniform points of the truth to the mesh
     """
+    return surface_errors(to_truth, mesh, region) | {"complete_rms_um": incompleteness_um(truth, mesh, region)}
+
+
+def surface_errors(to_truth: ClosestPoint, mesh: TriangleMesh, region: Region = everywhere) -> dict[str, float]:
+    """The way from the mesh to the truth alone, see `errors`."""
     mesh = _referenced(mesh)
     surface = _signed(to_truth, stratified(mesh, SAMPLES, 2), region)
     vertices = mesh.vertices
     if len(vertices) > _MOST_VERTICES:
         vertices = vertices[np.random.default_rng(1).choice(len(vertices), _MOST_VERTICES, replace=False)]
-    on_truth = stratified(truth, SAMPLES, 3)
-    complete = 1e3 * ClosestPoint(mesh).distance(on_truth[region(on_truth)])
     away = np.abs(surface)
     return {
         "surface_rms_um": rms(surface),
-        "surface_p95_um": float(np.percentile(away, 95)),
-        "surface_max_um": float(away.max()),
+        "surface_p95_um": float(np.percentile(away, 95)) if len(away) else float("nan"),
+        "surface_max_um": float(away.max(initial=0.0)),
         "vertex_rms_um": rms(_signed(to_truth, vertices, region)),
-        "complete_rms_um": rms(complete),
-        "bias_um": float(surface.mean()),
+        "bias_um": float(surface.mean()) if len(surface) else float("nan"),
     }
+
+
+def incompleteness_um(truth: TriangleMesh, mesh: TriangleMesh, region: Region = everywhere) -> float:
+    """The rms distance of area-uniform points of the truth to the mesh."""
+    points = stratified(truth, SAMPLES, 3)
+    return rms(1e3 * ClosestPoint(_referenced(mesh)).distance(points[region(points)]))
 
 
 def nothing_um(to_truth: ClosestPoint, points: Array) -> float:

@@ -45,9 +45,10 @@ class Made:
     report: dict[str, Any] = field(default_factory=dict)
 
 
-def ours(points: Array, triangles: int | None = None, criterion: str | None = None) -> Made:
+def ours(points: Array, triangles: int | None = None, *, criterion: str | None = None, table_mm: float | None = None) -> Made:
     """Reconstruct in a fresh process with one thread; a `criterion` by its value."""
-    return _made(points, {"who": "ours", "triangles": triangles, "criterion": criterion}, {"OMP_NUM_THREADS": "1"})
+    job = {"who": "ours", "triangles": triangles, "criterion": criterion, "table_mm": table_mm}
+    return _made(points, job, {"OMP_NUM_THREADS": "1"})
 
 
 def theirs(peer: Peer, points: Array) -> Made:
@@ -88,7 +89,7 @@ def _reconstruct(job: dict[str, Any], points: Array) -> tuple[TriangleMesh, floa
     from scanner_core.reconstruction.pipeline import reconstruct
 
     wanted = {} if job["criterion"] is None else {"criterion": Criterion(job["criterion"])}
-    parameters = ReconstructionParameters(triangles=job["triangles"], **wanted)
+    parameters = ReconstructionParameters(triangles=job["triangles"], table_mm=job["table_mm"], **wanted)
     begin_s = time.perf_counter()
     result = reconstruct(PointCloud(points), parameters, progress=lambda _: None, cancelled=lambda: False)
     return result.mesh, time.perf_counter() - begin_s, result.report.as_dict()
