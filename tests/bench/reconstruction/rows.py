@@ -60,7 +60,7 @@ _ARCH = Scan("arch", 89_029, 0.05, 4000)
 ROWS = (
     Row("ear3500_170", _EAR, _SPARSE),
     Row("ear20000_170", _ear(20_000, 170, 21_000), _DENSE),
-    Row("ear3500_1000", _ear(3500, 1000, 4500), (jet(30, 5), poisson(4, 100), apss(30, 7))),
+    Row("ear3500_1000", _ear(3500, 1000, 4500), (jet(30, 5), poisson(5, 200), poisson(4, 100), apss(30, 7))),
     Row("ear20000_1000", _ear(20_000, 1000, 21_000), (jet(100, 5), poisson(5, 300))),
     Row("ear3500_300", _ear(3500, 300, 9300), (apss(30, 5), apss(60, 5), poisson(5, 30), poisson(5, 60), jet(30, 5))),
     Row("ear3500_500", _ear(3500, 500, 9500), (apss(60, 6), poisson(5, 60), poisson(5, 100), jet(30, 5))),
