@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import json
 import os
-import resource
 import subprocess
 import sys
 import tempfile
@@ -110,6 +109,10 @@ def _peak_memory_mb() -> float:
         peak = next((line for line in status.read_text().splitlines() if line.startswith("VmHWM:")), None)
         if peak is not None:
             return int(peak.split()[1]) / 2**10
+    if sys.platform == "win32":
+        return float("nan")
+    import resource
+
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / (2**20 if sys.platform == "darwin" else 2**10)
 
 
