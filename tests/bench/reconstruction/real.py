@@ -33,9 +33,10 @@ def supported_part(mesh: TriangleMesh) -> TriangleMesh:
     return TriangleMesh(mesh.vertices, mesh.triangles[supported[mesh.triangles].all(axis=1)])
 
 
-def measure(path: Path, points: int, sigma_um: float, seed: int, triangles: int | None, on_table: bool) -> dict[str, Any]:
+def measure(path: Path, points: int, sigma_um: float, seed: int, triangles: int | None, on_table: bool, scale: float) -> dict[str, Any]:
     """Everything that is stated of one file."""
     file = read_mesh(path)
+    file = TriangleMesh(scale * file.vertices, file.triangles)
     if on_table:
         file = stand_on_table(opening_down(file))
     checks = check_mesh(file)
@@ -85,6 +86,7 @@ def main() -> int:
     parser.add_argument("files", nargs="+", type=Path, metavar="FILE")
     parser.add_argument("--points", type=int, default=20_000)
     parser.add_argument("--sigma-um", type=float, default=50.0, help="noise on each axis")
+    parser.add_argument("--scale", type=float, default=1.0, help="into mm, for files in other units")
     parser.add_argument("--on-table", action="store_true", help="put an open file onto its opening, and tell the reconstruction of the table")
     parser.add_argument("--triangles", type=int, help="asked of the reconstruction")
     parser.add_argument("--seed", type=int, help="of points and noise; a random one unless given")
@@ -95,7 +97,7 @@ def main() -> int:
     results = []
     for path in given.files:
         try:
-            results.append(measure(path, given.points, given.sigma_um, seed, given.triangles, given.on_table))
+            results.append(measure(path, given.points, given.sigma_um, seed, given.triangles, given.on_table, given.scale))
         except InputFileError as error:
             results.append({"file": path.name, "failure": str(error)})
             print(f"{path.name}: {error}", flush=True)
