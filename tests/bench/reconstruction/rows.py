@@ -65,7 +65,7 @@ ROWS = (
     Row("ear3500_300", _ear(3500, 300, 9300), (apss(30, 5), apss(60, 5), poisson(5, 30), poisson(5, 60), jet(30, 5))),
     Row("ear3500_500", _ear(3500, 500, 9500), (apss(60, 6), poisson(5, 60), poisson(5, 100), jet(30, 5))),
     Row("ear3500_700", _ear(3500, 700, 9700), (apss(100, 6), poisson(5, 100), poisson(5, 150), jet(30, 5))),
-    Row("arch_50", _ARCH, (poisson(9, 30, BUDGET + 1),), triangles=BUDGET),
+    Row("arch_50", _ARCH, (poisson(9, 30, BUDGET + 1), apss(20, 3, 200)), triangles=BUDGET),
     Row("arch_170", replace(_ARCH, sigma_mm=0.17), (apss(30, 4, 200), poisson(8, 30, BUDGET + 1)), triangles=BUDGET),
     Row("heart_170", Scan("heart", 40_000, 0.17, 5000), (apss(20, 3, 150), poisson(8, 30))),
     Row("sphere_171", Scan("sphere", 3500, 0.171, 6000), (jet(200, 5), apss(60, 6), poisson(7, 30)), draws=10),
