@@ -21,9 +21,7 @@ def test_conjugate_gradients_against_a_direct_solve() -> None:
     root = rng.normal(size=(30, 30))
     matrix = root @ root.T + np.eye(30)
     right = rng.normal(size=(30, 3))
-    found = conjugate_gradients(
-        lambda x: matrix @ x, np.diag(matrix), right, np.zeros((30, 3)), tolerance=1e-10, most=200, check=lambda: None
-    )
+    found = conjugate_gradients(lambda x: matrix @ x, np.diag(matrix), right, np.zeros((30, 3)), tolerance=1e-10, most=200, check=lambda: None)
     np.testing.assert_allclose(found, np.linalg.solve(matrix, right), atol=1e-7)
 
 

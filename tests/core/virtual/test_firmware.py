@@ -288,9 +288,7 @@ def test_frozen_board_answers_nothing_and_keeps_the_laser_on() -> None:
 
 
 def test_four_axes_report_four_numbers() -> None:
-    terminal = Terminal(
-        axes="XYZA", table_axis="A", max_rate_deg_min=(6e3,) * 4, acceleration_deg_s2=(500.0,) * 4, max_travel_deg=(400.0,) * 4
-    )
+    terminal = Terminal(axes="XYZA", table_axis="A", max_rate_deg_min=(6e3,) * 4, acceleration_deg_s2=(500.0,) * 4, max_travel_deg=(400.0,) * 4)
     terminal.say("G0A15", 1.0)
     assert terminal.status().startswith("<Idle|MPos:0.000,0.000,0.000,15.000|")
     assert terminal.firmware.instant(terminal.clock.now_s()).table_deg == 15.0
