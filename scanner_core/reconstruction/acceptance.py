@@ -59,7 +59,7 @@ _DEEP_SHARE = 0.04
 """Of the points deeper than half the greatest depth: bodies filled with points have more than 0.05, surfaces with a noise of a
 quarter of their radius less than 0.025."""
 
-_LEAST_SUPPORT, _LEAST_SUPPORT_OPEN = 0.6, 0.4
+_LEAST_NEAR, _LEAST_NEAR_OPEN = 0.6, 0.4
 """Share of the surface that lies near points.  A dental arch without its base has 0.66 and is whole for who scanned it on a
 table; a half-shell has 0.69 and cannot be told from a dome that stands there.  Less is a scan from one side, or a curve."""
 
@@ -77,7 +77,7 @@ class Accepted:
 
     Attributes
     ----------
-    points : (m, 3) float64 mm about `centre_mm`, each place once, without strays, in the order of the cloud
+    points : (m, 3) float64 mm about `centre_mm`, each place once, without strays, in the order of the cloud, on a fine grid
     centre_mm : (3,) middle of the box around them, in the object frame
     strays : points that were left out because they lie far from the object
     warnings : sentences for the report
@@ -128,14 +128,24 @@ def accept(given: NDArray[np.floating], seed: int, check: Callable[[], None]) ->
         warnings.append(f"{lost} points ({share}) lie more than {link:.3g} mm from the object; they were left out as strays.")
     low, high = kept.min(axis=0), kept.max(axis=0)
     centre = 0.5 * (low + high)
-    points = kept - centre
+    extent = float((high - low).max())
+    points = _on_grid(kept - centre, extent)
     noise = _thickness(points, seed)
     check()
     if _is_flat(points, noise):
         raise ReconstructionError("E-REC-02", reason="they lie in a plane or on a line")
-    extent = float((high - low).max())
     warnings += _size_warnings(extent) + _place_warnings(centre, extent) + _step_warnings(kept, centre, min(noise, spacing))
     return Accepted(points, centre, lost, tuple(warnings))
+
+
+def _on_grid(points: Array, extent_mm: float) -> Array:
+    """Points about their middle, (n, 3), rounded to about the four-millionth of their extent: 5 nm for an ear.
+
+    The phases decide by comparisons, and the last bit of one coordinate can change which triangles there are.  Rounded like
+    this, a cloud in other units or at another place gives the same mesh, unless a coordinate lies just between two steps.
+    """
+    step = 2.0 ** np.round(np.log2(extent_mm) - 22)
+    return np.asarray(np.round(points / step) * step)
 
 
 # --------------------------------------------------------------------------------------------- objects and strays
@@ -305,23 +315,27 @@ def check_hollow(depths_mm: NDArray[np.floating], deepest_mm: float) -> None:
         raise ReconstructionError("E-REC-02", reason=f"{100 * share:.0f} % of them lie deep inside, where the scan of a surface has none")
 
 
-def check_fit(mesh: TriangleMesh, supported: Mask, noise_mm: float, *, standing: bool, open_holes: bool) -> None:
-    """Refuse a fitted surface that the points do not bear (E-REC-02).
+def check_fit(mesh: TriangleMesh, near: Mask, supported: Mask, noise_mm: float, *, standing: bool, open_holes: bool) -> None:
+    """Refuse a fitted surface that the points do not bear (E-REC-02, or E-REC-03 when none of it can be confirmed).
 
     Parameters
     ----------
-    mesh, supported : the surface, and which of its vertices lie near points, (v,)
-    noise_mm : one sigma of the points about it
+    mesh : the surface
+    near : which of its vertices lie within reach of points, (v,)
+    supported : which of these the fit confirmed, (v,); it may reject more than it should where points are few
+    noise_mm : one sigma of the points about the surface
     standing : whether the object is known to stand on a table, which hides its base
     open_holes : whether the parts without points are left open anyway
     """
     areas = mesh.areas()
     area = float(areas.sum())
-    share = float((areas * supported[mesh.triangles].mean(axis=1)).sum()) / area
-    if share < (_LEAST_SUPPORT_OPEN if standing or open_holes else _LEAST_SUPPORT):
+    share = float((areas * near[mesh.triangles].mean(axis=1)).sum()) / area
+    if share < (_LEAST_NEAR_OPEN if standing or open_holes else _LEAST_NEAR):
         raise ReconstructionError("E-REC-02", reason=f"they cover only {100 * share:.0f} % of the surface that closes round them")
     if noise_mm > _MOST_NOISE * mesh.volume() / area:
         raise ReconstructionError("E-REC-02", reason=f"they scatter by {noise_mm:.2g} mm about a surface that is hardly thicker itself")
+    if not supported[mesh.triangles].all(axis=1).any():
+        raise ReconstructionError("E-REC-03", reason="no part of it can be confirmed by the points", do="scan the object more densely")
 
 
 # --------------------------------------------------------------------------------------------- warnings

@@ -12,6 +12,7 @@ from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.jobs.progress import IsCancelled, OnProgress
 from scanner_core.reconstruction.acceptance import LEAST_POINTS, accept, check_fit, check_hollow
+from scanner_core.reconstruction.cap import supported_vertices
 from scanner_core.reconstruction.cloud_scale import CloudScale, measure_scale
 from scanner_core.reconstruction.inflate import Balloon, inflate
 from scanner_core.reconstruction.memory import peak_memory_mb
@@ -61,7 +62,8 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
 
     pace.enter("refine")
     fit = Refinement(points, tree, scale, parameters, pace).run(balloon.mesh)
-    check_fit(fit.mesh, fit.supported, fit.noise_mm, standing=table is not None, open_holes=parameters.open_holes)
+    near = supported_vertices(fit.mesh.vertices, tree, scale.reach_mm, fit.noise_mm)
+    check_fit(fit.mesh, near, fit.supported, fit.noise_mm, standing=table is not None, open_holes=parameters.open_holes)
 
     pace.enter("smooth")
     mesh = without_self_intersections(smooth(fit.mesh, fit.supported), pace.check)
