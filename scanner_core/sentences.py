@@ -117,11 +117,21 @@ SENTENCES: dict[str, Sentence] = {
     "E-FILE-04": Sentence("{path} cannot be read as points: {reason}.", "Nothing was done; use PLY, XYZ, TXT, CSV, ASC, NPY or a case."),
     "E-FILE-05": Sentence("{path} cannot be read: {reason}.", "Nothing was done; check the file."),
     "E-FILE-06": Sentence("Files of the kind '{suffix}' cannot be written.", "Nothing was written; use one of {known}."),
+    "E-FILE-07": Sentence(
+        "{path} cannot hold this mesh: so far from the origin the numbers of an STL file have steps of {step_mm} mm, wider than its triangles allow.",
+        "Nothing was written; write .ply, .obj or .3mf instead, or move the points nearer to the origin.",
+    ),
     # ------------------------------------------------------------------------------------------ reconstruction
     "E-REC-01": Sentence("{points} points are too few for a surface; at least {least} are needed.", "No mesh was written; scan more of the object."),
     "E-REC-02": Sentence("The points do not enclose a body: {reason}.", "No mesh was written; scan the object from more sides."),
     "E-REC-03": Sentence("The surface that was found is not trustworthy: {reason}.", "No mesh was written and the points are kept; {do}."),
-    "E-REC-04": Sentence("The points contain {count} values that are not finite numbers.", "No mesh was written; export the points again."),
+    "E-REC-04": Sentence(
+        "The points contain {count} values that are not finite numbers, or impossibly far away.", "No mesh was written; export the points again."
+    ),
+    "E-REC-05": Sentence(
+        "The points belong to {count} separate objects: the second largest holds {share} % of them and lies {gap_mm} mm from the largest.",
+        "No mesh was written; reconstruct one object at a time, and cut the points of the others off.",
+    ),
     # ------------------------------------------------------------------------------------------ memory and worker process
     "E-MEM-01": Sentence(
         "There is not enough memory for '{command}'.", "Nothing was written; close other programs, or ask for fewer points or triangles."

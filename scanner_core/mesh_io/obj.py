@@ -9,6 +9,7 @@ import numpy as np
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.mesh_io.malformed import MalformedError, checked_triangles, checked_vertices, shown
 from scanner_core.mesh_io.polygons import triangulated
+from scanner_core.mesh_io.precision import decimals
 
 
 def parse_obj(content: bytes) -> TriangleMesh:
@@ -53,11 +54,12 @@ def parse_obj(content: bytes) -> TriangleMesh:
 
 
 def write_obj(file: BinaryIO, mesh: TriangleMesh) -> None:
-    """OBJ in millimetres, nine significant digits."""
+    """OBJ in millimetres, nine significant digits or, far from the origin, sixteen."""
     file.write(b"# Impronta, unit: mm\n")
+    row = b"v %.9g %.9g %.9g\n".replace(b"9", b"%d" % decimals(mesh.vertices))
     for rows in _chunks(len(mesh.vertices)):
         part = mesh.vertices[rows]
-        file.write((b"v %.9g %.9g %.9g\n" * len(part)) % tuple(part.ravel().tolist()))
+        file.write((row * len(part)) % tuple(part.ravel().tolist()))
     for rows in _chunks(len(mesh.triangles)):
         faces = mesh.triangles[rows] + 1
         file.write((b"f %d %d %d\n" * len(faces)) % tuple(faces.ravel().tolist()))

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.mesh_io.malformed import MalformedError, checked_triangles, checked_vertices, line_of, shown
 from scanner_core.mesh_io.polygons import triangulated
+from scanner_core.mesh_io.precision import single_is_enough
 
 _TYPES = {
     "char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4", "float": "f4", "double": "f8",
@@ -116,7 +117,9 @@ def write_ply_elements(
 
 def write_ply(file: BinaryIO, mesh: TriangleMesh) -> None:
     """Binary little endian PLY in millimetres with the mesh's vertex attributes as properties
-    (``standard_uncertainty_um`` as float, ``supported`` as uchar)."""
+    (``standard_uncertainty_um`` as float, ``supported`` as uchar).
+
+    Coordinates are float, and double where the origin is so far away that float would move vertices visibly."""
     attributes: dict[str, Column] = {}
     for name, column in mesh.vertex_attributes.items():
         if name == "supported":
@@ -124,7 +127,7 @@ def write_ply(file: BinaryIO, mesh: TriangleMesh) -> None:
         elif column.dtype.str[1:] not in _NAMES or name == "standard_uncertainty_um":
             column = np.asarray(column, np.float32)
         attributes[name] = column
-    write_ply_elements(file, mesh.vertices, attributes, mesh.triangles)
+    write_ply_elements(file, mesh.vertices, attributes, mesh.triangles, "f4" if single_is_enough(mesh.vertices) else "f8")
 
 
 def _header(content: bytes) -> tuple[str, list[_Element], int]:

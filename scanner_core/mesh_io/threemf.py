@@ -6,6 +6,7 @@ import zipfile
 from typing import BinaryIO
 
 from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.mesh_io.precision import decimals
 
 _TYPES = """<?xml version="1.0" encoding="UTF-8"?>
 <Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">
@@ -36,9 +37,10 @@ def write_3mf(file: BinaryIO, mesh: TriangleMesh) -> None:
         package.writestr(_entry("_rels/.rels"), _RELATIONS)
         with package.open(_entry("3D/3dmodel.model"), "w", force_zip64=True) as model:
             model.write(_BEGIN)
+            row = b'<vertex x="%.9g" y="%.9g" z="%.9g"/>\n'.replace(b"9", b"%d" % decimals(mesh.vertices))
             for begin in range(0, len(mesh.vertices), _ROWS):
                 part = mesh.vertices[begin : begin + _ROWS]
-                model.write((b'<vertex x="%.9g" y="%.9g" z="%.9g"/>\n' * len(part)) % tuple(part.ravel().tolist()))
+                model.write((row * len(part)) % tuple(part.ravel().tolist()))
             model.write(_MIDDLE)
             for begin in range(0, len(mesh.triangles), _ROWS):
                 faces = mesh.triangles[begin : begin + _ROWS]

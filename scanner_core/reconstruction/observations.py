@@ -13,8 +13,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.geometry.point_cloud import PointCloud
-
 Array = NDArray[np.float64]
 
 MOST_OBSERVATIONS = 120_000
@@ -63,10 +61,9 @@ class Observations:
         return np.asarray(np.einsum("ni,nij,nj->n", normals, self.scatter, normals))
 
 
-def observations_of(cloud: PointCloud, centre_mm: Array, most: int = MOST_OBSERVATIONS) -> Observations:
-    """The observations of a cloud (n, 3) about a centre; merged when there are more than `most`."""
-    points = cloud.points - centre_mm
-    shapes = None if cloud.covariances is None else _shapes(cloud.covariances)
+def observations_of(points: Array, covariances: Array | None, most: int = MOST_OBSERVATIONS) -> Observations:
+    """The observations of points (n, 3) about their centre with covariances (n, 3, 3); merged when there are more than `most`."""
+    shapes = None if covariances is None else _shapes(covariances)
     single = Observations(points, np.ones(len(points)), shapes)
     return single if len(points) <= most else merged(single, _cell_mm(points, most))
 

@@ -11,6 +11,8 @@ from scanner_core.geometry.checks import MeshChecks, check_mesh
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.jobs.progress import IsCancelled, OnProgress
+from scanner_core.reconstruction.acceptance import LEAST_POINTS, accept, check_fit, check_hollow
+from scanner_core.reconstruction.cap import supported_vertices
 from scanner_core.reconstruction.cloud_scale import CloudScale, measure_scale
 from scanner_core.reconstruction.inflate import Balloon, inflate
 from scanner_core.reconstruction.memory import peak_memory_mb
@@ -27,8 +29,6 @@ from scanner_core.reconstruction.uncertainty import standard_uncertainty
 
 Array = NDArray[np.float64]
 
-LEAST_POINTS = 50
-
 __all__ = ["LEAST_POINTS", "Reconstruction", "reconstruct"]
 
 
@@ -38,16 +38,19 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
     Raises
     ------
     ReconstructionError
-        E-REC-01 too few points, E-REC-02 they enclose no body, E-REC-03 the surface failed a check, E-REC-04 not finite.
+        E-REC-01 too few points, E-REC-02 they enclose no body, E-REC-03 the surface failed a check, E-REC-04 not finite,
+        E-REC-05 they are more than one object.
     Cancelled
         Within half a second after `cancelled` has become true.
     """
     pace = Pace(progress, cancelled)
     pace.report(0.0, force=True)
-    points, centre = _accepted(cloud)
+    accepted = accept(cloud.points, parameters.seed, pace.check)
+    centre = accepted.centre_mm
     pace.centre_mm = centre
-    observations = observations_of(cloud, centre)
+    observations = observations_of(accepted.points, None if cloud.covariances is None else cloud.covariances[accepted.index])
     points = observations.points
+    pace.check()
     tree = cKDTree(points)
     pace.check()
     scale = measure_scale(points, tree, parameters.seed)
@@ -63,6 +66,8 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
 
     pace.enter("refine")
     fit = Refinement(observations, tree, scale, parameters, pace).run(balloon.mesh)
+    near = supported_vertices(fit.mesh.vertices, tree, scale.reach_mm, fit.noise_mm)
+    check_fit(fit.mesh, near, fit.supported, fit.noise_mm, standing=table is not None, open_holes=parameters.open_holes)
 
     pace.enter("smooth")
     mesh = without_self_intersections(smooth(fit.mesh, fit.supported), pace.check)
@@ -83,7 +88,7 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
     supported = fit.supported
     report = ReconstructionReport(
         points=len(cloud),
-        outliers_rejected=int(np.count_nonzero(fit.robust <= 0)),
+        outliers_rejected=int(np.count_nonzero(fit.robust <= 0)) + accepted.strays,
         noise_sigma_um=1e3 * fit.noise_mm,
         vertices=len(mesh.vertices),
         triangles=len(mesh.triangles),
@@ -100,7 +105,7 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
         ),
         seconds=seconds,
         peak_memory_mb=peak_memory_mb(),
-        warnings=_warnings(fit, area),
+        warnings=accepted.warnings + _warnings(fit, area),
     )
     pace.report(1.0, mesh, force=True)
     return Reconstruction(mesh, report)
@@ -109,6 +114,7 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
 def _inflated(points: Array, scale: CloudScale, pace: Pace, table_mm: float | None) -> Balloon:
     """Phase one in the region that the points enclose, continued down to a table or not."""
     region = enclosed_region(points, scale, pace, table_mm)
+    check_hollow(region.grid.sample(region.depth_mm, points), float(region.depth_mm.max()))
     if region.handles:
         raise ReconstructionError(
             "E-REC-03",
@@ -116,22 +122,6 @@ def _inflated(points: Array, scale: CloudScale, pace: Pace, table_mm: float | No
             do="fill the hole, or scan the object in parts",
         )
     return inflate(region, pace, tries=3 if table_mm is None else 1)
-
-
-def _accepted(cloud: PointCloud) -> tuple[Array, Array]:
-    """The points about their centre, and the centre; raises for input that cannot give a surface."""
-    points = np.asarray(cloud.points, np.float64)
-    broken = int(np.count_nonzero(~np.isfinite(points)))
-    if broken:
-        raise ReconstructionError("E-REC-04", count=broken)
-    if len(points) < LEAST_POINTS:
-        raise ReconstructionError("E-REC-01", points=len(points), least=LEAST_POINTS)
-    centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
-    points = points - centre
-    size = np.sort(np.linalg.svd(points - points.mean(axis=0), compute_uv=False))
-    if size[0] <= 0.01 * size[2]:
-        raise ReconstructionError("E-REC-02", reason="they lie in a plane or on a line")
-    return points, centre
 
 
 def _guard(checks: MeshChecks) -> None:
