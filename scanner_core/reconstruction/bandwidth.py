@@ -54,7 +54,7 @@ def local_choice(spline: SmoothingSpline, ladder_mm: Array, bandwidth_mm: Array,
     area = spline.area
     measured = gather @ counts / area
     spacing = float(1 / np.sqrt(measured @ area / area.sum()))
-    sums = spline.diffused(np.column_stack([measured, gather @ spline.weights / area]), np.full(len(area), 2 * spacing), tolerance=1e-2)
+    sums = spline.surface.diffused(np.column_stack([measured, gather @ spline.weights / area]), np.full(len(area), 2 * spacing), tolerance=1e-2)
     local, precise = np.maximum(sums, 1e-3 / spacing**2).T
     window = np.maximum(_WINDOW_BANDWIDTHS * bandwidth_mm, np.sqrt(_WINDOW_POINTS / (_KERNEL_AREA * local)))
     scores, noises = [], []
@@ -67,7 +67,7 @@ def local_choice(spline: SmoothingSpline, ladder_mm: Array, bandwidth_mm: Array,
         leverage *= freedom / max(float((measured * area) @ leverage), 1e-12)
         sums = np.column_stack([gather @ (counts * squares) / area, measured, measured * leverage])
         for _ in range(2):
-            sums = spline.diffused(sums, window, tolerance=1e-2)
+            sums = spline.surface.diffused(sums, window, tolerance=1e-2)
         number = np.maximum(sums[:, 1], 1e-12)
         scores.append(sums[:, 0] / number / np.maximum(1 - _GAMMA * sums[:, 2] / number, 0.1) ** 2)
     rung = _lowest(np.array(scores))

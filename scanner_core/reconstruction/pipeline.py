@@ -12,7 +12,6 @@ from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.jobs.progress import IsCancelled, OnProgress
 from scanner_core.reconstruction.acceptance import LEAST_POINTS, accept, check_fit, check_hollow
-from scanner_core.reconstruction.cap import supported_vertices
 from scanner_core.reconstruction.cloud_scale import CloudScale, measure_scale
 from scanner_core.reconstruction.inflate import Balloon, inflate
 from scanner_core.reconstruction.memory import peak_memory_mb
@@ -66,21 +65,20 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
 
     pace.enter("refine")
     fit = Refinement(observations, tree, scale, parameters, pace).run(balloon.mesh)
-    near = supported_vertices(fit.mesh.vertices, tree, scale.reach_mm, fit.noise_mm)
-    check_fit(fit.mesh, near, fit.supported, fit.noise_mm, standing=table is not None, open_holes=parameters.open_holes)
+    check_fit(fit.mesh, fit.supported, fit.noise_mm, standing=table is not None, open_holes=parameters.open_holes)
 
     pace.enter("smooth")
     mesh = without_self_intersections(smooth(fit.mesh, fit.supported), pace.check)
     refined = len(fit.mesh.triangles)
     pace.check()
-    spline = SmoothingSpline(mesh, observations, fit.robust, fit.supported, fit.noise_mm, pace.check)
+    spline = SmoothingSpline(mesh, observations, fit.robust, scale.spacings_mm, fit.noise_mm, pace.check)
     pace.check()
-    uncertainty = standard_uncertainty(spline, fit.bandwidth_mm, parameters.seed)
+    uncertainty = standard_uncertainty(spline, fit.bandwidth_mm)
     pace.check()
     checks = check_mesh(mesh)
     _guard(checks)
     kept = fit.robust > 0.5
-    residual = float(np.sqrt((spline.distances_mm[kept] ** 2).mean()))
+    residual = float(np.sqrt((spline.association.distances_mm[kept] ** 2).mean()))
     mesh = _finished(mesh, fit, uncertainty, centre, parameters)
     pace.centre_mm = None  # the finished mesh stands in the object frame
     seconds = pace.finish()

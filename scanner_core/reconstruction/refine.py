@@ -21,8 +21,9 @@ from scanner_core.geometry.smoothing import uniform_averaging
 from scanner_core.geometry.subdivision import curved_middles, side_lifts, split_edges
 from scanner_core.reconstruction.association import SOFT_ABOVE
 from scanner_core.reconstruction.bandwidth import local_choice
-from scanner_core.reconstruction.cap import fair_cap, follows_points, supported_vertices, tidy_support
+from scanner_core.reconstruction.cap import fair_cap
 from scanner_core.reconstruction.cloud_scale import CloudScale
+from scanner_core.reconstruction.discrete_surface import EQUILATERAL, mean_edge, vertex_areas
 from scanner_core.reconstruction.error_function import Criterion, sizes_by_data_error, sizes_by_sag
 from scanner_core.reconstruction.observations import Observations
 from scanner_core.reconstruction.pace import Pace
@@ -32,9 +33,6 @@ from scanner_core.reconstruction.spline import SmoothingSpline
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
-
-_EQUILATERAL = 0.433
-"""Area of an equilateral triangle of side 1."""
 
 import os
 _SAFETY = float(os.environ.get("SAF","1.0"))
@@ -125,20 +123,18 @@ class Refinement:
             self._choose(fit, first=level == 0)
             self._improve(fit)
             self._pace.report(min(0.8, len(fit.mesh.triangles) / most), fit.mesh, force=True)
-            area = SmoothingArea(fit.mesh)
+            area = vertex_areas(fit.mesh)
             soft = level > 0 and mean_edge(fit.mesh) <= _SOFT_EDGE * fit.noise_mm
             if float(area[~fit.settled].sum()) < _SETTLED_SHARE * float(area.sum()) or len(fit.mesh.triangles) >= 0.8 * most or soft:
                 break
-            finest = int(fit.mesh.area() / (_EQUILATERAL * (0.75 * fit.noise_mm) ** 2))
+            finest = int(fit.mesh.area() / (EQUILATERAL * (0.75 * fit.noise_mm) ** 2))
             target = min(4 * len(fit.mesh.triangles), most, max(finest, int(1.3 * len(fit.mesh.triangles))))
             self._split(fit, target, np.where(fit.settled, 4.0, 1.0) * self._sizes(fit), most_ratio=0.5)
         if soft:  # the likelihood is not quadratic: it takes some steps more
             for _ in range(3):
                 self._improve(fit)
         self._draw(fit, soft)
-        self._support(fit)
-        # Only now that the surface is fitted can it be said which vertices follow the points and which the cap.
-        fit.supported = tidy_support(fit.mesh, fit.supported & follows_points(fit.mesh.vertices, self._tree, fit.noise_mm), rounds=6)
+        fit.supported = self._spline(fit).measured
         fit.mesh = centred_facets(fit.mesh)
         fit.mesh = fair_cap(fit.mesh, fit.supported, self._pace.check, rounds=10)
         fit.robust = robust_weights(fit.residuals_mm, self._scale, patient=False)
@@ -159,21 +155,17 @@ class Refinement:
             for _ in range(2):
                 self._improve(fit)
 
-    def _support(self, fit: Fit) -> None:
-        reach = np.where(fit.robust > 0.5, self._scale.reach_mm, 0.0)
-        fit.supported = tidy_support(fit.mesh, supported_vertices(fit.mesh.vertices, self._tree, reach, fit.noise_mm))
-
     def _spline(self, fit: Fit) -> SmoothingSpline:
         self._pace.check()
-        self._support(fit)
-        return SmoothingSpline(fit.mesh, self._observations, fit.robust, fit.supported, fit.noise_mm, self._pace.check)
+        return SmoothingSpline(fit.mesh, self._observations, fit.robust, self._scale.spacings_mm, fit.noise_mm, self._pace.check)
 
     def _improve(self, fit: Fit) -> None:
         """One solve, the robust weights after it, and the tidying of the triangles."""
         fit.mesh = relax(flip_edges(fit.mesh), step=0.25)
         spline = self._spline(fit)
         step = spline.step(fit.bandwidth_mm)
-        moved = np.clip(step.displacement_mm, -_STEP * spline.edge_mm, _STEP * spline.edge_mm)
+        moved = np.clip(step.displacement_mm, -_STEP * spline.surface.edge_mm, _STEP * spline.surface.edge_mm)
+        fit.supported = spline.supported
         fit.residuals_mm = step.residuals_mm / np.sqrt(spline.variance)
         fit.robust = robust_weights(fit.residuals_mm, self._scale)
         if not np.any(fit.settled):  # the first guess, from the points alone, may be far too high
@@ -199,7 +191,7 @@ class Refinement:
         chosen = np.log(np.maximum(_SAFETY * narrowest * _RUNG**choice.rung, floor))
         chosen = np.where(choice.rung <= 0, np.log(narrowest), chosen)
         chosen = np.where(fit.settled, np.log(fit.bandwidth_mm), chosen)
-        smooth = spline.diffused(chosen[:, None], np.exp(chosen))[:, 0]
+        smooth = spline.surface.diffused(chosen[:, None], np.exp(chosen))[:, 0]
         fit.bandwidth_mm = np.where(fit.settled, fit.bandwidth_mm, np.exp(smooth))
         if not first:
             fit.settled = fit.settled | (fit.bandwidth_mm > _SETTLED_ABOVE * edges)
@@ -218,8 +210,8 @@ class Refinement:
             # the sag of a facet goes with its area
             goal = len(fit.mesh.triangles) * 1e3 * facet_sag_mm(fit.mesh) / self._parameters.tolerance_um
             return int(np.clip(goal, 500, _MOST_TRIANGLES))
-        carries = float((SmoothingArea(fit.mesh) / (_EQUILATERAL * (0.4 * fit.bandwidth_mm) ** 2)).sum())
-        return max(min(int(carries), self._most_triangles()), 4_000)
+        carries = float((vertex_areas(fit.mesh) / (EQUILATERAL * (0.4 * fit.bandwidth_mm) ** 2)).sum())
+        return max(min(int(carries), self._most_triangles()), 16_000)
 
     def _most_triangles(self) -> int:
         """As many as the points can fill with detail: about one a point, as in the publication."""
@@ -282,11 +274,6 @@ def facet_sag_mm(mesh: TriangleMesh) -> float:
     return float(np.percentile(np.abs(side_lifts(mesh, mesh.vertex_normals()).sum(axis=1)) * 4 / 9, 95))
 
 
-def mean_edge(mesh: TriangleMesh) -> float:
-    """Side of the equilateral triangle with the mean area, mm."""
-    return float(np.sqrt(mesh.area() / (_EQUILATERAL * len(mesh.triangles))))
-
-
 def robust_weights(residuals_mm: Array, scale: CloudScale, *, patient: bool = True) -> Array:
     """1 up to 3 sigma, 0 from 5 sigma on, with sigma from the median of the residuals after the fit, (n,).
 
@@ -303,18 +290,14 @@ def robust_weights(residuals_mm: Array, scale: CloudScale, *, patient: bool = Tr
     return np.asarray(weights)
 
 
-def SmoothingArea(mesh: TriangleMesh) -> Array:
-    return np.bincount(mesh.triangles.ravel(), np.repeat(mesh.areas() / 3, 3), minlength=len(mesh.vertices))
-
-
 def local_edges(mesh: TriangleMesh) -> Array:
     """Side of the equilateral triangles that fill the surroundings of each vertex, (v,), mm."""
     corners = mesh.triangles.ravel()
     valence = np.bincount(corners, minlength=len(mesh.vertices))
     averaging = uniform_averaging(mesh)
-    size = 3 * SmoothingArea(mesh) / np.maximum(valence, 1)
+    size = 3 * vertex_areas(mesh) / np.maximum(valence, 1)
     size = 0.5 * size + 0.5 * (averaging @ size)
-    return np.asarray(np.sqrt(size / _EQUILATERAL))
+    return np.asarray(np.sqrt(size / EQUILATERAL))
 
 
 def reduced_with(mesh: TriangleMesh, triangles: int) -> tuple[TriangleMesh, NDArray[np.int64]]:
