@@ -64,7 +64,7 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
         balloon = _inflated(points, scale, pace, None)
 
     pace.enter("refine")
-    fit = Refinement(observations, tree, scale, parameters, pace).run(balloon.mesh)
+    fit = Refinement(observations, scale, parameters, pace).run(balloon.mesh)
     check_fit(fit.mesh, fit.supported, fit.noise_mm, standing=table is not None, open_holes=parameters.open_holes)
 
     pace.enter("smooth")

@@ -24,7 +24,7 @@ from scanner_core.reconstruction.association import associate
 from scanner_core.reconstruction.conjugate_gradients import conjugate_gradients
 from scanner_core.reconstruction.discrete_surface import DiscreteSurface
 from scanner_core.reconstruction.observations import Observations
-from scanner_core.reconstruction.support import FITTED, MEASURED, density_share
+from scanner_core.reconstruction.support import FITTED, density_share
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -58,15 +58,23 @@ class SmoothingSpline:
     spacing_mm : (n,) side of the square that each observation stands for
     noise_mm : sigma of a typical observation along the normal, as far as it is known
     check : raises when the caller asked to stop
+    share : (v,) the share of the density, if it is known
 
     Attributes
     ----------
-    measured : (v,) bool, where observations bear the surface out
-    supported : (v,) bool, where it is fitted: a little more
+    share : (v,) density of the observations over the one that they have among themselves
+    supported : (v,) bool, where the surface is fitted
     """
 
     def __init__(
-        self, mesh: TriangleMesh, observations: Observations, robust: Array, spacing_mm: Array, noise_mm: float, check: Callable[[], None]
+        self,
+        mesh: TriangleMesh,
+        observations: Observations,
+        robust: Array,
+        spacing_mm: Array,
+        noise_mm: float,
+        check: Callable[[], None],
+        share: Array | None = None,
     ) -> None:
         self.surface = surface = DiscreteSurface(mesh, check)
         self.mesh = mesh
@@ -80,8 +88,9 @@ class SmoothingSpline:
         self.robust = robust
         self.weights = robust * observations.counts / self.variance
         interpolation = self.association.interpolation
-        share = density_share(surface, interpolation, robust, spacing_mm)
-        self.measured = share > MEASURED
+        if share is None:
+            share = density_share(surface, interpolation, robust, spacing_mm)
+        self.share = share
         self.supported = share > FITTED
         scanned = max(float(self.area[self.supported].sum()), 1e-12)
         self.density = float(self.weights.sum()) / scanned
@@ -172,17 +181,6 @@ class SmoothingSpline:
         pulls = self.pulls(bandwidth_mm)
         moved = self.solve(bandwidth_mm, pulls[:, None], self.curvature[:, None], tolerance=tolerance, majorized=self.association.soft)[:, 0]
         return SplineStep(moved, pulls - self.at_observations(moved))
-
-    def step_and_freedom(self, bandwidth_mm: Array, signs: Array) -> tuple[SplineStep, float]:
-        """One coarse displacement, and the degrees of freedom of the fit: the trace of the smoother, from random signs (n,).
-
-        M. F. Hutchinson, "A stochastic estimator of the trace of the influence matrix", 1989.
-        """
-        pulls = self.pulls(bandwidth_mm)
-        curvature = np.column_stack([self.curvature, np.zeros_like(self.curvature)])
-        answer = self.solve(bandwidth_mm, np.column_stack([pulls, signs]), curvature, tolerance=1e-2)
-        seen = self.at_observations(answer)
-        return SplineStep(answer[:, 0], pulls - seen[:, 0]), float(signs @ seen[:, 1])
 
     def squares(self, residuals_mm: Array) -> Array:
         """Squared residuals (n,) of single measurements in units of a typical one's variance, bounded; mm^2."""
