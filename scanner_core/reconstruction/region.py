@@ -81,8 +81,14 @@ def enclosed_region(points: Array, scale: CloudScale, pace: Pace, table_mm: floa
     normals = _oriented(chosen, blur, pace)
     for most_nodes in _NODES:
         grid = _grid(chosen, 0.7 * blur, most_nodes)
-        region = _region_on(grid, chosen, normals, blur, scale.spacing_mm, pace, table_mm)
-        if grid.voxel_mm <= 1.05 * 0.7 * blur or not _too_coarse(region, points, scale, pace):
+        finest = most_nodes == _NODES[-1] or grid.voxel_mm <= 0.75 * blur
+        try:
+            region = _region_on(grid, chosen, normals, blur, scale.spacing_mm, pace, table_mm)
+        except ReconstructionError:
+            if finest:
+                raise
+            continue
+        if finest or not _too_coarse(region, points, scale, pace):
             break
     return region
 
@@ -243,8 +249,8 @@ def _check_body(grid: VoxelGrid, depth: Field, weights: NodeWeights, points: Arr
 
 
 def _missed_share(region: EnclosedRegion, points: Array, scale: CloudScale) -> float:
-    """Share of (n, 3) points that lie, with most of their neighbours, away from the region's border: on parts that it has not got."""
-    away = np.abs(region.grid.sample(region.depth_mm, points)) > 2 * region.grid.voxel_mm + 3 * scale.noise_mm
+    """Share of (n, 3) points that lie, with most of their neighbours, outside the region: on parts that it has not got."""
+    away = region.grid.sample(region.depth_mm, points) < -2 * region.grid.voxel_mm - 3 * scale.noise_mm
     return float((away & (away[scale.neighbours].mean(axis=1) > 0.5)).mean())
 
 
