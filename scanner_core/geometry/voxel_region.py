@@ -131,13 +131,16 @@ def euler_number(region: Region) -> int:
     return int(r.sum()) - sum(int(p.sum()) for p in pairs) + sum(int(s.sum()) for s in squares) - int(cubes.sum())
 
 
-def closed_by(region: Region, radius_voxels: float) -> Region:
-    """Morphological closing with a ball; the region must keep that distance from the grid's border."""
-    grown = ndimage.distance_transform_edt(~region) <= radius_voxels
+def closed_by(region: Region, radius_voxels: float, away: Field | None = None) -> Region:
+    """Morphological closing with a ball; the region must keep that distance from the grid's border.
+
+    `away` is the distance of every node to the region in voxels, where it is known.
+    """
+    grown = (ndimage.distance_transform_edt(~region) if away is None else away) <= radius_voxels
     return np.asarray(ndimage.distance_transform_edt(grown) > radius_voxels) | region
 
 
-def opened_by(region: Region, radius_voxels: float) -> Region:
-    """Morphological opening with a ball."""
-    core = ndimage.distance_transform_edt(region) > radius_voxels
+def opened_by(region: Region, radius_voxels: float, depth: Field | None = None) -> Region:
+    """Morphological opening with a ball; `depth` is the distance of every node to the outside in voxels, where it is known."""
+    core = (ndimage.distance_transform_edt(region) if depth is None else depth) > radius_voxels
     return np.asarray(ndimage.distance_transform_edt(~core) <= radius_voxels) & region

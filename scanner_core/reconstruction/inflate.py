@@ -22,7 +22,7 @@ from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.remeshing import collapse_short, flip_edges, relax, split_long
 from scanner_core.geometry.smoothing import averaging_of
 from scanner_core.geometry.subdivision import subdivide_uniform
-from scanner_core.geometry.voxel_region import Field, VoxelGrid
+from scanner_core.geometry.voxel_region import Field, Region, VoxelGrid
 from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.region import EnclosedRegion
 
@@ -92,12 +92,12 @@ def inflate(region: EnclosedRegion, pace: Pace, tries: int = 3) -> Balloon:
     """Inflate a balloon in a region, with ever finer edges; raises E-REC-03 when none of the tries fills it."""
     lengths = choose_lengths(region, pace)
     fill = 0.0
-    for _ in range(tries):
+    for attempt in range(tries):
         balloon = inflate_at(region, lengths, pace)
         fill = balloon.fill
         if _GUARD[0] <= fill <= _GUARD[1]:
             return balloon
-        lengths = lengths.times(0.7)
+        lengths = (_shorter_at_gaps(region, lengths, pace) if attempt == 0 and fill > 1 else lengths).times(0.7)
     raise ReconstructionError(
         "E-REC-03",
         reason=f"the inflating balloon takes {fill:.2f} times the volume that the points enclose",
@@ -121,14 +121,41 @@ def choose_lengths(region: EnclosedRegion, pace: Pace) -> EdgeLengths:
     while edge > least:
         pace.check()
         pieces, _ = ndimage.label(depth >= _PASSES * edge)
-        away = ndimage.distance_transform_edt(pieces != pieces[start]) * grid.voxel_mm
-        left = inside & (away > 2 * _PASSES * edge)
+        left = inside & _far_from(pieces == pieces[start], 2 * _PASSES * edge / grid.voxel_mm)
         if not left.any():
             break
         edge = max(0.8 * edge, least)
-        away = ndimage.distance_transform_edt(~left) * grid.voxel_mm
-        np.minimum(lengths, edge + _GRADE * np.maximum(away - edge, 0), out=lengths, casting="same_kind")
+        _shorten(lengths, left, edge, grid.voxel_mm)
     return EdgeLengths(grid, lengths)
+
+
+def _shorter_at_gaps(region: EnclosedRegion, lengths: EdgeLengths, pace: Pace) -> EdgeLengths:
+    """The same with edges as short as the gaps between parts of the region are wide: across a narrow one, a balloon with
+    long edges gets into itself."""
+    grid, shortened = lengths.grid, lengths.lengths_mm.copy()
+    thin = round(grid.voxel_mm / region.grid.voxel_mm)
+    depth = region.depth_mm[::thin, ::thin, ::thin]
+    edge = float(shortened.max())
+    least = min(edge, _LEAST_EDGE_VOXELS * region.grid.voxel_mm)
+    while edge > least:
+        pace.check()
+        radius = _PASSES * edge
+        left = (depth < 0) & (depth > -radius) & _far_from(depth <= -radius, 2 * radius / grid.voxel_mm)
+        if not left.any():
+            break
+        edge = max(0.8 * edge, least)
+        _shorten(shortened, left, edge, grid.voxel_mm)
+    return EdgeLengths(grid, shortened)
+
+
+def _far_from(core: Region, voxels: float) -> Region:
+    return np.asarray(ndimage.distance_transform_edt(~core) > voxels)
+
+
+def _shorten(lengths_mm: Field, where: Region, edge_mm: float, voxel_mm: float) -> None:
+    """Lower lengths to an edge in a region and within one edge of it; farther away they may grow."""
+    away = ndimage.distance_transform_edt(~where) * voxel_mm
+    np.minimum(lengths_mm, edge_mm + _GRADE * np.maximum(away - edge_mm, 0), out=lengths_mm, casting="same_kind")
 
 
 def _border_area(region: EnclosedRegion) -> float:

@@ -78,7 +78,7 @@ def enclosed_region(points: Array, scale: CloudScale, pace: Pace, table_mm: floa
     chosen = points[used]
     _check_flat(chosen)
     blur = max(scale.spacing_mm, 0.7 * scale.noise_mm)
-    normals = _oriented(chosen, blur, pace)
+    normals = _oriented(chosen, blur, pace, table_mm)
     for most_nodes in _NODES:
         grid = _grid(chosen, 0.7 * blur, most_nodes)
         finest = most_nodes == _NODES[-1] or grid.voxel_mm <= 0.75 * blur
@@ -93,12 +93,12 @@ def enclosed_region(points: Array, scale: CloudScale, pace: Pace, table_mm: floa
     return region
 
 
-def _oriented(points: Array, blur_mm: float, pace: Pace) -> Array:
+def _oriented(points: Array, blur_mm: float, pace: Pace, table_mm: float | None) -> Array:
     """Outward normals of (n, 3) points, (n, 3), from rounds of solving and turning on a coarse grid."""
     grid = _grid(points, 0.7 * blur_mm, _COARSE_NODES)
     weights = grid.weights(points)
     areas = _areas(weights, blur_mm)
-    normals = _shielded_normals(weights, pace)
+    normals = _shielded_normals(weights, pace, table_mm)
     poisson = _Poisson(grid, max(blur_mm, 0.8 * grid.voxel_mm))
     for _ in range(_ROUNDS):
         pace.check()
@@ -158,8 +158,13 @@ def _areas(weights: NodeWeights, blur_mm: float) -> Array:
     return np.asarray(np.minimum(area, 12 * np.median(area)))
 
 
-def _shielded_normals(weights: NodeWeights, pace: Pace) -> Array:
-    """First outward normals, (n, 3): the direction in which a potential shielded by the points rises."""
+def _shielded_normals(weights: NodeWeights, pace: Pace, table_mm: float | None) -> Array:
+    """First outward normals, (n, 3): the direction in which a potential shielded by the points rises.
+
+    Nothing comes in through a table: without that, an open sheet over it, as the floor of a dental arch, has no inside.
+    """
+    grid = weights.grid
+    covered = 0 if table_mm is None else max(0, int(np.floor((table_mm - grid.origin[2]) / grid.voxel_mm)) + 1)
     occupied = weights.splat(np.ones(weights.matrix.shape[0]))
     levels = [(occupied > 0).astype(np.float32)]
     while min(levels[-1].shape) > 12:
@@ -174,7 +179,10 @@ def _shielded_normals(weights: NodeWeights, pace: Pace) -> Array:
             for axis in range(3):  # one far away
                 ends = np.moveaxis(potential, axis, 0)
                 ends[0] = ends[-1] = 1
+        under = -(-covered // 2 ** (len(levels) - 1 - number))
+        potential[:, :, :under] = 0
         weight = 1 / (6 + 40 * wall[1:-1, 1:-1, 1:-1])
+        weight[:, :, : max(under - 1, 0)] = 0
         p = potential
         for _ in range(60):
             around = p[2:, 1:-1, 1:-1] + p[:-2, 1:-1, 1:-1]
@@ -272,17 +280,29 @@ def _too_coarse(region: EnclosedRegion, points: Array, scale: CloudScale, pace: 
 
 def _without_tunnels(inside: Region, pace: Pace) -> tuple[Region, int]:
     """Close tunnels and cut thin bridges, smallest first, until the region has no handle; returns it and those that stay."""
-    best, fewest = inside, handles(inside)
+    fewest = handles(inside)
+    if fewest == 0:
+        return inside, fewest
+    box = tuple(slice(max(s.start - 8, 0), s.stop + 8) for s in ndimage.find_objects(inside.astype(np.int8))[0])
+    body = inside[box]
+    best = body
+    away = ndimage.distance_transform_edt(~body).astype(np.float32)
+    pace.check()
+    depth = ndimage.distance_transform_edt(body).astype(np.float32)
     for radius in (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0):
-        for change in (closed_by, opened_by):
-            if fewest == 0:
-                return best, fewest
+        for change, distance in ((closed_by, away), (opened_by, depth)):
             pace.check()
-            changed = largest_piece(np.asarray(ndimage.binary_fill_holes(change(inside, radius))))
+            changed = largest_piece(np.asarray(ndimage.binary_fill_holes(change(body, radius, distance))))
             left = handles(changed)
             if left < fewest:
-                best, fewest = _given_back(changed, inside, pace), left
-    return best, fewest
+                best, fewest = _given_back(changed, body, pace), left
+            if fewest == 0:
+                break
+        if fewest == 0:
+            break
+    whole = np.zeros_like(inside)
+    whole[box] = best
+    return whole, fewest
 
 
 def _given_back(opened: Region, inside: Region, pace: Pace) -> Region:
