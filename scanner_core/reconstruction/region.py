@@ -42,6 +42,8 @@ _THIN_VOXELS = 2.0
 
 _MISSED_SHARE = 0.002
 _ROUNDS = 12
+_OPENING = 0.2
+"""Wide is an opening of that share of the scanned area: a half-ball has one half."""
 _OPEN_SHARE = 0.02
 _OPEN_LEVEL = 0.35
 """A scan with an open base is cut at a lower level: the thin wedge that cap and wall make at a slanting rim gets room for
@@ -94,7 +96,23 @@ def enclosed_region(points: Array, scale: CloudScale, pace: Pace, table_mm: floa
 
 
 def _oriented(points: Array, blur_mm: float, pace: Pace, table_mm: float | None) -> Array:
-    """Outward normals of (n, 3) points, (n, 3), from rounds of solving and turning on a coarse grid."""
+    """Outward normals of (n, 3) points, (n, 3), from rounds of solving and turning on a coarse grid.
+
+    The area vectors of a closed surface sum to zero; those of an open one sum to the area of the opening and face away
+    from it.  A wide open sheet may have been oriented in part from its wrong side, so it is done again on a table.
+    """
+    normals, areas = _oriented_on(points, blur_mm, pace, table_mm)
+    away = areas @ normals / areas.sum()
+    if table_mm is not None or float(np.linalg.norm(away)) < _OPENING:
+        return normals
+    axis = np.linalg.qr(np.column_stack([away, np.eye(3)]))[0][:, (1, 2, 0)]
+    axis *= np.sign(away @ axis[:, 2])  # the columns of a rotation or a mirror, its last one away from the opening
+    turned = points @ axis
+    return np.asarray(_oriented_on(turned, blur_mm, pace, float(turned[:, 2].min()) - 2 * blur_mm)[0] @ axis.T)
+
+
+def _oriented_on(points: Array, blur_mm: float, pace: Pace, table_mm: float | None) -> tuple[Array, Array]:
+    """Outward normals of (n, 3) points, on a table or without one, and the area of each point up to a common factor."""
     grid = _grid(points, 0.7 * blur_mm, _COARSE_NODES)
     weights = grid.weights(points)
     areas = _areas(weights, blur_mm)
@@ -107,7 +125,7 @@ def _oriented(points: Array, blur_mm: float, pace: Pace, table_mm: float | None)
         normals = turned
         if changed < 0.002:
             break
-    return normals
+    return normals, areas
 
 
 def _region_on(
