@@ -26,19 +26,21 @@ def edge_targets(table: EdgeTable, sizes_mm: Array | float) -> Array:
     return np.asarray(np.minimum(sizes[table.edges[:, 0]], sizes[table.edges[:, 1]]))
 
 
-def split_long(mesh: TriangleMesh, longest_mm: Array | float) -> TriangleMesh:
-    """Split the edges that are longer than `longest_mm`, a length or one for each vertex."""
-    table = EdgeTable.of(mesh.triangles)
+def split_long(mesh: TriangleMesh, longest_mm: Array | float, table: EdgeTable | None = None) -> TriangleMesh:
+    """Split the edges that are longer than `longest_mm`, a length or one for each vertex; `table` as far as it is known."""
+    table = table or EdgeTable.of(mesh.triangles)
     marked = table.lengths(mesh.vertices) > edge_targets(table, longest_mm)
     return split_edges(mesh, table, marked) if np.any(marked) else mesh
 
 
-def collapse_short(mesh: TriangleMesh, shortest_mm: Array | float, *, keep: Mask | None = None) -> tuple[TriangleMesh, NDArray[np.int64]]:
+def collapse_short(
+    mesh: TriangleMesh, shortest_mm: Array | float, *, keep: Mask | None = None, table: EdgeTable | None = None
+) -> tuple[TriangleMesh, NDArray[np.int64]]:
     """Collapse edges shorter than `shortest_mm` into their middles.
 
     Returns the mesh and (v,) int64: for each new vertex, the old one it continues.  Vertices of `keep` stay.
     """
-    table = EdgeTable.of(mesh.triangles)
+    table = table or EdgeTable.of(mesh.triangles)
     lengths = table.lengths(mesh.vertices)
     ratio = lengths / edge_targets(table, shortest_mm)
     wanted = ratio < 1
@@ -120,23 +122,23 @@ def _turned_over(before: Array, after: Array, triangles: NDArray[np.int64], coll
     return np.asarray(np.bincount(which[bad], minlength=collapses) > 0)
 
 
-def flip_edges(mesh: TriangleMesh, *, passes: int = 1, crease_cosine: float = 0.6) -> TriangleMesh:
+def flip_edges(mesh: TriangleMesh, *, passes: int = 1, crease_cosine: float = 0.6, table: EdgeTable | None = None) -> TriangleMesh:
     """Flip edges whose two opposite angles exceed 180 degrees together (towards an intrinsic Delaunay mesh).
 
     Flips across a crease (cosine of the dihedral angle below `crease_cosine`), flips that turn a triangle over and
     flips that would leave a vertex with less than three edges are not made.
     """
     for _ in range(passes):
-        flipped = _flip_once(mesh, crease_cosine)
+        flipped = _flip_once(mesh, crease_cosine, table)
         if flipped is None:
             break
-        mesh = flipped
+        mesh, table = flipped, None
     return mesh
 
 
-def _flip_once(mesh: TriangleMesh, crease_cosine: float) -> TriangleMesh | None:
+def _flip_once(mesh: TriangleMesh, crease_cosine: float, table: EdgeTable | None) -> TriangleMesh | None:
     v, t = mesh.vertices, mesh.triangles
-    table = EdgeTable.of(t)
+    table = table or EdgeTable.of(t)
     assert table.edge_sides is not None
     triangle, corner = np.divmod(table.edge_sides, 3)
     cotangents = _side_cotangents(v, t)

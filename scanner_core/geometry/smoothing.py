@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
-from scanner_core.geometry.edges import EdgeTable, adjacency, row_dot
+from scanner_core.geometry.edges import EdgeTable, row_dot, valences
 from scanner_core.geometry.mesh import TriangleMesh
 
 Array = NDArray[np.float64]
@@ -14,9 +14,15 @@ Array = NDArray[np.float64]
 
 def uniform_averaging(mesh: TriangleMesh) -> sparse.csr_array:
     """Matrix (v, v) that replaces each vertex by the mean of its neighbours; its rows sum to one."""
-    joined = adjacency(EdgeTable.of(mesh.triangles).edges, len(mesh.vertices))
-    valence = np.maximum(joined.sum(axis=1), 1)
-    return sparse.csr_array(sparse.diags_array(1 / valence) @ joined)
+    return averaging_of(EdgeTable.of(mesh.triangles), len(mesh.vertices))
+
+
+def averaging_of(table: EdgeTable, vertices: int) -> sparse.csr_array:
+    """The matrix of :func:`uniform_averaging` from the edges between so many vertices."""
+    i, j = table.edges.T
+    share = 1 / np.maximum(valences(table.edges, vertices), 1)
+    weights = np.concatenate([share[i], share[j]])
+    return sparse.csr_array((weights, (np.concatenate([i, j]), np.concatenate([j, i]))), shape=(vertices, vertices))
 
 
 def cotangent_laplacian(mesh: TriangleMesh) -> tuple[sparse.csr_array, Array]:

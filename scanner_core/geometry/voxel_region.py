@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
+from scipy import fft, ndimage, sparse
 
 Array = NDArray[np.float64]
 Field = NDArray[np.float32]
@@ -33,40 +33,71 @@ class VoxelGrid:
         """A grid that contains (n, 3) points and a margin."""
         low, high = points.min(axis=0) - margin_mm, points.max(axis=0) + margin_mm
         nodes = np.ceil((high - low) / voxel_mm).astype(int) + 1
-        return cls(low, voxel_mm, (int(nodes[0]), int(nodes[1]), int(nodes[2])))
+        # a sine transform of n nodes is a Fourier transform of 2 (n + 1)
+        i, j, k = (fft.next_fast_len(int(n) + 1, real=True) - 1 for n in nodes)
+        return cls(low - 0.5 * (voxel_mm * (np.array((i, j, k)) - 1) - (high - low)), voxel_mm, (i, j, k))
 
     def places(self, points: Array) -> Array:
         """Continuous indices of points, (n, 3)."""
         return (points - self.origin) / self.voxel_mm
 
-    def splat(self, points: Array, values: Array) -> Array:
-        """Spread values (n,) over the eight nodes around each point with trilinear weights; a field that sums to theirs."""
+    def weights(self, points: Array) -> NodeWeights:
+        """What it takes to go from values at (n, 3) points to the nodes around them and back."""
         place = self.places(points)
         low = np.clip(np.floor(place).astype(np.int64), 0, np.array(self.shape) - 2)
-        part = place - low
-        total = np.zeros(int(np.prod(self.shape)))
-        for corner in np.ndindex(2, 2, 2):
-            weight = np.prod(np.where(corner, part, 1 - part), axis=1)
-            index = np.ravel_multi_index(tuple((low + corner).T), self.shape)
-            total += np.bincount(index, weight * values, minlength=len(total))
-        return total.reshape(self.shape)
+        part = (place - low).astype(np.float32)
+        steps = (self.shape[1] * self.shape[2], self.shape[2], 1)
+        index = np.empty((len(points), 8), np.int32)
+        weight = np.empty((len(points), 8), np.float32)
+        first = low @ np.array(steps)
+        for number, (i, j, k) in enumerate(np.ndindex(2, 2, 2)):
+            index[:, number] = first + (i * steps[0] + j * steps[1] + k)
+            x, y, z = (part[:, axis] if upper else 1 - part[:, axis] for axis, upper in enumerate((i, j, k)))
+            weight[:, number] = x * y * z
+        rows = np.arange(0, 8 * len(points) + 1, 8, dtype=np.int32)
+        nodes = int(np.prod(self.shape))
+        return NodeWeights(self, sparse.csr_array((weight.ravel(), index.ravel(), rows), shape=(len(points), nodes)))
 
     def sample(self, field: NDArray[np.floating], points: Array) -> Array:
         """Trilinear values of a field at points, (n,); the border's value outside."""
         return np.asarray(ndimage.map_coordinates(field, self.places(points).T, order=1, mode="nearest", output=np.float64))
 
-    def gradient(self, field: NDArray[np.floating], points: Array) -> Array:
-        """Gradient of a field at points by central differences of one voxel, (n, 3), per mm."""
-        slopes = np.empty((len(points), 3))
-        for axis in range(3):
-            shift = np.zeros(3)
-            shift[axis] = self.voxel_mm
-            slopes[:, axis] = (self.sample(field, points + shift) - self.sample(field, points - shift)) / (2 * self.voxel_mm)
-        return slopes
-
     def positions(self, region: Region) -> Array:
         """Positions of the nodes of a region, (n, 3), mm."""
         return self.origin + self.voxel_mm * np.argwhere(region)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class NodeWeights:
+    """Trilinear weights of points on a grid, computed once for all the fields that are spread from them or read at them.
+
+    Attributes
+    ----------
+    grid : the nodes
+    matrix : (n, nodes) float32, eight weights for each point
+    """
+
+    grid: VoxelGrid
+    matrix: sparse.csr_array
+
+    def splat(self, values: NDArray[np.floating]) -> Field:
+        """Spread values (n,) over the eight nodes around each point; a field that sums to theirs."""
+        return np.asarray((self.matrix.T @ np.asarray(values, np.float32)).reshape(self.grid.shape), np.float32)
+
+    def sample(self, field: Field) -> Array:
+        """Values of a field at the points, (n,)."""
+        return np.asarray(self.matrix @ field.ravel(), np.float64)
+
+    def gradient(self, field: Field) -> Array:
+        """Gradient of a field at the points by central differences of one voxel, (n, 3), per mm."""
+        slopes = np.empty((self.matrix.shape[0], 3))
+        for axis in range(3):
+            rise = np.zeros_like(field)
+            upper, lower, middle = ([slice(None)] * 3 for _ in range(3))
+            upper[axis], lower[axis], middle[axis] = slice(2, None), slice(None, -2), slice(1, -1)
+            np.subtract(field[tuple(upper)], field[tuple(lower)], out=rise[tuple(middle)])
+            slopes[:, axis] = self.sample(rise)
+        return slopes / (2 * self.grid.voxel_mm)
 
 
 def signed_depth(region: Region, voxel_mm: float) -> Field:
@@ -100,13 +131,16 @@ def euler_number(region: Region) -> int:
     return int(r.sum()) - sum(int(p.sum()) for p in pairs) + sum(int(s.sum()) for s in squares) - int(cubes.sum())
 
 
-def closed_by(region: Region, radius_voxels: float) -> Region:
-    """Morphological closing with a ball; the region must keep that distance from the grid's border."""
-    grown = ndimage.distance_transform_edt(~region) <= radius_voxels
+def closed_by(region: Region, radius_voxels: float, away: Field | None = None) -> Region:
+    """Morphological closing with a ball; the region must keep that distance from the grid's border.
+
+    `away` is the distance of every node to the region in voxels, where it is known.
+    """
+    grown = (ndimage.distance_transform_edt(~region) if away is None else away) <= radius_voxels
     return np.asarray(ndimage.distance_transform_edt(grown) > radius_voxels) | region
 
 
-def opened_by(region: Region, radius_voxels: float) -> Region:
-    """Morphological opening with a ball."""
-    core = ndimage.distance_transform_edt(region) > radius_voxels
+def opened_by(region: Region, radius_voxels: float, depth: Field | None = None) -> Region:
+    """Morphological opening with a ball; `depth` is the distance of every node to the outside in voxels, where it is known."""
+    core = (ndimage.distance_transform_edt(region) if depth is None else depth) > radius_voxels
     return np.asarray(ndimage.distance_transform_edt(~core) <= radius_voxels) & region

@@ -12,17 +12,21 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy import ndimage
 
 from scanner_core.errors import ReconstructionError
-from scanner_core.geometry.edges import EdgeTable
+from scanner_core.geometry.edges import EdgeTable, row_dot
 from scanner_core.geometry.icosahedron import icosahedron
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.remeshing import collapse_short, flip_edges, relax, split_long
-from scanner_core.geometry.smoothing import uniform_averaging
+from scanner_core.geometry.smoothing import averaging_of
 from scanner_core.geometry.subdivision import subdivide_uniform
+from scanner_core.geometry.voxel_region import Field, Region, VoxelGrid
 from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.region import EnclosedRegion
+
+Array = NDArray[np.float64]
 
 _STEP = 0.4
 """Longest move of a vertex, in edges."""
@@ -30,6 +34,13 @@ _STEP = 0.4
 _LEAST_EDGE_VOXELS = 1.8
 _LEAST_TRIANGLES = 1200
 _MOST_ITERATIONS = 1500
+_MOST_TRIANGLES = 2.5
+"""A healthy balloon stays below so many times the triangles that the region's border asks for."""
+_PASSES = 0.6
+"""Radius of the ball that passes where a balloon does, in edges."""
+_GRADE = 0.3
+"""How fast the edges grow away from a thin part, mm per mm."""
+_LENGTH_NODES = 600_000
 _FOLDED = 1.2
 _GUARD = (0.88, 1.1)
 """Healthy range of volume(balloon) / volume(region): 0.93 to 1.02 when it fills it, several when it folded."""
@@ -42,7 +53,7 @@ class Balloon:
     Attributes
     ----------
     mesh : closed, genus 0
-    edge_mm : length that its edges were kept at
+    edge_mm : length that its edges were kept at where the region is thinnest
     fill : volume of the balloon over that of the region
     iterations : moves that it took
     """
@@ -53,16 +64,40 @@ class Balloon:
     iterations: int
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class EdgeLengths:
+    """The length of edges that a balloon gets everywhere with: short in thin parts and where it enters them.
+
+    Attributes
+    ----------
+    grid : nodes, those of the region or every second of them
+    lengths_mm : float32 at each node
+    """
+
+    grid: VoxelGrid
+    lengths_mm: Field
+
+    def least_mm(self) -> float:
+        return float(self.lengths_mm.min())
+
+    def at(self, points: Array) -> Array:
+        """Length at points, (n,), mm."""
+        return self.grid.sample(self.lengths_mm, points)
+
+    def times(self, factor: float) -> EdgeLengths:
+        return EdgeLengths(self.grid, self.lengths_mm * np.float32(factor))
+
+
 def inflate(region: EnclosedRegion, pace: Pace, tries: int = 3) -> Balloon:
     """Inflate a balloon in a region, with ever finer edges; raises E-REC-03 when none of the tries fills it."""
-    edge = choose_edge(region, pace)
+    lengths = choose_lengths(region, pace)
     fill = 0.0
-    for _ in range(tries):
-        balloon = inflate_at(region, edge, pace)
+    for attempt in range(tries):
+        balloon = inflate_at(region, lengths, pace)
         fill = balloon.fill
         if _GUARD[0] <= fill <= _GUARD[1]:
             return balloon
-        edge *= 0.7
+        lengths = (_shorter_at_gaps(region, lengths, pace) if attempt == 0 and fill > 1 else lengths).times(0.7)
     raise ReconstructionError(
         "E-REC-03",
         reason=f"the inflating balloon takes {fill:.2f} times the volume that the points enclose",
@@ -70,28 +105,57 @@ def inflate(region: EnclosedRegion, pace: Pace, tries: int = 3) -> Balloon:
     )
 
 
-def choose_edge(region: EnclosedRegion, pace: Pace) -> float:
-    """The longest edge with which a balloon still gets into every part of the region, mm.
+def choose_lengths(region: EnclosedRegion, pace: Pace) -> EdgeLengths:
+    """The longest edges with which a balloon still gets into every part of the region.
 
-    A balloon of edge e passes where a ball of radius 0.6 e does.  Of the region, nothing may lie farther than another
-    0.6 e from what such a ball sweeps in one piece from the start.
+    A balloon of edge e passes where a ball of radius 0.6 e does.  What lies farther than another 1.2 e from what the
+    centre of such a ball sweeps in one piece from the start needs shorter edges; towards thicker parts they grow slowly.
     """
-    thin = 2 if region.depth_mm.size > 400_000 else 1  # half the resolution is enough to choose a length
-    voxel = region.grid.voxel_mm * thin
+    thin = 2 if region.depth_mm.size > _LENGTH_NODES else 1  # half the resolution is enough to choose a length
+    grid = VoxelGrid(region.grid.origin, region.grid.voxel_mm * thin, region.depth_mm[::thin, ::thin, ::thin].shape)
     depth, inside = region.depth_mm[::thin, ::thin, ::thin], region.inside[::thin, ::thin, ::thin]
     edge = min(0.9 * float(depth.max()), float(np.sqrt(_border_area(region) / (0.433 * _LEAST_TRIANGLES))))
-    least = _LEAST_EDGE_VOXELS * region.grid.voxel_mm
+    least = min(edge, _LEAST_EDGE_VOXELS * region.grid.voxel_mm)
+    lengths = np.full(depth.shape, edge, np.float32)
     start = np.unravel_index(int(np.argmax(depth)), depth.shape)
     while edge > least:
         pace.check()
-        radius = 0.6 * edge
-        pieces, _ = ndimage.label(depth >= radius)
-        core = pieces == pieces[start]
-        away = ndimage.distance_transform_edt(~core) * voxel
-        if float(away[inside].max()) <= 2 * radius:
+        pieces, _ = ndimage.label(depth >= _PASSES * edge)
+        left = inside & _far_from(pieces == pieces[start], 2 * _PASSES * edge / grid.voxel_mm)
+        if not left.any():
             break
-        edge *= 0.8
-    return max(edge, least)
+        edge = max(0.8 * edge, least)
+        _shorten(lengths, left, edge, grid.voxel_mm)
+    return EdgeLengths(grid, lengths)
+
+
+def _shorter_at_gaps(region: EnclosedRegion, lengths: EdgeLengths, pace: Pace) -> EdgeLengths:
+    """The same with edges as short as the gaps between parts of the region are wide: across a narrow one, a balloon with
+    long edges gets into itself."""
+    grid, shortened = lengths.grid, lengths.lengths_mm.copy()
+    thin = round(grid.voxel_mm / region.grid.voxel_mm)
+    depth = region.depth_mm[::thin, ::thin, ::thin]
+    edge = float(shortened.max())
+    least = min(edge, _LEAST_EDGE_VOXELS * region.grid.voxel_mm)
+    while edge > least:
+        pace.check()
+        radius = _PASSES * edge
+        left = (depth < 0) & (depth > -radius) & _far_from(depth <= -radius, 2 * radius / grid.voxel_mm)
+        if not left.any():
+            break
+        edge = max(0.8 * edge, least)
+        _shorten(shortened, left, edge, grid.voxel_mm)
+    return EdgeLengths(grid, shortened)
+
+
+def _far_from(core: Region, voxels: float) -> Region:
+    return np.asarray(ndimage.distance_transform_edt(~core) > voxels)
+
+
+def _shorten(lengths_mm: Field, where: Region, edge_mm: float, voxel_mm: float) -> None:
+    """Lower lengths to an edge in a region and within one edge of it; farther away they may grow."""
+    away = ndimage.distance_transform_edt(~where) * voxel_mm
+    np.minimum(lengths_mm, edge_mm + _GRADE * np.maximum(away - edge_mm, 0), out=lengths_mm, casting="same_kind")
 
 
 def _border_area(region: EnclosedRegion) -> float:
@@ -100,8 +164,15 @@ def _border_area(region: EnclosedRegion) -> float:
     return faces * region.grid.voxel_mm**2 / 1.5
 
 
-def inflate_at(region: EnclosedRegion, edge_mm: float, pace: Pace) -> Balloon:
-    """Inflate with a given edge length."""
+def _triangles_to_come(region: EnclosedRegion, lengths: EdgeLengths) -> float:
+    """How many triangles a balloon with given edges has when it fills a region."""
+    border = region.grid.positions(region.inside & (region.depth_mm < 1.2 * region.grid.voxel_mm))
+    edges = lengths.at(border[:: max(1, len(border) // 20_000)])
+    return _border_area(region) * float((1 / (0.433 * edges**2)).mean())
+
+
+def inflate_at(region: EnclosedRegion, lengths: EdgeLengths, pace: Pace) -> Balloon:
+    """Inflate with given lengths of edges."""
     grid, depth = region.grid, region.depth_mm
     deepest = np.unravel_index(int(np.argmax(depth)), depth.shape)
     centre = grid.origin + grid.voxel_mm * np.array(deepest, float)
@@ -110,42 +181,54 @@ def inflate_at(region: EnclosedRegion, edge_mm: float, pace: Pace) -> Balloon:
     for size in np.linspace(0.4, 1.0, 4) * radius:
         mesh = icosahedron(centre, float(size))
         pace.report(0.0, mesh, force=True)
-    while EdgeTable.of(mesh.triangles).lengths(mesh.vertices).mean() > 1.3 * edge_mm:
+    longest = 1.3 * float(lengths.at(centre[None])[0])
+    while EdgeTable.of(mesh.triangles).lengths(mesh.vertices).mean() > longest:
         mesh = subdivide_uniform(mesh)
         away = mesh.vertices - centre
         mesh = TriangleMesh(centre + radius * away / np.linalg.norm(away, axis=1)[:, None], mesh.triangles)
         pace.report(0.02, mesh)
     target = region.volume_mm3()
+    most = _MOST_TRIANGLES * _triangles_to_come(region, lengths) + 500
     volumes = [mesh.volume()]
+    table = None
     while len(volumes) <= _MOST_ITERATIONS:
-        mesh = _grow(mesh, region, edge_mm)
+        mesh, table = _grow(mesh, table, region, lengths)
         volumes.append(mesh.volume())
         pace.report(0.05 + 0.9 * volumes[-1] / target, mesh if pace.wants_preview() else None)
-        if volumes[-1] > _FOLDED * target:
+        if volumes[-1] > _FOLDED * target or len(mesh.triangles) > most:
             break
         if len(volumes) > 12 and abs(volumes[-1] - volumes[-9]) < 5e-4 * target:
             break
-    return Balloon(mesh, edge_mm, volumes[-1] / target, len(volumes) - 1)
+    return Balloon(mesh, lengths.least_mm(), volumes[-1] / target, len(volumes) - 1)
 
 
-def _grow(mesh: TriangleMesh, region: EnclosedRegion, edge_mm: float) -> TriangleMesh:
-    """One move outwards, and the remeshing that keeps the balloon healthy."""
-    averaging = uniform_averaging(mesh)
+def _grow(mesh: TriangleMesh, table: EdgeTable | None, region: EnclosedRegion, lengths: EdgeLengths) -> tuple[TriangleMesh, EdgeTable | None]:
+    """One move outwards, and the remeshing that keeps the balloon healthy; takes and returns the table of edges where it is known."""
+    table = table or EdgeTable.of(mesh.triangles)
+    averaging = averaging_of(table, len(mesh.vertices))
     normals = mesh.vertex_normals()
     smooth = normals + averaging @ normals
-    smooth /= np.maximum(np.linalg.norm(smooth, axis=1), 1e-30)[:, None]
+    smooth /= np.maximum(np.sqrt(row_dot(smooth, smooth)), 1e-30)[:, None]
     room = region.grid.sample(region.depth_mm, mesh.vertices)
-    step = np.clip(0.7 * room, -_STEP * edge_mm, _STEP * edge_mm)
+    edge = lengths.at(mesh.vertices)
+    step = np.clip(0.7 * room, -_STEP * edge, _STEP * edge)
     vertices = mesh.vertices + step[:, None] * smooth
     # a little of the umbrella operator, less where the balloon has arrived, keeps the front from wrinkling
     pull = averaging @ vertices - vertices
-    along = (pull * smooth).sum(axis=1)[:, None] * smooth
-    moving = (np.abs(step) / (_STEP * edge_mm))[:, None]
+    along = row_dot(pull, smooth)[:, None] * smooth
+    moving = (np.abs(step) / (_STEP * edge))[:, None]
     vertices = vertices + 0.4 * (pull - along) + (0.05 + 0.25 * moving) * along
-    mesh = TriangleMesh(vertices, mesh.triangles)
-    mesh = split_long(mesh, 1.35 * edge_mm)
-    mesh = collapse_short(mesh, 0.6 * edge_mm)[0]
-    return flip_edges(mesh)
+    moved = TriangleMesh(vertices, mesh.triangles)
+    # the table stays true as long as no triangle changes
+    changed = split_long(moved, 1.35 * edge, table)
+    if changed is not moved:
+        edge = lengths.at(changed.vertices)
+        table = EdgeTable.of(changed.triangles)
+    collapsed = collapse_short(changed, 0.6 * edge, table=table)[0]
+    if collapsed is not changed:
+        table = EdgeTable.of(collapsed.triangles)
+    flipped = flip_edges(collapsed, table=table)
+    return flipped, table if flipped is collapsed else None
 
 
 def settle(mesh: TriangleMesh, region: EnclosedRegion, rounds: int = 3) -> TriangleMesh:

@@ -26,7 +26,7 @@ from scipy import fft, ndimage
 from scipy.spatial import cKDTree
 
 from scanner_core.errors import ReconstructionError
-from scanner_core.geometry.voxel_region import Field, Region, VoxelGrid, closed_by, euler_number, handles, largest_piece, opened_by, signed_depth
+from scanner_core.geometry.voxel_region import Field, NodeWeights, Region, VoxelGrid, closed_by, euler_number, handles, largest_piece, opened_by, signed_depth
 from scanner_core.reconstruction.cloud_scale import CloudScale
 from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.table import standing_on_table
@@ -34,8 +34,16 @@ from scanner_core.reconstruction.table import standing_on_table
 Array = NDArray[np.float64]
 
 _COARSE_NODES = 150_000
-_FINE_NODES = 2_400_000
+_NODES = (400_000, 2_400_000)
+"""Nodes of the grid that the region is made on: the second only where the first is too coarse for a thin part."""
+
+_THIN_VOXELS = 2.0
+"""Half the thickness that the voxels resolve."""
+
+_MISSED_SHARE = 0.002
 _ROUNDS = 12
+_OPENING = 0.2
+"""Wide is an opening of that share of the scanned area: a half-ball has one half."""
 _OPEN_SHARE = 0.02
 _OPEN_LEVEL = 0.35
 """A scan with an open base is cut at a lower level: the thin wedge that cap and wall make at a slanting rim gets room for
@@ -70,42 +78,87 @@ def enclosed_region(points: Array, scale: CloudScale, pace: Pace, table_mm: floa
     """
     used = ~scale.isolated
     chosen = points[used]
+    _check_flat(chosen)
     blur = max(scale.spacing_mm, 0.7 * scale.noise_mm)
-    coarse = _grid(chosen, 0.7 * blur, _COARSE_NODES)
-    areas = _areas(coarse, chosen, blur)
-    normals = _shielded_normals(coarse, chosen, pace)
+    normals = _oriented(chosen, blur, pace, table_mm)
+    for most_nodes in _NODES:
+        grid = _grid(chosen, 0.7 * blur, most_nodes)
+        finest = most_nodes == _NODES[-1] or grid.voxel_mm <= 0.75 * blur
+        try:
+            region = _region_on(grid, chosen, normals, blur, scale.spacing_mm, pace, table_mm)
+        except ReconstructionError:
+            if finest:
+                raise
+            continue
+        if finest or not _too_coarse(region, points, scale, pace):
+            break
+    return region
+
+
+def _oriented(points: Array, blur_mm: float, pace: Pace, table_mm: float | None) -> Array:
+    """Outward normals of (n, 3) points, (n, 3), from rounds of solving and turning on a coarse grid.
+
+    The area vectors of a closed surface sum to zero; those of an open one sum to the area of the opening and face away
+    from it.  A wide open sheet may have been oriented in part from its wrong side, so it is done again on a table.
+    """
+    normals, areas = _oriented_on(points, blur_mm, pace, table_mm)
+    away = areas @ normals / areas.sum()
+    if table_mm is not None or float(np.linalg.norm(away)) < _OPENING:
+        return normals
+    axis = np.linalg.qr(np.column_stack([away, np.eye(3)]))[0][:, (1, 2, 0)]
+    axis *= np.sign(away @ axis[:, 2])  # the columns of a rotation or a mirror, its last one away from the opening
+    turned = points @ axis
+    return np.asarray(_oriented_on(turned, blur_mm, pace, float(turned[:, 2].min()) - 2 * blur_mm)[0] @ axis.T)
+
+
+def _oriented_on(points: Array, blur_mm: float, pace: Pace, table_mm: float | None) -> tuple[Array, Array]:
+    """Outward normals of (n, 3) points, on a table or without one, and the area of each point up to a common factor."""
+    grid = _grid(points, 0.7 * blur_mm, _COARSE_NODES)
+    weights = grid.weights(points)
+    areas = _areas(weights, blur_mm)
+    normals = _shielded_normals(weights, pace, table_mm)
+    poisson = _Poisson(grid, max(blur_mm, 0.8 * grid.voxel_mm))
     for _ in range(_ROUNDS):
         pace.check()
-        field = _winding_number(coarse, chosen, normals, areas, max(blur, 0.8 * coarse.voxel_mm))
-        turned = -_unit(coarse.gradient(field, chosen))
+        turned = -_unit(weights.gradient(poisson.winding_number(weights, normals, areas)))
         changed = float(((turned * normals).sum(axis=1) < 0.5).mean())
         normals = turned
         if changed < 0.002:
             break
-    fine = _grid(chosen, 0.7 * blur, _FINE_NODES)
+    return normals, areas
+
+
+def _region_on(
+    grid: VoxelGrid, points: Array, normals: Array, blur_mm: float, spacing_mm: float, pace: Pace, table_mm: float | None
+) -> EnclosedRegion:
+    """The region on a given grid from points and their outward normals, both (n, 3)."""
     pace.check()
-    if fine.voxel_mm < 0.95 * coarse.voxel_mm:
-        areas = _areas(fine, chosen, blur)
-        field = _winding_number(fine, chosen, normals, areas, max(blur, 0.8 * fine.voxel_mm))
-        pace.check()
-        normals = -_unit(fine.gradient(field, chosen))
-        field = _winding_number(fine, chosen, normals, areas, max(blur, 0.8 * fine.voxel_mm))
+    weights = grid.weights(points)
+    areas = _areas(weights, blur_mm)
+    poisson = _Poisson(grid, max(blur_mm, 0.8 * grid.voxel_mm))
+    field = poisson.winding_number(weights, normals, areas)
     pace.check()
-    level = _weighted_median(fine.sample(field, chosen), areas)
+    normals = -_unit(weights.gradient(field))
+    field = poisson.winding_number(weights, normals, areas)
+    pace.check()
+    level = _weighted_median(weights.sample(field), areas)
     inside = _body(field, level)
     pace.check()
-    _check_body(fine, inside, chosen)
+    depth = signed_depth(inside, grid.voxel_mm)
+    _check_body(grid, depth, weights, points)
     pace.check()
-    if _open_share(fine, inside, chosen, scale.spacing_mm) > _OPEN_SHARE:
+    body = inside
+    if _open_share(grid, inside, points, spacing_mm) > _OPEN_SHARE:
         lower = _body(field, _OPEN_LEVEL * level)
-        standing = None if table_mm is None else standing_on_table(fine, inside, chosen, normals, scale.spacing_mm, table_mm)
+        standing = None if table_mm is None else standing_on_table(grid, inside, points, normals, spacing_mm, table_mm)
         # Filled columns can wall in single voxels beside an overhang; a cavity would count as a negative handle.
         inside = lower if standing is None else largest_piece(np.asarray(ndimage.binary_fill_holes(standing)))
         pace.check()
     inside, genus = _without_tunnels(inside, pace)
     pace.check()
-    depth = signed_depth(inside, fine.voxel_mm)
-    return EnclosedRegion(fine, inside, depth, genus)
+    if inside is not body:
+        depth = signed_depth(inside, grid.voxel_mm)
+    return EnclosedRegion(grid, inside, depth, genus)
 
 
 def _grid(points: Array, voxel_mm: float, most_nodes: int) -> VoxelGrid:
@@ -115,16 +168,22 @@ def _grid(points: Array, voxel_mm: float, most_nodes: int) -> VoxelGrid:
     return VoxelGrid.around(points, max(voxel_mm, (volume / most_nodes) ** (1 / 3)), margin)
 
 
-def _areas(grid: VoxelGrid, points: Array, blur_mm: float) -> Array:
+def _areas(weights: NodeWeights, blur_mm: float) -> Array:
     """The area that each point stands for, up to a common factor, (n,); bounded, so that stray points weigh little."""
-    density = ndimage.gaussian_filter(grid.splat(points, np.ones(len(points))), 2 * blur_mm / grid.voxel_mm, mode="constant")
-    area = 1 / np.maximum(grid.sample(density, points), 1e-12)
+    density = weights.splat(np.ones(weights.matrix.shape[0]))
+    density = ndimage.gaussian_filter(density, 2 * blur_mm / weights.grid.voxel_mm, mode="constant")
+    area = 1 / np.maximum(weights.sample(density), 1e-12)
     return np.asarray(np.minimum(area, 12 * np.median(area)))
 
 
-def _shielded_normals(grid: VoxelGrid, points: Array, pace: Pace) -> Array:
-    """First outward normals, (n, 3): the direction in which a potential shielded by the points rises."""
-    occupied = grid.splat(points, np.ones(len(points)))
+def _shielded_normals(weights: NodeWeights, pace: Pace, table_mm: float | None) -> Array:
+    """First outward normals, (n, 3): the direction in which a potential shielded by the points rises.
+
+    Nothing comes in through a table: without that, an open sheet over it, as the floor of a dental arch, has no inside.
+    """
+    grid = weights.grid
+    covered = 0 if table_mm is None else max(0, int(np.floor((table_mm - grid.origin[2]) / grid.voxel_mm)) + 1)
+    occupied = weights.splat(np.ones(weights.matrix.shape[0]))
     levels = [(occupied > 0).astype(np.float32)]
     while min(levels[-1].shape) > 12:
         finer = levels[-1]
@@ -135,32 +194,54 @@ def _shielded_normals(grid: VoxelGrid, points: Array, pace: Pace) -> Array:
     for number, wall in enumerate(reversed(levels)):
         if number:
             potential = np.repeat(np.repeat(np.repeat(potential, 2, 0), 2, 1), 2, 2)[tuple(slice(n) for n in wall.shape)]
+            for axis in range(3):  # one far away
+                ends = np.moveaxis(potential, axis, 0)
+                ends[0] = ends[-1] = 1
+        under = -(-covered // 2 ** (len(levels) - 1 - number))
+        potential[:, :, :under] = 0
         weight = 1 / (6 + 40 * wall[1:-1, 1:-1, 1:-1])
+        weight[:, :, : max(under - 1, 0)] = 0
+        p = potential
         for _ in range(60):
-            p = potential
-            around = p[2:, 1:-1, 1:-1] + p[:-2, 1:-1, 1:-1] + p[1:-1, 2:, 1:-1] + p[1:-1, :-2, 1:-1] + p[1:-1, 1:-1, 2:] + p[1:-1, 1:-1, :-2]
-            potential = np.pad(around * weight, 1, constant_values=1.0)
+            around = p[2:, 1:-1, 1:-1] + p[:-2, 1:-1, 1:-1]
+            for neighbour in (p[1:-1, 2:, 1:-1], p[1:-1, :-2, 1:-1], p[1:-1, 1:-1, 2:], p[1:-1, 1:-1, :-2]):
+                around += neighbour
+            around *= weight
+            p[1:-1, 1:-1, 1:-1] = around
         pace.check()
-    return _unit(grid.gradient(ndimage.gaussian_filter(potential, 1.0), points))
+    return _unit(weights.gradient(ndimage.gaussian_filter(potential, 1.0)))
 
 
-def _winding_number(grid: VoxelGrid, points: Array, normals: Array, areas: Array, blur_mm: float) -> Field:
-    """Solve ``laplace w = - div (area * outward normal)`` with w = 0 on the border: about 1 inside and 0 outside."""
-    source = np.zeros(grid.shape, np.float32)
-    for axis in range(3):
-        component = grid.splat(points, areas * normals[:, axis]).astype(np.float32)
-        source -= np.gradient(component, axis=axis)
-    spectrum = fft.dstn(source, type=1)
-    laplacian = np.zeros(grid.shape, np.float32)
-    decay = np.ones(grid.shape, np.float32)
-    for axis, nodes in enumerate(grid.shape):
-        angle = np.pi * np.arange(1, nodes + 1) / (nodes + 1)
-        along = [-1 if i == axis else 1 for i in range(3)]
-        laplacian += (2 * np.cos(angle) - 2).astype(np.float32).reshape(along)
-        decay = decay * np.exp(-0.5 * (angle * blur_mm / grid.voxel_mm) ** 2).astype(np.float32).reshape(along)
-    spectrum *= decay
-    spectrum /= laplacian
-    return np.asarray(fft.idstn(spectrum, type=1, overwrite_x=True))
+class _Poisson:
+    """Solves ``laplace w = - div (area * outward normal)`` with w = 0 on the border, by a sine transform.
+
+    The solution, smoothed by a Gaussian of one sigma `blur_mm`, is about 1 inside and 0 outside, up to a common factor.
+    """
+
+    def __init__(self, grid: VoxelGrid, blur_mm: float) -> None:
+        laplacian = np.zeros(grid.shape, np.float32)
+        decay = np.ones(grid.shape, np.float32)
+        for axis, nodes in enumerate(grid.shape):
+            angle = np.pi * np.arange(1, nodes + 1) / (nodes + 1)
+            along = [-1 if i == axis else 1 for i in range(3)]
+            laplacian += (2 * np.cos(angle) - 2).astype(np.float32).reshape(along)
+            decay *= np.exp(-0.5 * (angle * blur_mm / grid.voxel_mm) ** 2).astype(np.float32).reshape(along)
+        decay /= laplacian
+        self._response = decay
+
+    def winding_number(self, weights: NodeWeights, normals: Array, areas: Array) -> Field:
+        """From the points' outward normals (n, 3) and areas (n,)."""
+        source = np.zeros(weights.grid.shape, np.float32)
+        for axis in range(3):
+            component = np.moveaxis(weights.splat(areas * normals[:, axis]), axis, 0)
+            # central differences; no point has weight on the border
+            along = np.moveaxis(source, axis, 0)
+            along[1:-1] -= component[2:]
+            along[1:-1] += component[:-2]
+        source *= 0.5
+        spectrum = fft.dstn(source, type=1, overwrite_x=True)
+        spectrum *= self._response
+        return np.asarray(fft.idstn(spectrum, type=1, overwrite_x=True))
 
 
 def _body(field: Field, level: float) -> Region:
@@ -171,38 +252,75 @@ def _body(field: Field, level: float) -> Region:
 def _open_share(grid: VoxelGrid, inside: Region, points: Array, spacing_mm: float) -> float:
     """Share of a region's border that is far from all points."""
     border = grid.positions(inside & ~ndimage.binary_erosion(inside))
-    border = border[:: max(1, len(border) // 20_000)]
+    border = border[:: max(1, len(border) // 5_000)]
     bound = 3 * spacing_mm + 2 * grid.voxel_mm
     return float(np.isinf(cKDTree(points).query(border, distance_upper_bound=bound)[0]).mean())
 
 
-def _check_body(grid: VoxelGrid, inside: Region, points: Array) -> None:
-    """Refuse what encloses nothing: points on a plane or a line, or a scan from one side."""
-    size = np.sort(np.linalg.svd(points - points.mean(axis=0), compute_uv=False) / np.sqrt(len(points)))
+def _check_flat(points: Array) -> None:
+    """Refuse points on a plane or a line."""
+    size = np.sort(np.sqrt(np.maximum(np.linalg.eigvalsh(np.cov(points.T)), 0)))
     if size[0] < 0.01 * size[2]:
         raise ReconstructionError("E-REC-02", reason="they lie in a plane or on a line")
-    depth = ndimage.distance_transform_edt(inside)
-    if not inside.any() or float(depth.max()) < 2.0:
+
+
+def _check_body(grid: VoxelGrid, depth: Field, weights: NodeWeights, points: Array) -> None:
+    """Refuse what encloses nothing: a scan from one side, or points without a common body."""
+    if float(depth.max()) < 1.5 * grid.voxel_mm:
         raise ReconstructionError("E-REC-02", reason="they leave no inside")
-    away = cKDTree(grid.positions(inside & (depth < 2))).query(points)[0]
-    missed = float((away > max(4 * grid.voxel_mm, 0.05 * np.linalg.norm(points.max(axis=0) - points.min(axis=0)))).mean())
+    bound = max(4 * grid.voxel_mm, 0.05 * float(np.linalg.norm(points.max(axis=0) - points.min(axis=0))))
+    missed = float((np.abs(weights.sample(depth)) > bound).mean())
     if missed > 0.25:
         raise ReconstructionError("E-REC-02", reason=f"{100 * missed:.0f} % of them belong to no common body")
 
 
+def _missed_share(region: EnclosedRegion, points: Array, scale: CloudScale) -> float:
+    """Share of (n, 3) points that lie, with most of their neighbours, outside the region: on parts that it has not got."""
+    away = region.grid.sample(region.depth_mm, points) < -2 * region.grid.voxel_mm - 3 * scale.noise_mm
+    return float((away & (away[scale.neighbours].mean(axis=1) > 0.5)).mean())
+
+
+def _too_coarse(region: EnclosedRegion, points: Array, scale: CloudScale, pace: Pace) -> bool:
+    """Whether a region has parts that its voxels hardly resolve, or lacks parts that the points show."""
+    if region.handles or _missed_share(region, points, scale) > _MISSED_SHARE:
+        return True
+    pace.check()
+    # nothing may lie far from what a ball of some voxels sweeps: that is how the balloon will get there
+    voxel = region.grid.voxel_mm
+    radius = _THIN_VOXELS * voxel
+    pieces, _ = ndimage.label(region.depth_mm >= radius)
+    start = np.unravel_index(int(np.argmax(region.depth_mm)), region.inside.shape)
+    if not pieces[start]:
+        return True
+    away = ndimage.distance_transform_edt(pieces != pieces[start]) * voxel
+    return float(away[region.inside].max()) > 2 * radius + voxel
+
+
 def _without_tunnels(inside: Region, pace: Pace) -> tuple[Region, int]:
     """Close tunnels and cut thin bridges, smallest first, until the region has no handle; returns it and those that stay."""
-    best, fewest = inside, handles(inside)
+    fewest = handles(inside)
+    if fewest == 0:
+        return inside, fewest
+    box = tuple(slice(max(s.start - 8, 0), s.stop + 8) for s in ndimage.find_objects(inside.astype(np.int8))[0])
+    body = inside[box]
+    best = body
+    away = ndimage.distance_transform_edt(~body).astype(np.float32)
+    pace.check()
+    depth = ndimage.distance_transform_edt(body).astype(np.float32)
     for radius in (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0):
-        for change in (closed_by, opened_by):
-            if fewest == 0:
-                return best, fewest
+        for change, distance in ((closed_by, away), (opened_by, depth)):
             pace.check()
-            changed = largest_piece(np.asarray(ndimage.binary_fill_holes(change(inside, radius))))
+            changed = largest_piece(np.asarray(ndimage.binary_fill_holes(change(body, radius, distance))))
             left = handles(changed)
             if left < fewest:
-                best, fewest = _given_back(changed, inside, pace), left
-    return best, fewest
+                best, fewest = _given_back(changed, body, pace), left
+            if fewest == 0:
+                break
+        if fewest == 0:
+            break
+    whole = np.zeros_like(inside)
+    whole[box] = best
+    return whole, fewest
 
 
 def _given_back(opened: Region, inside: Region, pace: Pace) -> Region:

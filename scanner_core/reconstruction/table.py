@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import ndimage
 from scipy.spatial import cKDTree
 
 from scanner_core.geometry.voxel_region import Region, VoxelGrid
@@ -20,7 +19,6 @@ _NEAR_MM = 1.0
 """A rim that comes so close to the table stands on it, whichever way its wall leans."""
 _TURNS_IN = -0.35
 """A rim whose outward normals point further down than this turns in under the object."""
-_FACES_DOWN = -0.5
 
 
 def standing_on_table(grid: VoxelGrid, inside: Region, points: Array, normals: Array, spacing_mm: float, table_mm: float) -> Region | None:
@@ -37,8 +35,7 @@ def standing_on_table(grid: VoxelGrid, inside: Region, points: Array, normals: A
     columns = np.argwhere(lowest)
     feet = grid.origin + grid.voxel_mm * columns
     tree = cKDTree(points)
-    away, nearest = tree.query(feet)
-    open_base = away > reach
+    open_base = np.isinf(tree.query(feet, distance_upper_bound=reach)[0])
     if not open_base.any():
         return None
     rim = np.unique(np.concatenate([np.asarray(near, np.int64) for near in tree.query_ball_point(feet[open_base], 1.7 * reach)]))
@@ -48,13 +45,10 @@ def standing_on_table(grid: VoxelGrid, inside: Region, points: Array, normals: A
             return None
     ground = round((table_mm - grid.origin[2]) / grid.voxel_mm)
     standing = inside.copy()
-    # Under a scanned overhang there is air: there the column ends at points that face down, high over the table.
-    overhang = (away <= reach) & (normals[nearest, 2] < _FACES_DOWN) & (feet[:, 2] - table_mm > max(_NEAR_MM, 2 * spacing_mm))
-    # A few points at the foot of a wall face down by chance: an overhang is wider than the data's gaps.
-    footprint = np.zeros(grid.shape[:2], bool)
-    footprint[columns[:, 0], columns[:, 1]] = overhang
-    wide = ndimage.binary_opening(footprint, iterations=max(1, round(1.5 * spacing_mm / grid.voxel_mm)))
-    for i, j, k in columns[~wide[columns[:, 0], columns[:, 1]]]:
+    # Only what ends at the open base, at its rim or near the table goes down to it: under a scanned overhang there is air.
+    beside = np.isfinite(cKDTree(feet[open_base]).query(feet, distance_upper_bound=1.5 * reach)[0])
+    low = feet[:, 2] - table_mm <= max(_NEAR_MM, 2 * spacing_mm)
+    for i, j, k in columns[open_base | beside | low]:
         standing[i, j, max(ground, 0) : k] = True
     standing[:, :, : max(ground, 0)] = False
     return standing
