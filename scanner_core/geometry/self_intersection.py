@@ -64,8 +64,11 @@ def self_intersection_pairs(mesh: TriangleMesh) -> NDArray[np.int64]:
     smooth = _smooth_vertices(mesh.vertices, faces, normal, length > _WELL_SHAPED * size * size)
     low, high = np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
     found = [np.empty((0, 2), np.int64)]
+    # What a corner is compared by: the vertex where it is smooth, nothing else in the mesh where it is not.
+    names = np.where(smooth[faces], faces, -1 - np.arange(faces.size).reshape(faces.shape)).T
+    names = np.ascontiguousarray(names, np.int32 if faces.size < 1 << 31 else np.int64)
     for pairs in _candidates(corners, squares, low, high, usable):
-        part = _not_smooth(pairs, faces, smooth)
+        part = np.sort(pairs[~_share(names, pairs)], axis=1)
         one, other = part.T
         part = part[((low[one] <= high[other]) & (low[other] <= high[one])).all(axis=1)]
         for begin in range(0, len(part), _AT_ONCE):
@@ -82,7 +85,7 @@ def _cut(corners: Array, faces: NDArray[np.int64], normal: Array, size: Array, p
     cut[apart] = _intersect(corners, normal, size, pairs[apart])
     edge = count == 2
     cut[edge] = _folded(corners, normal, size, pairs[edge], shared[edge])
-    return pairs[cut]
+    return np.asarray(pairs[cut], np.int64)
 
 
 def _smooth_vertices(vertices: Array, faces: NDArray[np.int64], normal: Array, shaped: NDArray[np.bool_]) -> NDArray[np.bool_]:
@@ -93,7 +96,7 @@ def _smooth_vertices(vertices: Array, faces: NDArray[np.int64], normal: Array, s
     """
     count = len(vertices)
     corner = faces.ravel()
-    axis = np.stack([np.bincount(corner, np.repeat(normal[:, i], 3), minlength=count) for i in range(3)], axis=1)
+    axis: Array = np.stack([np.bincount(corner, np.repeat(normal[:, i], 3), minlength=count) for i in range(3)], axis=1)
     axis /= np.maximum(np.sqrt(_dot(axis, axis)), 1e-300)[:, None]
     outside = np.stack([_dot(normal, axis[faces[:, i]]) for i in range(3)], axis=1) < _CONE
     outside |= ~shaped[:, None]
@@ -117,15 +120,14 @@ def _smooth_vertices(vertices: Array, faces: NDArray[np.int64], normal: Array, s
     return np.asarray((bad == 0) & (balance == 0) & (turns == 1), np.bool_)
 
 
-def _not_smooth(pairs: NDArray[np.int64], faces: NDArray[np.int64], smooth: NDArray[np.bool_]) -> NDArray[np.int64]:
-    """The pairs without those that share a smooth vertex, (k, 2)."""
-    named = np.where(smooth[faces], faces, -1 - np.arange(faces.size).reshape(faces.shape)).astype(np.int32 if faces.size < 1 << 30 else np.int64)
-    first, second = ([np.take(column, side) for column in np.ascontiguousarray(named.T)] for side in pairs.T)
+def _share(names: NDArray[np.int32] | NDArray[np.int64], pairs: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Which pairs (k, 2) have a corner of the same name; `names` (3, t)."""
+    first, second = ([np.take(column, side) for column in names] for side in pairs.T)
     share = np.zeros(len(pairs), np.bool_)
     for x in first:
         for y in second:
             share |= x == y
-    return pairs[~share]
+    return share
 
 
 def _candidates(corners: Array, squares: Array, low: Array, high: Array, usable: NDArray[np.int64]) -> Iterator[NDArray[np.int64]]:
@@ -165,7 +167,7 @@ def _candidates(corners: Array, squares: Array, low: Array, high: Array, usable:
         else:
             found = tree.sparse_distance_matrix(other, reach, output_type="ndarray")
             one, two = ours[found["i"]], theirs[found["j"]]
-        yield np.sort(np.stack([usable[one], usable[two]], axis=1), axis=1)
+        yield np.stack([usable[one], usable[two]], axis=1)
 
 
 def _estimated_pairs(one: cKDTree, other: cKDTree, reach: float) -> int:
@@ -173,7 +175,7 @@ def _estimated_pairs(one: cKDTree, other: cKDTree, reach: float) -> int:
     if one.n < other.n:
         one, other = other, one
     every = 1 + one.n // 500
-    return every * int(cKDTree(one.data[::every]).count_neighbors(other, reach))
+    return int(every * cKDTree(one.data[::every]).count_neighbors(other, reach))
 
 
 def _spheres(corners: Array, squares: Array) -> tuple[Array, Array]:
