@@ -65,6 +65,9 @@ _SOFT_EDGE = 0.75
 _AT_REST = 0.08
 """The surface is at rest when a step moves it by less than so much of the noise, rms: a quarter of its own error."""
 
+_SOFT_AT_REST = 0.01
+"""The same under heavy noise, of which the error is a much smaller part, and where steps are short."""
+
 _CHEAP = 30_000
 """Up to so many triangles another step is cheap: what is found there need not be found on fine levels."""
 
@@ -145,7 +148,7 @@ class Refinement:
             self._split(fit, most)
         self._see(fit, finest=True)
         if as_fine_as_noise:  # finer triangles only draw what is found
-            self._settle(fit, np.inf, 4)
+            self._settle(fit, np.inf, 6, at_rest=_SOFT_AT_REST)
             self._draw(fit)
         else:
             self._draw(fit)
@@ -186,10 +189,10 @@ class Refinement:
         level = fit.level
         return SmoothingSpline(fit.mesh, level.observations, fit.robust, level.scale.spacings_mm, fit.noise_mm, self._pace.check, share)
 
-    def _settle(self, fit: Fit, moved_mm: float, most: int) -> None:
+    def _settle(self, fit: Fit, moved_mm: float, most: int, *, at_rest: float = _AT_REST) -> None:
         """Improve until the surface comes to rest, at most so many times."""
         for _ in range(most):
-            if moved_mm < _AT_REST * fit.noise_mm:
+            if moved_mm < at_rest * fit.noise_mm:
                 break
             moved_mm = self._improve(fit)
 
