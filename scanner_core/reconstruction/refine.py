@@ -28,7 +28,7 @@ from scanner_core.reconstruction.observations import Observations, merged
 from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.reconstruction.repair import unfold
-from scanner_core.reconstruction.resampling import reduced, split_towards
+from scanner_core.reconstruction.resampling import coarsened, reduced, split_towards
 from scanner_core.reconstruction.robust import robust_weights
 from scanner_core.reconstruction.spline import SmoothingSpline
 from scanner_core.reconstruction.support import MEASURED
@@ -263,15 +263,22 @@ class Refinement:
     def _draw(self, fit: Fit) -> None:
         """Bring the surface to its final number of triangles."""
         target = self._target_triangles(fit)
+        sizes = wanted_sizes(self._parameters.criterion, fit)
+        filled = float((vertex_areas(fit.mesh) / sizes**2).sum())
+        sizes_mm = sizes * float(np.sqrt(filled / (EQUILATERAL * target)))
+        fit.mesh, kept = coarsened(fit.mesh, sizes_mm, self._pace.check)
+        self._keep(fit, kept)
         if len(fit.mesh.triangles) > target:
             fit.mesh, kept = reduced(fit.mesh, target)
-            fit.bandwidth_mm, fit.settled, fit.share = fit.bandwidth_mm[kept], fit.settled[kept], fit.share[kept]
-        elif len(fit.mesh.triangles) >= target - 1:
-            return
+            self._keep(fit, kept)
         for _ in range(_MOST_LEVELS):
             if len(fit.mesh.triangles) >= target - 1:
                 break
             self._resample(fit, wanted_sizes(self._parameters.criterion, fit), target)
+
+    @staticmethod
+    def _keep(fit: Fit, kept: NDArray[np.int64]) -> None:
+        fit.bandwidth_mm, fit.settled, fit.share = fit.bandwidth_mm[kept], fit.settled[kept], fit.share[kept]
 
     def _target_triangles(self, fit: Fit) -> int:
         """How many triangles the finished surface has."""

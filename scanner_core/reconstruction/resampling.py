@@ -19,6 +19,10 @@ _CLEARLY = 0.6
 """Edges count as clearly among the longest above so much of the 99th percentile of their excess."""
 
 
+_TOO_SHORT = 0.7
+"""An edge below so much of its wanted length is collapsed; twice that is the length above which a split makes none too short."""
+
+
 def split_towards(
     mesh: TriangleMesh, sizes: Array, values: Array, triangles: int, check: Callable[[], None], *, down_to: float = 0.0
 ) -> tuple[TriangleMesh, Array]:
@@ -60,6 +64,22 @@ def split_towards(
         state = np.concatenate([state, 0.5 * (state[chosen[:, 0]] + state[chosen[:, 1]])])
         mesh = flip_edges(split_edges(mesh, table, marked, places), passes=2)
     return relax(mesh, step=0.3), state[:, 1:]
+
+
+def coarsened(mesh: TriangleMesh, sizes_mm: Array, check: Callable[[], None]) -> tuple[TriangleMesh, Indices]:
+    """Collapse edges that are much shorter than wanted at both ends (v,); also, for each vertex, the one that it continues."""
+    kept = np.arange(len(mesh.vertices))
+    for _ in range(3):
+        check()
+        table = EdgeTable.of(mesh.triangles)
+        wanted = sizes_mm[kept]
+        ratio = table.lengths(mesh.vertices) / np.minimum(wanted[table.edges[:, 0]], wanted[table.edges[:, 1]])
+        if not np.any(ratio < _TOO_SHORT):
+            break
+        mesh, continued = collapse_edges(mesh, table, ratio < _TOO_SHORT, ratio)
+        kept = kept[continued]
+        mesh = flip_edges(mesh)
+    return mesh, kept
 
 
 def reduced(mesh: TriangleMesh, triangles: int) -> tuple[TriangleMesh, Indices]:
