@@ -44,6 +44,29 @@ def self_intersecting_triangles(mesh: TriangleMesh) -> NDArray[np.int64]:
     return np.unique(self_intersection_pairs(mesh))
 
 
+def intersecting_among(mesh: TriangleMesh, some: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Indices of the triangles that take part in an intersection with one of `some`, rising, (m,).
+
+    The same answer as the pairs of the whole mesh would give, in far less time where `some` (k,) are few.
+    """
+    if len(some) == 0 or len(mesh.triangles) < 2:
+        return np.empty(0, np.int64)
+    a, b, c = mesh.corners()
+    low, high = np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
+    middle, half = 0.5 * (low + high), 0.5 * (high - low).max(axis=1)
+    # In the largest coordinate, boxes that overlap have their middles within the sum of their half sizes.
+    largest = float(half[some].max())
+    away = cKDTree(middle[some]).query(middle, p=np.inf, distance_upper_bound=(largest + float(half.max())) * (1 + 1e-6))[0]
+    near = away <= (largest + half) * (1 + 1e-6)
+    near[some] = True
+    members = np.flatnonzero(near)
+    used, triangles = np.unique(mesh.triangles[members], return_inverse=True)
+    pairs = members[self_intersection_pairs(TriangleMesh(mesh.vertices[used], triangles.reshape(-1, 3)))]
+    chosen = np.zeros(len(mesh.triangles), np.bool_)
+    chosen[some] = True
+    return np.unique(pairs[chosen[pairs].any(axis=1)])
+
+
 def self_intersection_pairs(mesh: TriangleMesh) -> NDArray[np.int64]:
     """Pairs of triangles that intersect in more than what they share as neighbours, (k, 2).
 
