@@ -17,7 +17,7 @@ from scanner_core.geometry.edges import EdgeTable, row_cross, row_dot, valences,
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.proximity import SurfaceWalk, closest_in_triangles
 from scanner_core.geometry.remeshing import flip_edges
-from scanner_core.geometry.self_intersection import intersecting_among, self_intersecting_triangles
+from scanner_core.geometry.self_intersection import IntersectionWatch, self_intersecting_triangles
 from scanner_core.geometry.smoothing import uniform_averaging
 
 Array = NDArray[np.float64]
@@ -156,6 +156,7 @@ class _Improvement:
         self.least = least
         self.walk = SurfaceWalk(mesh)  # vertices move on the surface as it was given
         self.start = np.arange(len(mesh.vertices))
+        self.watch = IntersectionWatch(mesh)
         self.quality = triangle_qualities(mesh.vertices, mesh.triangles)
         self._connect()
 
@@ -203,7 +204,7 @@ class _Improvement:
             triangles[one[chosen]] = np.stack([c[chosen], d[chosen], b[chosen]], axis=1)
             triangles[other[chosen]] = np.stack([d[chosen], c[chosen], a[chosen]], axis=1)
             trial = TriangleMesh(v, triangles)
-            crossing = intersecting_among(trial, np.concatenate([one[chosen], other[chosen]]))
+            crossing = self.watch.among(trial, np.concatenate([one[chosen], other[chosen]]))
             wrong = np.isin(one[chosen], crossing) | np.isin(other[chosen], crossing)
             if not np.any(wrong):
                 self.mesh = trial
@@ -253,7 +254,7 @@ class _Improvement:
             vertices[picked[moving]] = place[moving]
             trial = TriangleMesh(vertices, t)
             changed = ring[np.isin(owner, moving)]
-            crossing = intersecting_among(trial, changed)
+            crossing = self.watch.among(trial, changed)
             wrong = np.isin(moving, owner[np.isin(ring, crossing)])
             if not np.any(wrong):
                 self.mesh = trial
