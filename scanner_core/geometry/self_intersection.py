@@ -107,17 +107,17 @@ def self_intersection_pairs(mesh: TriangleMesh) -> NDArray[np.int64]:
     normal[usable] /= length[usable, None]
     smooth = _smooth_vertices(mesh.vertices, faces, normal, length > _WELL_SHAPED * size * size)
     low, high = np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
-    found = [np.empty((0, 2), np.int64)]
+    near = [np.empty((0, 2), np.int64)]
     # What a corner is compared by: the vertex where it is smooth, nothing else in the mesh where it is not.
     names = np.where(smooth[faces], faces, -1 - np.arange(faces.size).reshape(faces.shape)).T
     names = np.ascontiguousarray(names, np.int32 if faces.size < 1 << 31 else np.int64)
     for pairs in _candidates(corners, squares, low, high, usable):
         part = np.sort(pairs[~_share(names, pairs)], axis=1)
         one, other = part.T
-        part = part[((low[one] <= high[other]) & (low[other] <= high[one])).all(axis=1)]
-        for begin in range(0, len(part), _AT_ONCE):
-            found.append(_cut(corners, faces, normal, size, part[begin : begin + _AT_ONCE]))
-    return np.concatenate(found)
+        near.append(part[((low[one] <= high[other]) & (low[other] <= high[one])).all(axis=1)])
+    left = np.concatenate(near)
+    parts = (left[begin : begin + _AT_ONCE] for begin in range(0, max(len(left), 1), _AT_ONCE))
+    return np.concatenate([_cut(corners, faces, normal, size, part) for part in parts])
 
 
 def _cut(corners: Array, faces: NDArray[np.int64], normal: Array, size: Array, pairs: NDArray[np.int64]) -> NDArray[np.int64]:

@@ -27,8 +27,9 @@ Mask = NDArray[np.bool_]
 _FOLD_COSINE = -0.3
 """Two neighbouring triangles that turn by more than this (107 degrees) are a fold; a sharp rim turns by 90."""
 
-_TOLERANCES = (0.03, 0.06, 0.12, 0.25)
-"""How far a repair of bad triangles may move the surface, in local edges; the later ones only where the first was not enough."""
+_TOLERANCES = ((0.03, 1.0), (0.06, 1.0), (0.12, 1.0), (0.25, 0.5))
+"""How far a repair of bad triangles may move the surface, in local edges or, where those are longer, in mean edges of the mesh;
+and the share of the wanted quality below which a triangle is bad enough for that."""
 
 _ROUNDS_EACH = 8
 """Rounds of flips and moves with one tolerance."""
@@ -127,7 +128,8 @@ def _quality(a: Array, b: Array, c: Array) -> tuple[Array, Array]:
 def improved(mesh: TriangleMesh, least_quality: float, check: Callable[[], None]) -> TriangleMesh:
     """Mend the triangles of a closed mesh whose quality is below `least_quality`, as far as that goes.
 
-    Edges of bad triangles are flipped where that makes the worse of the two better; corners of bad triangles move over the
+    All are brought to half of it at least wherever that is possible with moves of a quarter of an edge, and to all of it with
+    smaller moves.  Edges of bad triangles are flipped where that makes the worse of the two better; corners of bad triangles move over the
     given surface to where their worst triangle is best.  Nothing else changes; no triangle gets worse than the worst of its
     neighbourhood was, no new fold and no new self-intersection arises, and vertices and triangles keep their number, vertices
     also their indices.
@@ -136,14 +138,13 @@ def improved(mesh: TriangleMesh, least_quality: float, check: Callable[[], None]
     if not np.any(bad):
         return mesh
     work = _Improvement(mesh, least_quality)
-    for tolerance in _TOLERANCES:
+    for tolerance, share in _TOLERANCES:
+        work.least = share * least_quality
         for _ in range(_ROUNDS_EACH):
             check()
             flipped = work.flip(tolerance)
             moved = work.move(tolerance)
-            if not np.any(work.quality < least_quality):
-                return work.mesh
-            if not flipped and not moved:
+            if not np.any(work.quality < work.least) or (not flipped and not moved):
                 break
     return work.mesh
 
@@ -156,6 +157,7 @@ class _Improvement:
         self.least = least
         self.walk = SurfaceWalk(mesh)  # vertices move on the surface as it was given
         self.start = np.arange(len(mesh.vertices))
+        self.edge = float(np.sqrt(2.31 * mesh.area() / len(mesh.triangles)))  # side of the equilateral triangle with the mean area
         self.watch = IntersectionWatch(mesh)
         self.quality = triangle_qualities(mesh.vertices, mesh.triangles)
         self._connect()
@@ -186,7 +188,7 @@ class _Improvement:
         # how far the two diagonals pass each other is how far the surface moves
         across = row_cross(v[b] - v[a], v[d] - v[c])
         apart = np.abs(row_dot(v[c] - v[a], across)) / np.maximum(np.sqrt(row_dot(across, across)), 1e-300)
-        ok &= apart <= tolerance * np.sqrt(size)
+        ok &= apart <= tolerance * np.minimum(np.sqrt(size), self.edge)
         valence = valences(self.table.edges, len(v))
         ok &= (valence[a] > 3) & (valence[b] > 3) & (c != d)
         keys = self.table.edges[:, 0] * len(v) + self.table.edges[:, 1]
@@ -246,7 +248,7 @@ class _Improvement:
             mine = np.flatnonzero(better[owner])
             away = closest_in_triangles(here[owner[mine]], feet.points[owner[mine]], left[mine], right[mine])[1]
             nearest = np.minimum.reduceat(away, np.searchsorted(owner[mine], try_))
-            fits = try_[nearest <= (tolerance * edge[try_]) ** 2]
+            fits = try_[nearest <= (tolerance * np.minimum(edge[try_], self.edge)) ** 2]
             best[fits], place[fits], improves[fits] = least[fits], feet.points[fits], True
         moving = np.flatnonzero(improves)
         while len(moving):
