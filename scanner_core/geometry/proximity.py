@@ -84,7 +84,7 @@ def closest_near(
         vertex is looked up.  Where the walk from it ends more than an edge away from the point, the tree is asked after all.
     table : the edges of `mesh`, made if None
     """
-    walk = _Walk(mesh, table)
+    walk = SurfaceWalk(mesh, table)
     if start is None:
         tree = cKDTree(mesh.vertices) if tree is None else tree
         start = tree.query(points)[1].astype(np.int64)
@@ -103,8 +103,8 @@ def closest_near(
     return feet
 
 
-class _Walk:
-    """Walks over the triangles of one mesh.
+class SurfaceWalk:
+    """Closest points on one mesh, by walks over its triangles.
 
     Two triangles at an edge are parted by the plane through that edge and the mean of their normals: a point is nearer to
     the plane of the triangle on whose side it lies.  From a triangle the walk goes over the side where the point is
@@ -138,6 +138,7 @@ class _Walk:
         self.triangle_of[corners] = np.arange(len(corners)) // 3
 
     def feet(self, points: Array, start: NDArray[np.int64]) -> Feet:
+        """Feet of points (n, 3), each walk beginning at a triangle round the vertex `start` (n,)."""
         triangle = self.triangle_of[start]
         active, here = np.arange(len(points)), triangle
         p = np.empty((len(points), 4))

@@ -44,6 +44,49 @@ def self_intersecting_triangles(mesh: TriangleMesh) -> NDArray[np.int64]:
     return np.unique(self_intersection_pairs(mesh))
 
 
+class IntersectionWatch:
+    """Looks for intersections of the few triangles of a mesh that change, again and again.
+
+    The answers are those that the pairs of the whole mesh would give; what never changes is sorted only once.
+    """
+
+    def __init__(self, mesh: TriangleMesh) -> None:
+        low, high = _boxes(mesh, np.arange(len(mesh.triangles)))
+        self._half = 0.5 * (high - low).max(axis=1)
+        self._middle = 0.5 * (low + high)
+        self._tree = cKDTree(self._middle, balanced_tree=False)
+        self._changed = np.zeros(len(mesh.triangles), np.bool_)
+
+    def among(self, mesh: TriangleMesh, some: NDArray[np.int64]) -> NDArray[np.int64]:
+        """Indices of the triangles that take part in an intersection with one of `some`, rising, (m,).
+
+        `mesh` has the triangles of the first mesh, but for those that were among `some` in this call or in an earlier one.
+        """
+        if len(some) == 0:
+            return np.empty(0, np.int64)
+        self._changed[some] = True
+        low, high = _boxes(mesh, some)
+        # In the largest coordinate, boxes that overlap have their middles within the sum of their half sizes.
+        middle, half = 0.5 * (low + high), 0.5 * (high - low).max(axis=1)
+        hits = self._tree.query_ball_point(middle, (half + self._half.max()) * (1 + 1e-6), p=np.inf)
+        one = np.repeat(np.arange(len(some)), [len(hit) for hit in hits])
+        other = np.concatenate([np.asarray(hit, np.int64) for hit in hits])
+        away = np.abs(middle[one] - self._middle[other]).max(axis=1)
+        near = self._changed.copy()
+        near[other[away <= (half[one] + self._half[other]) * (1 + 1e-6)]] = True
+        members = np.flatnonzero(near)
+        used, triangles = np.unique(mesh.triangles[members], return_inverse=True)
+        pairs = members[self_intersection_pairs(TriangleMesh(mesh.vertices[used], triangles.reshape(-1, 3)))]
+        chosen = np.zeros(len(mesh.triangles), np.bool_)
+        chosen[some] = True
+        return np.unique(pairs[chosen[pairs].any(axis=1)])
+
+
+def _boxes(mesh: TriangleMesh, some: NDArray[np.int64]) -> tuple[Array, Array]:
+    a, b, c = (np.take(mesh.vertices, column, axis=0) for column in np.take(mesh.triangles, some, axis=0).T)
+    return np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
+
+
 def self_intersection_pairs(mesh: TriangleMesh) -> NDArray[np.int64]:
     """Pairs of triangles that intersect in more than what they share as neighbours, (k, 2).
 
@@ -64,17 +107,17 @@ def self_intersection_pairs(mesh: TriangleMesh) -> NDArray[np.int64]:
     normal[usable] /= length[usable, None]
     smooth = _smooth_vertices(mesh.vertices, faces, normal, length > _WELL_SHAPED * size * size)
     low, high = np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
-    found = [np.empty((0, 2), np.int64)]
+    near = [np.empty((0, 2), np.int64)]
     # What a corner is compared by: the vertex where it is smooth, nothing else in the mesh where it is not.
     names = np.where(smooth[faces], faces, -1 - np.arange(faces.size).reshape(faces.shape)).T
     names = np.ascontiguousarray(names, np.int32 if faces.size < 1 << 31 else np.int64)
     for pairs in _candidates(corners, squares, low, high, usable):
         part = np.sort(pairs[~_share(names, pairs)], axis=1)
         one, other = part.T
-        part = part[((low[one] <= high[other]) & (low[other] <= high[one])).all(axis=1)]
-        for begin in range(0, len(part), _AT_ONCE):
-            found.append(_cut(corners, faces, normal, size, part[begin : begin + _AT_ONCE]))
-    return np.concatenate(found)
+        near.append(part[((low[one] <= high[other]) & (low[other] <= high[one])).all(axis=1)])
+    left = np.concatenate(near)
+    parts = (left[begin : begin + _AT_ONCE] for begin in range(0, max(len(left), 1), _AT_ONCE))
+    return np.concatenate([_cut(corners, faces, normal, size, part) for part in parts])
 
 
 def _cut(corners: Array, faces: NDArray[np.int64], normal: Array, size: Array, pairs: NDArray[np.int64]) -> NDArray[np.int64]:

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from scanner_core.geometry.box_tree import BoxTree
 from scanner_core.geometry.mesh import TriangleMesh
-from scanner_core.geometry.self_intersection import THINNEST, _cut, self_intersecting_triangles, self_intersection_pairs
+from scanner_core.geometry.self_intersection import THINNEST, IntersectionWatch, _cut, self_intersecting_triangles, self_intersection_pairs
 from scanner_core.geometry.weld import weld
 from tests.core.geometry.solids import box, joined, moved, sphere, torus
 
@@ -193,3 +193,22 @@ def test_long_needles_among_many_small_triangles() -> None:
     corners = np.stack([start - along, start + along, start + 0.05 * rng.normal(size=(300, 3))], axis=1)
     needles = TriangleMesh(corners.reshape(-1, 3), np.arange(900).reshape(-1, 3))
     assert _agrees(joined(needles, sphere(2.0, 40, 20))) > 0
+
+
+@settings(max_examples=20)
+@given(st.integers(0, 2**32 - 1), st.floats(0.1, 1.0))
+def test_intersections_of_some_triangles_are_those_of_the_whole_mesh(seed: int, noise: float) -> None:
+    rng = np.random.default_rng(seed)
+    mesh = sphere(2.0)
+    mesh = TriangleMesh(mesh.vertices + 0.3 * noise * rng.normal(size=mesh.vertices.shape), mesh.triangles)
+    watch = IntersectionWatch(mesh)
+    for _ in range(3):
+        some = rng.choice(len(mesh.triangles), 20, replace=False)
+        vertices = mesh.vertices.copy()
+        moved = rng.choice(len(vertices), 3, replace=False)
+        vertices[moved] += 0.5 * rng.normal(size=(3, 3))
+        mesh = TriangleMesh(vertices, mesh.triangles)
+        some = np.union1d(some, np.flatnonzero(np.isin(mesh.triangles, moved).any(axis=1)))
+        pairs = self_intersection_pairs(mesh)
+        np.testing.assert_array_equal(watch.among(mesh, some), np.unique(pairs[np.isin(pairs, some).any(axis=1)]))
+    assert len(watch.among(mesh, some[:0])) == 0
