@@ -20,13 +20,19 @@ from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.reconstruction.refine import Fit, Refinement
 from scanner_core.reconstruction.region import enclosed_region
-from scanner_core.reconstruction.repair import without_self_intersections
+from scanner_core.reconstruction.repair import repaired
 from scanner_core.reconstruction.report import Phase, Reconstruction, ReconstructionReport
 from scanner_core.reconstruction.smooth import smooth
 from scanner_core.reconstruction.spline import SmoothingSpline
 from scanner_core.reconstruction.uncertainty import standard_uncertainty
 
 Array = NDArray[np.float64]
+
+_LEAST_QUALITY = 0.3
+"""Triangles are mended up to this quality, 4 sqrt(3) area over the sum of the squared sides: 1 is equilateral."""
+
+_MOST_UNREACHED = 0.01
+"""More of the points than this, lying together off the surface, are a part of the object that is missing."""
 
 __all__ = ["LEAST_POINTS", "Reconstruction", "reconstruct"]
 
@@ -68,15 +74,15 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
     check_fit(fit.mesh, fit.supported, fit.noise_mm, standing=table is not None, open_holes=parameters.open_holes)
 
     pace.enter("smooth")
-    mesh = without_self_intersections(smooth(fit.mesh, fit.supported), pace.check)
+    mesh, crossing = repaired(smooth(fit.mesh, fit.supported), _LEAST_QUALITY, pace.check)
     refined = len(fit.mesh.triangles)
     pace.check()
     spline = SmoothingSpline(mesh, observations, fit.robust, scale.spacings_mm, fit.noise_mm, pace.check)
     pace.check()
     uncertainty = standard_uncertainty(spline, fit.bandwidth_mm)
     pace.check()
-    checks = check_mesh(mesh)
-    _guard(checks)
+    checks = check_mesh(mesh, self_intersections=crossing)
+    _guard(checks, fit)
     kept = fit.robust > 0.5
     residual = float(np.sqrt((spline.association.distances_mm[kept] ** 2).mean()))
     mesh = _finished(mesh, fit, uncertainty, centre, parameters)
@@ -122,8 +128,14 @@ def _inflated(points: Array, scale: CloudScale, pace: Pace, table_mm: float | No
     return inflate(region, pace, tries=3 if table_mm is None else 1)
 
 
-def _guard(checks: MeshChecks) -> None:
-    """Never a wrong mesh: refuse one that is not closed, not manifold or inside out."""
+def _guard(checks: MeshChecks, fit: Fit) -> None:
+    """Never a wrong mesh: refuse one that is not closed, not manifold, inside out, crosses itself or leaves points aside."""
+    if fit.unreached > _MOST_UNREACHED:
+        raise ReconstructionError(
+            "E-REC-03",
+            reason=f"it does not reach {100 * fit.unreached:.0f} % of the points, which lie together in thin or hidden parts",
+            do="scan these parts more densely",
+        )
     if checks.self_intersections:
         raise ReconstructionError(
             "E-REC-03", reason=f"{checks.self_intersections} of its triangles cross others", do="scan the thin or hidden parts more densely"

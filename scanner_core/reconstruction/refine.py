@@ -104,6 +104,7 @@ class Fit:
     share : (v,) density of the points over the one that they have among themselves
     residuals_mm : (n,) of the last solve, over the root of the observations' relative variance
     level : the points that `robust` and `residuals_mm` belong to
+    unreached : share of the observations that lie off the surface together with their neighbours, at the end
     """
 
     mesh: TriangleMesh
@@ -114,6 +115,7 @@ class Fit:
     share: Array
     residuals_mm: Array
     level: Level
+    unreached: float = 0.0
 
     @property
     def supported(self) -> Mask:
@@ -154,9 +156,10 @@ class Refinement:
             self._draw(fit)
             if float(np.median(fit.bandwidth_mm)) < _RESOLVED * mean_edge(fit.mesh):
                 self._settle(fit, np.inf, 4)
-        fit.share = self._spline(fit).share
         fit.mesh = fair_cap(centred_facets(fit.mesh), fit.supported, self._pace.check, rounds=10)
+        patient = robust_weights(fit.residuals_mm, fit.level.scale)
         fit.robust = robust_weights(fit.residuals_mm, fit.level.scale, patient=False)
+        fit.unreached = float(((patient > 0.5) & (fit.robust < 0.5)).mean())
         return fit
 
     def _begin(self, balloon: TriangleMesh) -> Fit:
@@ -278,6 +281,7 @@ class Refinement:
 
     @staticmethod
     def _keep(fit: Fit, kept: NDArray[np.int64]) -> None:
+        """The state of the vertices that are left."""
         fit.bandwidth_mm, fit.settled, fit.share = fit.bandwidth_mm[kept], fit.settled[kept], fit.share[kept]
 
     def _target_triangles(self, fit: Fit) -> int:
