@@ -68,6 +68,7 @@ _AT_REST = 0.08
 _SOFT_AT_REST = 0.01
 """The same under heavy noise, of which the error is a much smaller part, and where steps are short."""
 
+_FEW = 8_000
 _CHEAP = 30_000
 """Up to so many triangles another step is cheap: what is found there need not be found on fine levels."""
 
@@ -138,11 +139,11 @@ class Refinement:
         most = self._most_triangles()
         for number in range(_MOST_LEVELS):
             self._see(fit)
-            self._improve(fit)
-            if number == 0:
+            for _ in range(2 if number == 0 else 0):
                 self._improve(fit)
             moved = self._improve(fit, choose=True, first=number == 0)
-            self._settle(fit, moved, 4 if len(fit.mesh.triangles) < _CHEAP else 1)
+            cheap = _FEW < len(fit.mesh.triangles) < _CHEAP
+            self._settle(fit, moved, 4 if cheap else 1, at_rest=0.5 * _AT_REST if cheap else _AT_REST)
             self._pace.report(min(0.8, len(fit.mesh.triangles) / most), fit.mesh, force=True)
             as_fine_as_noise = number > 0 and mean_edge(fit.mesh) <= 1.2 * _SOFT_EDGE * fit.noise_mm
             if as_fine_as_noise or len(fit.mesh.triangles) >= 0.8 * most or self._unsettled_share(fit) < _SETTLED_SHARE:
