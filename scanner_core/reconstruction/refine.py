@@ -207,7 +207,7 @@ class Refinement:
         fit.share = spline.share
         if choose:
             self._choose(fit, spline, first)
-        step = spline.step(fit.bandwidth_mm)
+        step = spline.step(fit.bandwidth_mm, tolerance=1e-2)
         bound = _STEP * spline.surface.edge_mm
         moved = np.clip(step.displacement_mm, -bound, bound)
         if not np.any(fit.settled):  # the first guess, from the points alone, may be far too high
