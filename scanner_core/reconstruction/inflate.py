@@ -46,6 +46,8 @@ _GRADE = 0.3
 """How fast the edges grow away from a thin part, mm per mm."""
 _LENGTH_NODES = 600_000
 _TRIES = 2
+_TOO_MANY = 30_000
+"""Triangles of a balloon that is not tried any more: what needs such short edges has failed twice with longer ones."""
 _FOLDED = 1.2
 _REACHED = 1.5
 """Distance of a point from the nearest vertex of a balloon that has got there, in edges."""
@@ -105,8 +107,9 @@ def inflate(region: EnclosedRegion, pace: Pace) -> Balloon:
     balloon = inflate_at(region, lengths, pace)
     if balloon.fill > _GUARD[1]:
         grown = region.grown()
-        if grown.handles == 0:
-            again = inflate_at(grown, choose_lengths(grown, pace), pace)
+        wide = choose_lengths(grown, pace)
+        for shorter in (1.0, 0.7) if grown.handles == 0 else ():
+            again = inflate_at(grown, wide.times(shorter), pace)
             if _fills(again):
                 return again
         lengths = _shorter_at_gaps(region, lengths, pace)
@@ -114,6 +117,8 @@ def inflate(region: EnclosedRegion, pace: Pace) -> Balloon:
         if _fills(balloon):
             return balloon
         lengths = lengths.times(0.7)
+        if _triangles_to_come(region, lengths) > _TOO_MANY:
+            break
         balloon = inflate_at(region, lengths, pace)
     if _fills(balloon):
         return balloon

@@ -26,7 +26,18 @@ from scipy import fft, ndimage
 from scipy.spatial import cKDTree
 
 from scanner_core.errors import ReconstructionError
-from scanner_core.geometry.voxel_region import Field, NodeWeights, Region, VoxelGrid, closed_by, euler_number, handles, largest_piece, opened_by, signed_depth
+from scanner_core.geometry.voxel_region import (
+    Field,
+    NodeWeights,
+    Region,
+    VoxelGrid,
+    closed_by,
+    euler_number,
+    handles,
+    largest_piece,
+    opened_by,
+    signed_depth,
+)
 from scanner_core.reconstruction.cloud_scale import CloudScale
 from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.table import standing_on_table
@@ -92,13 +103,13 @@ def enclosed_region(points: Array, scale: CloudScale, pace: Pace, table_mm: floa
     normals = _oriented(chosen, blur, pace, table_mm)
     best: EnclosedRegion | None = None
     fewest = np.inf
-    finest = np.inf
+    finest = sharpest = np.inf
     for most_nodes, share in _GRIDS:
         sharp = max(share * scale.spacing_mm, 0.7 * scale.noise_mm)
         grid = _grid(chosen, 0.7 * sharp, most_nodes)
-        if grid.voxel_mm > 0.95 * finest or (share < 1 and fewest <= _MISSED_SHARE):
+        if (grid.voxel_mm > 0.95 * finest and sharp > 0.95 * sharpest) or (share < 1 and fewest <= _MISSED_SHARE):
             continue
-        finest = grid.voxel_mm
+        finest, sharpest = grid.voxel_mm, sharp
         refusal = None
         try:
             region = _region_on(grid, chosen, normals, sharp, scale.spacing_mm, pace, table_mm)
