@@ -79,15 +79,16 @@ def test_a_sparse_thin_plate_asks_for_a_blur_below_the_spacing() -> None:
     assert region.volume_mm3() == pytest.approx(720, rel=0.2)
 
 
-def test_an_open_roof_has_its_inside_below_with_a_table_and_without() -> None:
-    rng = np.random.default_rng(0)
-    x, y = rng.uniform(-12, 12, size=(2, 4000))
-    roof = np.column_stack([x, y, 10 - 0.6 * np.maximum(np.abs(x), np.abs(y))])
-    for table_mm in (0.0, None):
-        region = region_of(roof, table_mm)
-        depth = region.grid.sample(region.depth_mm, np.array([[0.0, 0.0, 7.0], [8.0, 0.0, 3.5], [0.0, 0.0, 12.0], [9.0, 9.0, 7.0]]))
-        assert (depth > 0).tolist() == [True, True, False, False]
-        assert_sound(inflate(region, pace()))
+@pytest.mark.parametrize("table_mm", [-0.9, None])
+def test_a_half_ball_is_closed_below_with_a_table_and_without(table_mm: float | None) -> None:
+    points = ball(5000)
+    points = points[points[:, 2] > 0]
+    region = region_of(points, table_mm)
+    depth = region.grid.sample(region.depth_mm, np.array([[0.0, 0.0, 1.0], [7.0, 0.0, 4.0], [0.0, 0.0, 12.0], [0.0, 0.0, -5.0], [0.0, 0.0, -0.4]]))
+    assert (depth[:4] > 0).tolist() == [True, True, False, False]
+    if table_mm is not None:
+        assert depth[4] > 0  # straight down to the table
+    assert_sound(inflate(region, pace()))
 
 
 def test_under_an_overhang_the_standing_body_leaves_air() -> None:
