@@ -47,8 +47,15 @@ class MeshChecks:
         return self.closed and self.manifold and self.outward and self.self_intersections == 0 and self.degenerate == 0
 
 
-def check_mesh(mesh: TriangleMesh) -> MeshChecks:
-    """Look at every edge, vertex and triangle of a mesh; the vertices are taken as they are indexed, not welded."""
+def check_mesh(mesh: TriangleMesh, *, self_intersections: int | None = None) -> MeshChecks:
+    """Look at every edge, vertex and triangle of a mesh; the vertices are taken as they are indexed, not welded.
+
+    Parameters
+    ----------
+    mesh : any triangles
+    self_intersections : number of triangles that intersect another one, where it is known of this very mesh; the search
+        for them takes most of the time
+    """
     triangles = mesh.triangles
     if len(triangles) == 0:
         return MeshChecks(False, False, False, None, 0, 0, 0, 0)
@@ -89,7 +96,7 @@ def check_mesh(mesh: TriangleMesh) -> MeshChecks:
         components=components,
         boundary_edges=boundary,
         degenerate=_degenerate(mesh),
-        self_intersections=len(self_intersecting_triangles(mesh)),
+        self_intersections=len(self_intersecting_triangles(mesh)) if self_intersections is None else self_intersections,
         nonmanifold_edges=crowded,
         nonmanifold_vertices=extra_fans,
     )

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import sparse
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -25,7 +26,7 @@ class TriangleMesh:
 
     def corners(self) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
         """The three corners of every triangle, each (t, 3), mm."""
-        a, b, c = (self.vertices[self.triangles[:, i]] for i in range(3))
+        a, b, c = (np.take(self.vertices, self.triangles[:, i], axis=0) for i in range(3))  # several times faster than an index
         return a, b, c
 
     def area_vectors(self) -> NDArray[np.float64]:
@@ -35,7 +36,8 @@ class TriangleMesh:
 
     def areas(self) -> NDArray[np.float64]:
         """(t,), mm^2."""
-        return np.asarray(np.linalg.norm(self.area_vectors(), axis=1), np.float64)
+        vectors = self.area_vectors()
+        return np.asarray(np.sqrt(np.einsum("ij,ij->i", vectors, vectors)), np.float64)
 
     def area(self) -> float:
         """Area of the surface, mm^2."""
@@ -49,12 +51,11 @@ class TriangleMesh:
 
     def vertex_normals(self) -> NDArray[np.float64]:
         """Area-weighted unit normals, (v, 3)."""
-        face = self.area_vectors()
-        total = np.zeros_like(self.vertices)
-        for corner in range(3):
-            for axis in range(3):
-                total[:, axis] += np.bincount(self.triangles[:, corner], face[:, axis], minlength=len(self.vertices))
-        length = np.linalg.norm(total, axis=1)
+        count = len(self.triangles)
+        corners = (np.ones(3 * count), self.triangles.ravel(), np.arange(0, 3 * count + 1, 3))
+        around = sparse.csr_array(corners, shape=(count, len(self.vertices))).T
+        total = np.asarray(around @ self.area_vectors(), np.float64)
+        length = np.sqrt(np.einsum("ij,ij->i", total, total))
         return np.asarray(total / np.maximum(length, 1e-30)[:, None], np.float64)
 
     def bounds(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

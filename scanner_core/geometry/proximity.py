@@ -8,10 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from scanner_core.geometry.edges import row_dot, vertex_triangles
+from scanner_core.geometry.edges import EdgeTable, row_cross, row_dot
 from scanner_core.geometry.mesh import TriangleMesh
 
 Array = NDArray[np.float64]
+_STEPS = 24
+"""Longest walk, in triangles; one in a circle (round a vertex like a spike) ends here."""
 _CHUNK = 200_000
 """Pairs of point and triangle that are looked at together; bounds the memory."""
 
@@ -26,12 +28,14 @@ class Feet:
     triangles : (n,) int64, the triangle that each lies in
     weights : (n, 3) float64, barycentric: ``points = sum_i weights[:, i] * corner_i``
     distances_mm : (n,) float64
+    vertices : (n,) int64, the corner of that triangle that weighs most: where to start the next search
     """
 
     points: Array
     triangles: NDArray[np.int64]
     weights: Array
     distances_mm: Array
+    vertices: NDArray[np.int64]
 
 
 def closest_in_triangles(points: Array, a: Array, b: Array, c: Array) -> tuple[Array, Array]:
@@ -64,16 +68,94 @@ def closest_in_triangles(points: Array, a: Array, b: Array, c: Array) -> tuple[A
     return np.stack([1 - v - w, v, w], axis=1), row_dot(away, away)
 
 
-def closest_near(mesh: TriangleMesh, points: Array, tree: cKDTree | None = None) -> Feet:
-    """Closest points within the one-ring of the nearest vertex, (n, 3) -> n feet.
+def closest_near(
+    mesh: TriangleMesh, points: Array, tree: cKDTree | None = None, start: NDArray[np.int64] | None = None, table: EdgeTable | None = None
+) -> Feet:
+    """Closest points by walking from triangle to triangle, (n, 3) -> n feet.
 
     Exact for nearly all points within an edge of a well-shaped mesh, and several times faster than `closest_points`.
+
+    Parameters
+    ----------
+    mesh : at least one triangle
+    points : (n, 3) mm
+    tree : of ``mesh.vertices``, built where it is needed and not given
+    start : (n,) int64, a vertex near each point, for example ``Feet.vertices`` of the last search; without it the nearest
+        vertex is looked up.  Where the walk from it ends more than an edge away from the point, the tree is asked after all.
+    table : the edges of `mesh`, made if None
     """
-    tree = cKDTree(mesh.vertices) if tree is None else tree
-    nearest = tree.query(points)[1].astype(np.int64)
-    offsets, around = vertex_triangles(mesh.triangles, len(mesh.vertices))
-    best = _best_of(mesh, points, offsets[nearest], offsets[nearest + 1] - offsets[nearest], around)
-    return _feet(mesh, points, *best)
+    walk = SurfaceWalk(mesh, table)
+    if start is None:
+        tree = cKDTree(mesh.vertices) if tree is None else tree
+        start = tree.query(points)[1].astype(np.int64)
+        return walk.feet(points, start)
+    feet = walk.feet(points, start)
+    squared = feet.distances_mm**2
+    far = np.flatnonzero(squared > 0.5 * float(np.median(mesh.areas())))  # few need a closer look
+    a, b, c = (mesh.vertices[column] for column in mesh.triangles[feet.triangles[far]].T)
+    lost = far[3 * squared[far] > row_dot(b - a, b - a) + row_dot(c - b, c - b) + row_dot(a - c, a - c)]
+    if len(lost):
+        tree = cKDTree(mesh.vertices) if tree is None else tree
+        again = walk.feet(points[lost], tree.query(points[lost])[1].astype(np.int64))
+        nearer = again.distances_mm < feet.distances_mm[lost]
+        for name in ("points", "triangles", "weights", "distances_mm", "vertices"):
+            getattr(feet, name)[lost[nearer]] = getattr(again, name)[nearer]
+    return feet
+
+
+class SurfaceWalk:
+    """Closest points on one mesh, by walks over its triangles.
+
+    Two triangles at an edge are parted by the plane through that edge and the mean of their normals: a point is nearer to
+    the plane of the triangle on whose side it lies.  From a triangle the walk goes over the side where the point is
+    farthest beyond, and ends where the point is beyond none.
+    """
+
+    def __init__(self, mesh: TriangleMesh, table: EdgeTable | None = None) -> None:
+        self.mesh = mesh
+        t, v = mesh.triangles, mesh.vertices
+        table = EdgeTable.of(t) if table is None else table
+        normals = mesh.area_vectors()
+        normals /= np.maximum(np.sqrt(row_dot(normals, normals)), 1e-300)[:, None]
+        corners = t.ravel()
+        one, other = _sides(table)
+        triangle_one, triangle_other = one // 3, other // 3
+        self.across = np.repeat(np.arange(len(t)), 3)
+        self.across[one], self.across[other] = triangle_other, triangle_one
+        mean = np.take(normals, triangle_one, axis=0) + np.take(normals, triangle_other, axis=0)
+        foot = np.take(v, corners[one], axis=0)
+        along = np.take(v, t[:, (1, 2, 0)].ravel()[one], axis=0) - foot
+        plane = np.empty((len(one), 4))
+        plane[:, :3] = row_cross(mean, along)
+        plane[:, :3] /= np.maximum(np.sqrt(row_dot(plane[:, :3], plane[:, :3])), 1e-300)[:, None]
+        plane[:, 3] = row_dot(plane[:, :3], foot)
+        # (t, 3, 4): the height over the plane of a side is row . (x, y, z, -1), positive inside
+        planes = np.empty((3 * len(t), 4))
+        planes[other] = -plane
+        planes[one] = plane  # a side at a border is its own other one, and the walk ends there
+        self.planes = planes.reshape(len(t), 12)
+        self.triangle_of = np.zeros(len(v), np.int64)
+        self.triangle_of[corners] = np.arange(len(corners)) // 3
+
+    def feet(self, points: Array, start: NDArray[np.int64]) -> Feet:
+        """Feet of points (n, 3), each walk beginning at a triangle round the vertex `start` (n,)."""
+        triangle = self.triangle_of[start]
+        active, here = np.arange(len(points)), triangle
+        p = np.empty((len(points), 4))
+        p[:, :3], p[:, 3] = points, -1.0
+        for _ in range(_STEPS):
+            planes = np.take(self.planes, here, axis=0).reshape(-1, 3, 4)
+            height = np.einsum("nij,nj->ni", planes, p)
+            worst = np.argmin(height, axis=1)
+            following = np.take(self.across, 3 * here + worst)
+            go = np.flatnonzero((height.ravel()[3 * np.arange(len(here)) + worst] < 0) & (following != here))
+            if not len(go):
+                break
+            active, p, here = active[go], np.take(p, go, axis=0), following[go]
+            triangle[active] = here
+        a, b, c = (np.take(self.mesh.vertices, np.take(column, triangle), axis=0) for column in self.mesh.triangles.T)
+        weights, squared = closest_in_triangles(points, a, b, c)
+        return _feet(self.mesh, points, triangle, weights, squared)
 
 
 def _best_of(
@@ -100,8 +182,10 @@ def _best_of(
 
 
 def _feet(mesh: TriangleMesh, points: Array, triangle: NDArray[np.int64], weights: Array, squared: Array) -> Feet:
-    foot = np.einsum("nc,ncd->nd", weights, mesh.vertices[mesh.triangles[triangle]])
-    return Feet(foot, triangle, weights, np.sqrt(np.maximum(squared, 0)))
+    corners = np.take(mesh.triangles, triangle, axis=0)
+    foot = np.einsum("nc,ncd->nd", weights, np.take(mesh.vertices, corners, axis=0))
+    vertices = np.take(corners.ravel(), 3 * np.arange(len(corners)) + np.argmax(weights, axis=1))
+    return Feet(foot, triangle, weights, np.sqrt(np.maximum(squared, 0)), vertices)
 
 
 def closest_points(mesh: TriangleMesh, points: Array) -> Feet:
@@ -155,3 +239,18 @@ def _search_class(
             return
         waiting = waiting[away[:, -1] < distance[waiting] + reach_mm]
         neighbours = min(4 * neighbours, len(members))
+
+
+def _sides(table: EdgeTable) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Pairs of sides that are neighbours, each (k,), every pair once; a side without exactly one neighbour is paired with itself."""
+    if table.edge_sides is not None:
+        return np.ascontiguousarray(table.edge_sides[:, 0]), np.ascontiguousarray(table.edge_sides[:, 1])
+    edge = table.side_edges.ravel()
+    order = np.argsort(edge, kind="stable")
+    begins = np.flatnonzero(np.r_[True, edge[order][1:] != edge[order][:-1]])
+    two = np.diff(np.r_[begins, len(edge)]) == 2
+    one, other = order[begins[two]], order[begins[two] + 1]
+    alone = np.ones(len(edge), np.bool_)
+    alone[one] = alone[other] = False
+    rest = np.flatnonzero(alone)
+    return np.concatenate([one, rest]), np.concatenate([other, rest])

@@ -6,45 +6,61 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
-from scanner_core.geometry.edges import EdgeTable, row_dot, valences
+from scanner_core.geometry.edges import EdgeTable, adjacency, row_cross, row_dot
 from scanner_core.geometry.mesh import TriangleMesh
 
 Array = NDArray[np.float64]
 
 
-def uniform_averaging(mesh: TriangleMesh) -> sparse.csr_array:
-    """Matrix (v, v) that replaces each vertex by the mean of its neighbours; its rows sum to one."""
-    return averaging_of(EdgeTable.of(mesh.triangles), len(mesh.vertices))
+def uniform_averaging(mesh: TriangleMesh, table: EdgeTable | None = None) -> sparse.csr_array:
+    """Matrix (v, v) that replaces each vertex by the mean of its neighbours; its rows sum to one.
+
+    `table` are the edges of the mesh, made if None.
+    """
+    joined = adjacency((EdgeTable.of(mesh.triangles) if table is None else table).edges, len(mesh.vertices))
+    valence = np.diff(joined.indptr)
+    joined.data /= np.repeat(valence, valence)
+    return joined
 
 
-def averaging_of(table: EdgeTable, vertices: int) -> sparse.csr_array:
-    """The matrix of :func:`uniform_averaging` from the edges between so many vertices."""
-    i, j = table.edges.T
-    share = 1 / np.maximum(valences(table.edges, vertices), 1)
-    weights = np.concatenate([share[i], share[j]])
-    return sparse.csr_array((weights, (np.concatenate([i, j]), np.concatenate([j, i]))), shape=(vertices, vertices))
-
-
-def cotangent_laplacian(mesh: TriangleMesh) -> tuple[sparse.csr_array, Array]:
+def cotangent_laplacian(mesh: TriangleMesh, table: EdgeTable | None = None) -> tuple[sparse.csr_array, Array]:
     """Stiffness matrix (v, v) of the Laplacian, positive semi-definite, and the area of each vertex (v,), mm^2.
 
     ``stiffness @ x / area`` is minus the Laplacian of x; of the coordinates it is the sum of the principal curvatures
     times the outward normal.  Pinkall and Polthier 1993; the cotangents are kept within [0.05, 5], so that slivers cannot
     make a weight negative or huge.  Areas are a third of the triangles around.
+    `table` are the edges of the mesh, made if None.
     """
+    table = EdgeTable.of(mesh.triangles) if table is None else table
     t, count = mesh.triangles, len(mesh.vertices)
-    p = mesh.vertices[t]
-    to_next = p[:, (1, 2, 0)] - p
-    double_area = np.maximum(np.linalg.norm(np.cross(to_next[:, 0], -to_next[:, 2]), axis=1), 1e-30)
-    cotangents = np.stack([-row_dot(to_next[:, (i + 2) % 3], to_next[:, (i + 1) % 3]) / double_area for i in range(3)], axis=1)
-    half = 0.5 * np.clip(cotangents, 0.05, 5.0).ravel()
-    i, j = t.ravel(), t[:, (1, 2, 0)].ravel()
-    diagonal = np.bincount(i, half, minlength=count) + np.bincount(j, half, minlength=count)
-    rows = np.concatenate([i, j, np.arange(count)])
-    columns = np.concatenate([j, i, np.arange(count)])
-    stiffness = sparse.csr_array((np.concatenate([-half, -half, diagonal]), (rows, columns)), shape=(count, count))
+    a, b, c = mesh.corners()
+    sides = b - a, c - b, a - c
+    normal = row_cross(sides[0], sides[1])
+    double_area = np.maximum(np.sqrt(row_dot(normal, normal)), 1e-30)
+    half = np.empty(t.shape)
+    for i in range(3):
+        half[:, i] = -row_dot(sides[(i + 2) % 3], sides[(i + 1) % 3])
+    half /= double_area[:, None]
+    np.clip(half, 0.05, 5.0, out=half)
+    half *= 0.5
+    of_edge = np.bincount(table.side_edges.ravel(), half.ravel(), minlength=len(table.edges))
+    i, j = table.edges.T
+    here = np.arange(count)
+    diagonal = np.bincount(i, of_edge, minlength=count) + np.bincount(j, of_edge, minlength=count)
+    # Lower neighbours, the vertex itself, higher neighbours: each list is in order already, so that the rows are sorted too.
+    rows, columns = np.concatenate([j, here, i]), np.concatenate([i, here, j])
+    stiffness = _rows_in_order(np.concatenate([-of_edge, diagonal, -of_edge]), rows, columns, count)
     area = np.bincount(t.ravel(), np.repeat(double_area / 6, 3), minlength=count)
     return stiffness, np.maximum(area, 1e-12 * max(float(area.max()), 1e-30))
+
+
+def _rows_in_order(data: Array, rows: NDArray[np.int64], columns: NDArray[np.int64], count: int) -> sparse.csr_array:
+    """Square matrix of entries that are all different and whose columns rise within each row."""
+    entries = sparse.coo_array((data, (rows, columns)), shape=(count, count))
+    entries.has_canonical_format = True  # spares the search for doubled entries
+    matrix = sparse.csr_array(entries.tocsr())
+    matrix.has_sorted_indices = True
+    return matrix
 
 
 def taubin_mu(lambda_: float, pass_band: float) -> float:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.geometry.edges import EdgeTable
+from scanner_core.geometry.edges import EdgeTable, row_dot
 from scanner_core.geometry.mesh import TriangleMesh
 
 Array = NDArray[np.float64]
@@ -76,24 +76,32 @@ def curved_middles(vertices: Array, normals: Array, edges: NDArray[np.int64]) ->
     (Vlachos et al. 2001): ``(a + b) / 2 + ((b - a) . n_b n_b - (b - a) . n_a n_a) / 8``.  The lift is at most a fifth of
     the edge.
     """
-    a, b = vertices[edges[:, 0]], vertices[edges[:, 1]]
-    along = b - a
-    lift_a = np.einsum("ij,ij->i", along, normals[edges[:, 0]])[:, None] * normals[edges[:, 0]]
-    lift_b = np.einsum("ij,ij->i", along, normals[edges[:, 1]])[:, None] * normals[edges[:, 1]]
-    lift = 0.125 * (lift_b - lift_a)
-    size = np.linalg.norm(lift, axis=1)
-    bound = 0.2 * np.linalg.norm(along, axis=1)
-    return np.asarray(0.5 * (a + b) + lift * np.minimum(1, bound / np.maximum(size, 1e-30))[:, None])
+    a, b = (np.take(vertices, end, axis=0) for end in edges.T)
+    normal_a, normal_b = (np.take(normals, end, axis=0) for end in edges.T)
+    return np.asarray(0.5 * (a + b) + _lifts(b - a, normal_a, normal_b))
 
 
-def side_lifts(mesh: TriangleMesh, normals: Array) -> Array:
+def _lifts(along: Array, normal_a: Array, normal_b: Array) -> Array:
+    """From the straight to the curved middle of edges, (e, 3), from their vectors and the unit normals at their ends."""
+    lift = row_dot(along, normal_b)[:, None] * normal_b
+    lift -= row_dot(along, normal_a)[:, None] * normal_a
+    lift *= 0.125
+    size = np.sqrt(row_dot(lift, lift))
+    bound = 0.2 * np.sqrt(row_dot(along, along))
+    lift *= np.minimum(1, bound / np.maximum(size, 1e-30))[:, None]
+    return lift
+
+
+def side_lifts(mesh: TriangleMesh, normals: Array, table: EdgeTable | None = None) -> Array:
     """Height of the curved surface over the middle of each side of every triangle, along its normal, (t, 3), mm.
 
     Over the point with barycentric weights w the curved surface stands at ``sum over sides 4 w_i w_j lift``.
+    `table` are the edges of the mesh, made if None.
     """
-    table = EdgeTable.of(mesh.triangles)
+    table = EdgeTable.of(mesh.triangles) if table is None else table
     i, j = table.edges.T
-    lift = curved_middles(mesh.vertices, normals, table.edges) - 0.5 * (mesh.vertices[i] + mesh.vertices[j])
-    mean = normals[i] + normals[j]
-    mean /= np.maximum(np.linalg.norm(mean, axis=1), 1e-30)[:, None]
-    return np.asarray(np.einsum("ij,ij->i", lift, mean)[table.side_edges])
+    normal_i, normal_j = np.take(normals, i, axis=0), np.take(normals, j, axis=0)
+    lift = _lifts(np.take(mesh.vertices, j, axis=0) - np.take(mesh.vertices, i, axis=0), normal_i, normal_j)
+    mean = normal_i + normal_j
+    height = row_dot(lift, mean) / np.maximum(np.sqrt(row_dot(mean, mean)), 1e-30)
+    return np.asarray(np.take(height, table.side_edges))

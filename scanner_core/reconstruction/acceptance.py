@@ -318,21 +318,20 @@ def check_hollow(depths_mm: NDArray[np.floating], deepest_mm: float) -> None:
         raise ReconstructionError("E-REC-02", reason=f"{100 * share:.0f} % of them lie deep inside, where the scan of a surface has none")
 
 
-def check_fit(mesh: TriangleMesh, near: Mask, supported: Mask, noise_mm: float, *, standing: bool, open_holes: bool) -> None:
+def check_fit(mesh: TriangleMesh, supported: Mask, noise_mm: float, *, standing: bool, open_holes: bool) -> None:
     """Refuse a fitted surface that the points do not bear (E-REC-02, or E-REC-03 when none of it can be confirmed).
 
     Parameters
     ----------
     mesh : the surface
-    near : which of its vertices lie within reach of points, (v,)
-    supported : which of these the fit confirmed, (v,); it may reject more than it should where points are few
+    supported : which of its vertices the points bear out, (v,)
     noise_mm : one sigma of the points about the surface
     standing : whether the object is known to stand on a table, which hides its base
     open_holes : whether the parts without points are left open anyway
     """
     areas = mesh.areas()
     area = float(areas.sum())
-    share = float((areas * near[mesh.triangles].mean(axis=1)).sum()) / area
+    share = float((areas * supported[mesh.triangles].mean(axis=1)).sum()) / area
     if share < (_LEAST_NEAR_OPEN if standing or open_holes else _LEAST_NEAR):
         raise ReconstructionError("E-REC-02", reason=f"they cover only {100 * share:.0f} % of the surface that closes round them")
     if noise_mm > _MOST_NOISE * mesh.volume() / area:

@@ -33,6 +33,11 @@ class CloudScale:
     neighbours: NDArray[np.int64]
     isolated: NDArray[np.bool_]
 
+    @property
+    def spacings_mm(self) -> Array:
+        """Side of the square that each point stands for, (n,)."""
+        return np.asarray(self.reach_mm * np.sqrt(np.pi / _NEIGHBOURS))
+
 
 def measure_scale(points: Array, tree: cKDTree, seed: int) -> CloudScale:
     """Scales of (n, 3) points, mm.

@@ -7,6 +7,7 @@ edges that are longest against it until the wanted number of triangles is reache
 from __future__ import annotations
 
 from enum import Enum
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,8 +15,11 @@ from scipy import sparse
 
 from scanner_core.geometry.edges import EdgeTable
 from scanner_core.geometry.mesh import TriangleMesh
-from scanner_core.geometry.proximity import Feet
+from scanner_core.geometry.proximity import Feet, closest_near
 from scanner_core.geometry.smoothing import uniform_averaging
+
+if TYPE_CHECKING:
+    from scanner_core.reconstruction.refine import Fit
 
 Array = NDArray[np.float64]
 
@@ -28,6 +32,18 @@ class Criterion(Enum):
 
     DATA_ERROR = "data_error"
     SAG = "sag"
+    UNIFORM = "uniform"
+
+
+def wanted_sizes(criterion: Criterion, fit: Fit) -> Array:
+    """Wanted edge lengths at the vertices of a fit, up to a common factor, (v,)."""
+    mesh = fit.mesh
+    if criterion is Criterion.UNIFORM:
+        return np.ones(len(mesh.vertices))
+    if criterion is Criterion.SAG:
+        return sizes_by_sag(mesh, mesh.vertex_normals())
+    feet = closest_near(mesh, fit.level.observations.points)
+    return sizes_by_data_error(mesh, feet, fit.robust, fit.residuals_mm, fit.noise_mm)
 
 
 def sizes_by_data_error(mesh: TriangleMesh, feet: Feet, weights: Array, residuals_mm: Array, noise_mm: float) -> Array:

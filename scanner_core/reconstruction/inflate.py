@@ -21,7 +21,7 @@ from scanner_core.geometry.edges import EdgeTable, row_dot
 from scanner_core.geometry.icosahedron import icosahedron
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.remeshing import collapse_short, flip_edges, relax, split_long
-from scanner_core.geometry.smoothing import averaging_of
+from scanner_core.geometry.smoothing import uniform_averaging
 from scanner_core.geometry.subdivision import subdivide_uniform
 from scanner_core.geometry.voxel_region import Field, Region, VoxelGrid
 from scanner_core.reconstruction.cloud_scale import CloudScale
@@ -245,7 +245,7 @@ def inflate_at(region: EnclosedRegion, lengths: EdgeLengths, pace: Pace) -> Ball
 def _grow(mesh: TriangleMesh, table: EdgeTable | None, region: EnclosedRegion, lengths: EdgeLengths) -> tuple[TriangleMesh, EdgeTable | None]:
     """One move outwards, and the remeshing that keeps the balloon healthy; takes and returns the table of edges where it is known."""
     table = table or EdgeTable.of(mesh.triangles)
-    averaging = averaging_of(table, len(mesh.vertices))
+    averaging = uniform_averaging(mesh, table)
     normals = mesh.vertex_normals()
     smooth = normals + averaging @ normals
     smooth /= np.maximum(np.sqrt(row_dot(smooth, smooth)), 1e-30)[:, None]

@@ -42,6 +42,12 @@ class Observations:
     def __len__(self) -> int:
         return len(self.points)
 
+    def select(self, which: NDArray[np.int64]) -> Observations:
+        """Those of some indices."""
+        shapes = None if self.shapes is None else self.shapes[which]
+        scatter = None if self.scatter is None else self.scatter[which]
+        return Observations(self.points[which], self.counts[which], shapes, scatter)
+
     def relative_variance(self, normals: Array) -> Array:
         """Variance of each along its unit normal (n, 3), in units of the typical one, (n,)."""
         if self.shapes is None:
@@ -117,7 +123,8 @@ def merged(single: Observations, cell_mm: float) -> Observations:
     scatter = np.empty((len(total), 3, 3))
     for i in range(3):
         for j in range(i, 3):
-            scatter[:, i, j] = scatter[:, j, i] = np.add.reduceat(weights * away[:, i] * away[:, j], begins) / total
+            inner = 0.0 if single.scatter is None else single.scatter[order, i, j]
+            scatter[:, i, j] = scatter[:, j, i] = np.add.reduceat(weights * (away[:, i] * away[:, j] + inner), begins) / total
     shapes = None
     if single.shapes is not None:
         flat = single.shapes[order].reshape(-1, 9) * weights[:, None]

@@ -12,7 +12,6 @@ from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.jobs.progress import IsCancelled, OnProgress
 from scanner_core.reconstruction.acceptance import LEAST_POINTS, accept, check_fit, check_hollow
-from scanner_core.reconstruction.cap import supported_vertices
 from scanner_core.reconstruction.cloud_scale import CloudScale, measure_scale
 from scanner_core.reconstruction.inflate import Balloon, inflate, unreached_share
 from scanner_core.reconstruction.memory import peak_memory_mb
@@ -21,7 +20,7 @@ from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.reconstruction.refine import Fit, Refinement
 from scanner_core.reconstruction.region import enclosed_region
-from scanner_core.reconstruction.repair import without_self_intersections
+from scanner_core.reconstruction.repair import repaired
 from scanner_core.reconstruction.report import Phase, Reconstruction, ReconstructionReport
 from scanner_core.reconstruction.smooth import smooth
 from scanner_core.reconstruction.spline import SmoothingSpline
@@ -31,6 +30,12 @@ Array = NDArray[np.float64]
 
 _UNREACHED = 0.01
 """Share of the points away from the balloon that is no part which it has not got into."""
+
+_LEAST_QUALITY = 0.3
+"""Triangles are mended up to this quality, 4 sqrt(3) area over the sum of the squared sides: 1 is equilateral."""
+
+_MOST_UNREACHED = 0.01
+"""More of the points than this, lying together off the surface, are a part of the object that is missing."""
 
 __all__ = ["LEAST_POINTS", "Reconstruction", "reconstruct"]
 
@@ -68,22 +73,21 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
         balloon = _inflated(points, scale, pace, None)
 
     pace.enter("refine")
-    fit = Refinement(observations, tree, scale, parameters, pace).run(balloon.mesh)
-    near = supported_vertices(fit.mesh.vertices, tree, scale.reach_mm, fit.noise_mm)
-    check_fit(fit.mesh, near, fit.supported, fit.noise_mm, standing=table is not None, open_holes=parameters.open_holes)
+    fit = Refinement(observations, scale, parameters, pace).run(balloon.mesh)
+    check_fit(fit.mesh, fit.supported, fit.noise_mm, standing=table is not None, open_holes=parameters.open_holes)
 
     pace.enter("smooth")
-    mesh = without_self_intersections(smooth(fit.mesh, fit.supported), pace.check)
+    mesh, crossing = repaired(smooth(fit.mesh, fit.supported), _LEAST_QUALITY, pace.check)
     refined = len(fit.mesh.triangles)
     pace.check()
-    spline = SmoothingSpline(mesh, observations, fit.robust, fit.supported, fit.noise_mm, pace.check)
+    spline = SmoothingSpline(mesh, observations, fit.robust, scale.spacings_mm, fit.noise_mm, pace.check)
     pace.check()
-    uncertainty = standard_uncertainty(spline, fit.bandwidth_mm, parameters.seed)
+    uncertainty = standard_uncertainty(spline, fit.bandwidth_mm)
     pace.check()
-    checks = check_mesh(mesh)
-    _guard(checks)
+    checks = check_mesh(mesh, self_intersections=crossing)
+    _guard(checks, fit)
     kept = fit.robust > 0.5
-    residual = float(np.sqrt((spline.distances_mm[kept] ** 2).mean()))
+    residual = float(np.sqrt((spline.association.distances_mm[kept] ** 2).mean()))
     mesh = _finished(mesh, fit, uncertainty, centre, parameters)
     pace.centre_mm = None  # the finished mesh stands in the object frame
     seconds = pace.finish()
@@ -135,8 +139,14 @@ def _inflated(points: Array, scale: CloudScale, pace: Pace, table_mm: float | No
     return balloon
 
 
-def _guard(checks: MeshChecks) -> None:
-    """Never a wrong mesh: refuse one that is not closed, not manifold or inside out."""
+def _guard(checks: MeshChecks, fit: Fit) -> None:
+    """Never a wrong mesh: refuse one that is not closed, not manifold, inside out, crosses itself or leaves points aside."""
+    if fit.unreached > _MOST_UNREACHED:
+        raise ReconstructionError(
+            "E-REC-03",
+            reason=f"it does not reach {100 * fit.unreached:.0f} % of the points, which lie together in thin or hidden parts",
+            do="scan these parts more densely",
+        )
     if checks.self_intersections:
         raise ReconstructionError(
             "E-REC-03", reason=f"{checks.self_intersections} of its triangles cross others", do="scan the thin or hidden parts more densely"

@@ -1,8 +1,11 @@
 """Phase two: the surface is fitted to the points and locally re-sampled where it has more detail.
 
-From coarse to fine: fit the smoothing spline, let an error function say which edges are too long, split them, flip, fit
-again.  On each level the bandwidth is chosen by cross-validation among those that the mesh can carry; as soon as a wider
-one than the finest wins, the bandwidth is found and finer levels only draw the same surface with more triangles.
+From coarse to fine: fit the smoothing spline, choose its bandwidth place by place, split where the narrowest bandwidth that
+the triangles can carry is not yet wide enough to win, fit again.  Where a wider one has won the surface is settled: finer
+triangles would only draw it more finely.  At the end it is drawn with the wanted number of triangles, shorter edges where an
+error function asks for them.
+
+Coarse levels see the points merged into cells that are small against their triangles; it changes nothing but the time.
 """
 
 from __future__ import annotations
@@ -13,32 +16,28 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from scanner_core.geometry.edges import EdgeTable
 from scanner_core.geometry.mesh import TriangleMesh
-from scanner_core.geometry.proximity import closest_near
-from scanner_core.geometry.remeshing import collapse_edges, flip_edges, relax
-from scanner_core.geometry.smoothing import uniform_averaging
-from scanner_core.geometry.subdivision import curved_middles, side_lifts, split_edges
-from scanner_core.reconstruction.association import SOFT_ABOVE
+from scanner_core.geometry.remeshing import flip_edges, relax
 from scanner_core.reconstruction.bandwidth import local_choice
-from scanner_core.reconstruction.cap import fair_cap, follows_points, supported_vertices, tidy_support
-from scanner_core.reconstruction.cloud_scale import CloudScale
-from scanner_core.reconstruction.error_function import Criterion, sizes_by_data_error, sizes_by_sag
-from scanner_core.reconstruction.observations import Observations
+from scanner_core.reconstruction.cap import fair_cap
+from scanner_core.reconstruction.cloud_scale import CloudScale, measure_scale
+from scanner_core.reconstruction.discrete_surface import EQUILATERAL, mean_edge, vertex_areas
+from scanner_core.reconstruction.error_function import wanted_sizes
+from scanner_core.reconstruction.facets import centred_facets, facet_sag_mm, local_edges
+from scanner_core.reconstruction.observations import Observations, merged
 from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.reconstruction.repair import unfold
+from scanner_core.reconstruction.resampling import coarsened, reduced, split_towards
+from scanner_core.reconstruction.robust import robust_weights
 from scanner_core.reconstruction.spline import SmoothingSpline
+from scanner_core.reconstruction.support import MEASURED
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
-_EQUILATERAL = 0.433
-"""Area of an equilateral triangle of side 1."""
-
-import os
-_SAFETY = float(os.environ.get("SAF","1.0"))
-"""Cross-validation errs towards too narrow; a little more costs next to nothing where it is right."""
+_STEP = 0.4
+"""Longest move of a vertex in one solve, in edges."""
 
 _NARROWEST = 0.4
 """Narrowest bandwidth that a mesh carries, in edges."""
@@ -47,25 +46,48 @@ _RUNG = 2**0.5
 """Ratio of neighbouring bandwidths that are tried."""
 
 _SETTLED_ABOVE = 0.85
-"""A bandwidth so many times the narrowest one counts as found: finer triangles would not change it."""
-
-_SOFT_EDGE = 0.9
+"""A bandwidth of so many edges counts as found: finer triangles would not change it."""
 
 _SETTLED_SHARE = 0.03
-"""Area that may stay unsettled."""
+"""Share of the area that may stay unsettled."""
 
-_MOST_TRIANGLES = 2_000_000
+_NOISE_FLOOR = 1.35
+"""Narrowest bandwidth in sigma of the noise: below, the foot of a point is a matter of chance."""
 
-_STEP = 0.4
-"""Longest move of a vertex in one solve, in edges."""
+_SOFT_FLOOR = 1.6
+"""The same under a soft association, as ``1.6 sigma^0.6 spacing^0.4``.  Cross-validation sees only what the points see, the surface
+blurred by the noise; what it leaves undecided must not be filled with noise.  (Ear, 1 mm: 3,500 points are best served by 1.0 mm,
+20,000 by 0.75 mm, and half of that diverges.)"""
+
+_SOFT_EDGE = 0.75
+"""Shortest edges, in sigma of the noise, that heavy noise is fitted with: the points cannot tell more."""
+
+_AT_REST = 0.08
+"""The surface is at rest when a step moves it by less than so much of the noise, rms: a quarter of its own error."""
+
+_SOFT_AT_REST = 0.01
+"""The same under heavy noise, of which the error is a much smaller part, and where steps are short."""
+
+_CHEAP = 30_000
+"""Up to so many triangles another step is cheap: what is found there need not be found on fine levels."""
 
 _RESOLVED = 5.0
 """A mesh with so many edges to the bandwidth holds the whole answer; finer ones only draw its curved surface."""
 
-_SOFT_FLOOR = 1.6
+_CELL = 0.3
+"""Cells into which the points are merged on a level, in edges of its triangles."""
 
-_NOISE_FLOOR = 1.35
-"""Narrowest bandwidth in sigma of the noise: below, the nearest point of the surface is a matter of chance."""
+_LEAST_TRIANGLES = 16_000
+_MOST_TRIANGLES = 2_000_000
+_MOST_LEVELS = 12
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Level:
+    """The points as one level sees them."""
+
+    observations: Observations
+    scale: CloudScale
 
 
 @dataclass(slots=True, eq=False)
@@ -79,8 +101,10 @@ class Fit:
     noise_mm : sigma along the normal of a typical measurement, from the residuals
     bandwidth_mm : (v,) of the spline
     settled : (v,) bool, whether a wider bandwidth than the narrowest that the mesh can carry has won there
-    supported : (v,) bool
-    residuals_mm : (n,) of the last solve
+    share : (v,) density of the points over the one that they have among themselves
+    residuals_mm : (n,) of the last solve, over the root of the observations' relative variance
+    level : the points that `robust` and `residuals_mm` belong to
+    unreached : share of the observations that lie off the surface together with their neighbours, at the end
     """
 
     mesh: TriangleMesh
@@ -88,127 +112,177 @@ class Fit:
     noise_mm: float
     bandwidth_mm: Array
     settled: Mask
-    supported: Mask
+    share: Array
     residuals_mm: Array
+    level: Level
+    unreached: float = 0.0
+
+    @property
+    def supported(self) -> Mask:
+        """(v,) where points bear the surface out."""
+        return self.share > MEASURED
 
 
 class Refinement:
     """Phase two for one cloud."""
 
-    def __init__(self, observations: Observations, tree: cKDTree, scale: CloudScale, parameters: ReconstructionParameters, pace: Pace) -> None:
-        self._observations = observations
-        self._tree = tree
-        self._scale = scale
+    def __init__(self, observations: Observations, scale: CloudScale, parameters: ReconstructionParameters, pace: Pace) -> None:
         self._parameters = parameters
         self._pace = pace
-        self._signs = np.random.default_rng(parameters.seed).choice([-1.0, 1.0], size=len(observations))
+        self._finest = Level(observations, scale)
+        self._kept = np.flatnonzero(~scale.isolated)
 
     def run(self, balloon: TriangleMesh) -> Fit:
         """Fit a balloon to the points, coarse to fine."""
-        wanted = self._parameters.triangles
-        mesh = reduced(balloon, wanted) if wanted is not None and len(balloon.triangles) > wanted else balloon
-        count = len(mesh.vertices)
-        fit = Fit(
-            mesh,
-            np.where(self._scale.isolated, 0.0, 1.0),
-            self._scale.noise_mm,
-            np.full(count, mean_edge(mesh)),
-            np.zeros(count, bool),
-            np.ones(count, bool),
-            np.zeros(len(self._observations)),
-        )
+        fit = self._begin(balloon)
         most = self._most_triangles()
-        soft = False
-        for level in range(12):
-            for _ in range(2):
-                self._improve(fit)
-            self._choose(fit, first=level == 0)
+        for number in range(_MOST_LEVELS):
+            self._see(fit)
             self._improve(fit)
-            self._pace.report(min(0.8, len(fit.mesh.triangles) / most), fit.mesh, force=True)
-            area = SmoothingArea(fit.mesh)
-            soft = level > 0 and mean_edge(fit.mesh) <= _SOFT_EDGE * fit.noise_mm
-            if float(area[~fit.settled].sum()) < _SETTLED_SHARE * float(area.sum()) or len(fit.mesh.triangles) >= 0.8 * most or soft:
-                break
-            finest = int(fit.mesh.area() / (_EQUILATERAL * (0.75 * fit.noise_mm) ** 2))
-            target = min(4 * len(fit.mesh.triangles), most, max(finest, int(1.3 * len(fit.mesh.triangles))))
-            self._split(fit, target, np.where(fit.settled, 4.0, 1.0) * self._sizes(fit), most_ratio=0.5)
-        if soft:  # the likelihood is not quadratic: it takes some steps more
-            for _ in range(3):
+            if number == 0:
                 self._improve(fit)
-        self._draw(fit, soft)
-        self._support(fit)
-        # Only now that the surface is fitted can it be said which vertices follow the points and which the cap.
-        fit.supported = tidy_support(fit.mesh, fit.supported & follows_points(fit.mesh.vertices, self._tree, fit.noise_mm), rounds=6)
-        fit.mesh = centred_facets(fit.mesh)
-        fit.mesh = fair_cap(fit.mesh, fit.supported, self._pace.check, rounds=10)
-        fit.robust = robust_weights(fit.residuals_mm, self._scale, patient=False)
+            moved = self._improve(fit, choose=True, first=number == 0)
+            self._settle(fit, moved, 4 if len(fit.mesh.triangles) < _CHEAP else 1)
+            self._pace.report(min(0.8, len(fit.mesh.triangles) / most), fit.mesh, force=True)
+            as_fine_as_noise = number > 0 and mean_edge(fit.mesh) <= 1.2 * _SOFT_EDGE * fit.noise_mm
+            if as_fine_as_noise or len(fit.mesh.triangles) >= 0.8 * most or self._unsettled_share(fit) < _SETTLED_SHARE:
+                break
+            self._split(fit, most)
+        self._see(fit, finest=True)
+        if as_fine_as_noise:  # finer triangles only draw what is found
+            self._settle(fit, np.inf, 6, at_rest=_SOFT_AT_REST)
+            self._draw(fit)
+        else:
+            self._draw(fit)
+            if float(np.median(fit.bandwidth_mm)) < _RESOLVED * mean_edge(fit.mesh):
+                self._settle(fit, np.inf, 4)
+        fit.mesh = fair_cap(centred_facets(fit.mesh), fit.supported, self._pace.check, rounds=10)
+        patient = robust_weights(fit.residuals_mm, fit.level.scale)
+        fit.robust = robust_weights(fit.residuals_mm, fit.level.scale, patient=False)
+        fit.unreached = float(((patient > 0.5) & (fit.robust < 0.5)).mean())
         return fit
 
-    def _draw(self, fit: Fit, soft: bool) -> None:
-        """Bring the surface to its final number of triangles."""
-        target = self._target_triangles(fit)
-        if len(fit.mesh.triangles) > 1.1 * target:
-            kept = fit.mesh
-            fit.mesh, which = reduced_with(kept, target)
-            fit.bandwidth_mm, fit.settled, fit.supported = fit.bandwidth_mm[which], fit.settled[which], fit.supported[which]
-        for _ in range(12):
-            if len(fit.mesh.triangles) >= target - 1:
-                break
-            self._split(fit, target, self._sizes(fit))
-        if not soft and float(np.median(fit.bandwidth_mm)) < _RESOLVED * mean_edge(fit.mesh):
-            for _ in range(2):
-                self._improve(fit)
+    def _begin(self, balloon: TriangleMesh) -> Fit:
+        wanted = self._parameters.triangles
+        mesh = reduced(balloon, wanted)[0] if wanted is not None and len(balloon.triangles) > wanted else balloon
+        count = len(mesh.vertices)
+        settled, share = np.zeros(count, bool), np.ones(count)
+        none = np.zeros(0)
+        return Fit(mesh, none, self._finest.scale.noise_mm, np.full(count, mean_edge(mesh)), settled, share, none, self._finest)
 
-    def _support(self, fit: Fit) -> None:
-        reach = np.where(fit.robust > 0.5, self._scale.reach_mm, 0.0)
-        fit.supported = tidy_support(fit.mesh, supported_vertices(fit.mesh.vertices, self._tree, reach, fit.noise_mm))
+    # ------------------------------------------------------------------------------------------ points
 
-    def _spline(self, fit: Fit) -> SmoothingSpline:
+    def _see(self, fit: Fit, *, finest: bool = False) -> None:
+        """Look at the points as finely as the mesh deserves."""
+        level = self._finest
+        if not finest:
+            coarse = merged(self._finest.observations.select(self._kept), _CELL * mean_edge(fit.mesh))
+            if len(coarse) < 0.6 * len(level.observations) and len(coarse) > 2_000:
+                self._pace.check()
+                level = Level(coarse, measure_scale(coarse.points, cKDTree(coarse.points), self._parameters.seed))
+        if len(fit.robust) == 0 or level is not fit.level:
+            fit.level = level
+            fit.robust = np.where(level.scale.isolated, 0.0, 1.0)
+            fit.residuals_mm = np.zeros(len(level.observations))
+
+    # ------------------------------------------------------------------------------------------ fit
+
+    def _spline(self, fit: Fit, share: Array | None = None) -> SmoothingSpline:
         self._pace.check()
-        self._support(fit)
-        return SmoothingSpline(fit.mesh, self._observations, fit.robust, fit.supported, fit.noise_mm, self._pace.check)
+        level = fit.level
+        return SmoothingSpline(fit.mesh, level.observations, fit.robust, level.scale.spacings_mm, fit.noise_mm, self._pace.check, share)
 
-    def _improve(self, fit: Fit) -> None:
-        """One solve, the robust weights after it, and the tidying of the triangles."""
+    def _settle(self, fit: Fit, moved_mm: float, most: int, *, at_rest: float = _AT_REST) -> None:
+        """Improve until the surface comes to rest, at most so many times."""
+        for _ in range(most):
+            if moved_mm < at_rest * fit.noise_mm:
+                break
+            moved_mm = self._improve(fit)
+
+    def _improve(self, fit: Fit, *, choose: bool = False, first: bool = False) -> float:
+        """Tidy the triangles, solve once, with newly chosen bandwidths if asked to, and weigh the points anew; rms move, mm."""
         fit.mesh = relax(flip_edges(fit.mesh), step=0.25)
-        spline = self._spline(fit)
+        spline = self._spline(fit, None if choose or np.any(fit.share < 0.8) else fit.share)
+        fit.share = spline.share
+        if choose:
+            self._choose(fit, spline, first)
         step = spline.step(fit.bandwidth_mm)
-        moved = np.clip(step.displacement_mm, -_STEP * spline.edge_mm, _STEP * spline.edge_mm)
-        fit.residuals_mm = step.residuals_mm / np.sqrt(spline.variance)
-        fit.robust = robust_weights(fit.residuals_mm, self._scale)
+        bound = _STEP * spline.surface.edge_mm
+        moved = np.clip(step.displacement_mm, -bound, bound)
         if not np.any(fit.settled):  # the first guess, from the points alone, may be far too high
             freedom = float((spline.area / (8 * fit.bandwidth_mm**2)).sum())
             fit.noise_mm = spline.noise(step.residuals_mm, min(freedom, 0.5 * len(step.residuals_mm)))
-        mesh = TriangleMesh(fit.mesh.vertices + moved[:, None] * spline.normals, fit.mesh.triangles)
-        fit.mesh = unfold(mesh)
+        fit.residuals_mm = step.residuals_mm / np.sqrt(spline.variance)
+        fit.robust = robust_weights(fit.residuals_mm, fit.level.scale)
+        fit.mesh = unfold(TriangleMesh(fit.mesh.vertices + moved[:, None] * spline.normals, fit.mesh.triangles))
         self._pace.report(0.0)
+        return float(np.sqrt((spline.area * moved**2).sum() / spline.area.sum()))
 
-    def _choose(self, fit: Fit, first: bool) -> None:
+    def _choose(self, fit: Fit, spline: SmoothingSpline, first: bool) -> None:
         """The bandwidth with the best cross-validation among those that this mesh carries, where none has won yet."""
-        spline = self._spline(fit)
         edges = local_edges(fit.mesh)
         floor = self._floor(fit, spline)
-        least = np.maximum(np.maximum(_NARROWEST * edges, 0.3 * self._scale.spacing_mm), floor)
+        least = np.maximum(np.maximum(_NARROWEST * edges, 0.3 * fit.level.scale.spacing_mm), floor)
         narrowest = least if first else np.maximum(0.5 * fit.bandwidth_mm, least)
         widest = 1.6 * edges if first else 1.5 * fit.bandwidth_mm
         rungs = 1 + max(1, int(np.ceil(np.log(float(np.quantile(widest / narrowest, 0.95))) / np.log(_RUNG))))
         ladder = narrowest * _RUNG ** np.arange(rungs)[:, None]
         ladder = np.where(fit.settled, fit.bandwidth_mm, ladder)
-        choice = local_choice(spline, ladder, fit.bandwidth_mm, self._signs)
+        choice = local_choice(spline, ladder, fit.bandwidth_mm)
         fit.noise_mm = choice.noise_mm
-        chosen = np.log(np.maximum(_SAFETY * narrowest * _RUNG**choice.rung, floor))
-        chosen = np.where(choice.rung <= 0, np.log(narrowest), chosen)
-        chosen = np.where(fit.settled, np.log(fit.bandwidth_mm), chosen)
-        smooth = spline.diffused(chosen[:, None], np.exp(chosen))[:, 0]
-        fit.bandwidth_mm = np.where(fit.settled, fit.bandwidth_mm, np.exp(smooth))
+        chosen = np.where(fit.settled, fit.bandwidth_mm, narrowest * _RUNG**choice.rung)
+        even = np.exp(spline.surface.diffused(np.log(chosen)[:, None], chosen)[:, 0])
+        fit.bandwidth_mm = np.where(fit.settled, fit.bandwidth_mm, np.maximum(even, floor))
         if not first:
             fit.settled = fit.settled | (fit.bandwidth_mm > _SETTLED_ABOVE * edges)
 
-    def _floor(self, fit: Fit, spline: SmoothingSpline) -> float:
+    @staticmethod
+    def _floor(fit: Fit, spline: SmoothingSpline) -> float:
         """The narrowest bandwidth that the noise allows, mm."""
         if spline.association.soft:
             return float(_SOFT_FLOOR * fit.noise_mm**0.6 * spline.spacing_mm**0.4)
         return _NOISE_FLOOR * fit.noise_mm
+
+    # ------------------------------------------------------------------------------------------ triangles
+
+    @staticmethod
+    def _unsettled_share(fit: Fit) -> float:
+        area = vertex_areas(fit.mesh)
+        return float(area[~fit.settled].sum() / area.sum())
+
+    def _split(self, fit: Fit, most: int) -> None:
+        """Halve the edges where the surface is not settled, shorter where the error function asks for it."""
+        count = len(fit.mesh.triangles)
+        noise_limit = int(fit.mesh.area() / (EQUILATERAL * (_SOFT_EDGE * fit.noise_mm) ** 2)) if fit.noise_mm > 0 else most
+        target = min(4 * count, most, max(noise_limit, int(1.3 * count)))
+        sizes = wanted_sizes(self._parameters.criterion, fit) * np.where(fit.settled, 4.0, 1.0)
+        self._resample(fit, sizes, target, down_to=0.5)
+
+    def _resample(self, fit: Fit, sizes: Array, target: int, *, down_to: float = 0.0) -> None:
+        values = np.column_stack([np.log(fit.bandwidth_mm), fit.settled, fit.share])
+        fit.mesh, values = split_towards(fit.mesh, sizes, values, target, self._pace.check, down_to=down_to)
+        fit.bandwidth_mm, fit.settled, fit.share = np.exp(values[:, 0]), values[:, 1] > 0.99, values[:, 2]
+
+    def _draw(self, fit: Fit) -> None:
+        """Bring the surface to its final number of triangles."""
+        target = self._target_triangles(fit)
+        sizes = wanted_sizes(self._parameters.criterion, fit)
+        filled = float((vertex_areas(fit.mesh) / sizes**2).sum())
+        sizes_mm = sizes * float(np.sqrt(filled / (EQUILATERAL * target)))
+        fit.mesh, kept = coarsened(fit.mesh, sizes_mm, self._pace.check)
+        self._keep(fit, kept)
+        if len(fit.mesh.triangles) > target:
+            fit.mesh, kept = reduced(fit.mesh, target)
+            self._keep(fit, kept)
+        for _ in range(_MOST_LEVELS):
+            if len(fit.mesh.triangles) >= target - 1:
+                break
+            self._resample(fit, wanted_sizes(self._parameters.criterion, fit), target)
+
+    @staticmethod
+    def _keep(fit: Fit, kept: NDArray[np.int64]) -> None:
+        """The state of the vertices that are left."""
+        fit.bandwidth_mm, fit.settled, fit.share = fit.bandwidth_mm[kept], fit.settled[kept], fit.share[kept]
 
     def _target_triangles(self, fit: Fit) -> int:
         """How many triangles the finished surface has."""
@@ -218,127 +292,9 @@ class Refinement:
             # the sag of a facet goes with its area
             goal = len(fit.mesh.triangles) * 1e3 * facet_sag_mm(fit.mesh) / self._parameters.tolerance_um
             return int(np.clip(goal, 500, _MOST_TRIANGLES))
-        carries = float((SmoothingArea(fit.mesh) / (_EQUILATERAL * (0.4 * fit.bandwidth_mm) ** 2)).sum())
-        return max(min(int(carries), self._most_triangles()), 4_000)
+        carries = float((vertex_areas(fit.mesh) / (EQUILATERAL * (0.4 * fit.bandwidth_mm) ** 2)).sum())
+        return max(min(int(carries), self._most_triangles()), _LEAST_TRIANGLES)
 
     def _most_triangles(self) -> int:
         """As many as the points can fill with detail: about one a point, as in the publication."""
-        return self._parameters.triangles or max(int(1.04 * len(self._observations)), 24_000)
-
-    def _sizes(self, fit: Fit) -> Array:
-        """Relative edge lengths by the chosen error function, (v,)."""
-        mesh = fit.mesh
-        if self._parameters.criterion is Criterion.SAG:
-            return sizes_by_sag(mesh, mesh.vertex_normals())
-        return sizes_by_data_error(mesh, closest_near(mesh, self._observations.points), fit.robust, fit.residuals_mm, fit.noise_mm)
-
-    def _split(self, fit: Fit, target: int, sizes: Array, most_ratio: float | None = None) -> None:
-        """Split the edges that are longest against their wanted length (v,), all of them at most, towards `target` triangles."""
-        mesh = fit.mesh
-        state = np.column_stack([sizes, np.log(fit.bandwidth_mm), fit.settled, fit.supported])
-        goal = min(target, 4 * len(mesh.triangles))
-        longest = None
-        for _ in range(6):
-            missing = (goal - len(mesh.triangles)) // 2
-            if missing <= 0:
-                break
-            table = EdgeTable.of(mesh.triangles)
-            ratio = table.lengths(mesh.vertices) / (0.5 * (state[table.edges[:, 0], 0] + state[table.edges[:, 1], 0]))
-            if most_ratio is not None:
-                if longest is None:
-                    longest = most_ratio * float(np.quantile(ratio, 0.9))
-                if float(ratio.max()) < longest:
-                    break
-            order = np.argsort(-ratio, kind="stable")
-            marked = np.zeros(len(ratio), bool)
-            # all edges at once is the uniform 1:4; otherwise only those that are clearly among the longest
-            enough = ratio > 0.6 * np.quantile(ratio, 0.99) if missing < len(ratio) else np.ones(len(ratio), bool)
-            if longest is not None:
-                enough = ratio > longest
-            marked[order[:missing]] = True
-            marked &= enough
-            chosen = table.edges[marked]
-            places = curved_middles(mesh.vertices, mesh.vertex_normals(), chosen)
-            state = np.concatenate([state, 0.5 * (state[chosen[:, 0]] + state[chosen[:, 1]])])
-            mesh = flip_edges(split_edges(mesh, table, marked, places), passes=2)
-            self._pace.check()
-        fit.mesh = relax(mesh, step=0.3)
-        fit.bandwidth_mm, fit.settled, fit.supported = np.exp(state[:, 1]), state[:, 2] > 0.99, state[:, 3] > 0.5
-
-
-def centred_facets(mesh: TriangleMesh) -> TriangleMesh:
-    """Move vertices from the curved surface outwards (inwards in hollows), so that the facets lie about it, not within it."""
-    normals = mesh.vertex_normals()
-    areas = mesh.areas()
-    sag = areas * side_lifts(mesh, normals).mean(axis=1)
-    count = len(mesh.vertices)
-    corners = mesh.triangles.ravel()
-    mean = np.bincount(corners, np.repeat(sag, 3), minlength=count) / np.bincount(corners, np.repeat(areas, 3), minlength=count)
-    return TriangleMesh(mesh.vertices + mean[:, None] * normals, mesh.triangles)
-
-
-def facet_sag_mm(mesh: TriangleMesh) -> float:
-    """How far the curved surface stands off the middle of a facet, in 95 of 100 facets at most, mm."""
-    return float(np.percentile(np.abs(side_lifts(mesh, mesh.vertex_normals()).sum(axis=1)) * 4 / 9, 95))
-
-
-def mean_edge(mesh: TriangleMesh) -> float:
-    """Side of the equilateral triangle with the mean area, mm."""
-    return float(np.sqrt(mesh.area() / (_EQUILATERAL * len(mesh.triangles))))
-
-
-def robust_weights(residuals_mm: Array, scale: CloudScale, *, patient: bool = True) -> Array:
-    """1 up to 3 sigma, 0 from 5 sigma on, with sigma from the median of the residuals after the fit, (n,).
-
-    With patience, points that agree with their neighbours are no outliers however far they are: the surface has not got there yet, for
-    example into a slit.  They keep their weight if they are sampled as densely as the rest.
-    """
-    sigma = max(1.4826 * float(np.median(np.abs(residuals_mm))), 0.1 * scale.spacing_mm)
-    weights = np.clip((5 - np.abs(residuals_mm) / sigma) / 2, 0, 1)
-    far = np.flatnonzero(weights < 1) if patient else np.zeros(0, np.int64)
-    around = np.median(residuals_mm[scale.neighbours[far]], axis=1)
-    agree = (np.abs(residuals_mm[far] - around) < 3 * sigma) & (scale.reach_mm[far] < 2 * np.median(scale.reach_mm))
-    weights[far[agree]] = 1.0
-    weights[scale.isolated] = 0.0
-    return np.asarray(weights)
-
-
-def SmoothingArea(mesh: TriangleMesh) -> Array:
-    return np.bincount(mesh.triangles.ravel(), np.repeat(mesh.areas() / 3, 3), minlength=len(mesh.vertices))
-
-
-def local_edges(mesh: TriangleMesh) -> Array:
-    """Side of the equilateral triangles that fill the surroundings of each vertex, (v,), mm."""
-    corners = mesh.triangles.ravel()
-    valence = np.bincount(corners, minlength=len(mesh.vertices))
-    averaging = uniform_averaging(mesh)
-    size = 3 * SmoothingArea(mesh) / np.maximum(valence, 1)
-    size = 0.5 * size + 0.5 * (averaging @ size)
-    return np.asarray(np.sqrt(size / _EQUILATERAL))
-
-
-def reduced_with(mesh: TriangleMesh, triangles: int) -> tuple[TriangleMesh, NDArray[np.int64]]:
-    which = np.arange(len(mesh.vertices))
-    for _ in range(200):
-        excess = (len(mesh.triangles) - triangles + 1) // 2
-        if excess <= 0:
-            break
-        table = EdgeTable.of(mesh.triangles)
-        lengths = table.lengths(mesh.vertices)
-        mesh, kept = collapse_edges(mesh, table, np.ones(len(lengths), bool), lengths, most=excess)
-        which = which[kept]
-        mesh = flip_edges(mesh)
-    return mesh, which
-
-
-def reduced(mesh: TriangleMesh, triangles: int) -> TriangleMesh:
-    """Collapse the shortest edges until at most so many triangles are left."""
-    for _ in range(200):
-        excess = (len(mesh.triangles) - triangles + 1) // 2
-        if excess <= 0:
-            break
-        table = EdgeTable.of(mesh.triangles)
-        lengths = table.lengths(mesh.vertices)
-        mesh = collapse_edges(mesh, table, np.ones(len(lengths), bool), lengths, most=excess)[0]
-        mesh = flip_edges(mesh)
-    return mesh
+        return self._parameters.triangles or max(int(1.04 * len(self._finest.observations)), 24_000)

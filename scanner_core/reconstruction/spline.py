@@ -20,16 +20,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.geometry.mesh import TriangleMesh
-from scanner_core.geometry.smoothing import cotangent_laplacian
 from scanner_core.reconstruction.association import associate
 from scanner_core.reconstruction.conjugate_gradients import conjugate_gradients
+from scanner_core.reconstruction.discrete_surface import DiscreteSurface
 from scanner_core.reconstruction.observations import Observations
+from scanner_core.reconstruction.support import FITTED, density_share
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
-
-_EQUILATERAL = 0.433
-"""Area of an equilateral triangle of side 1."""
 
 _LAGS = 2
 
@@ -57,31 +55,46 @@ class SmoothingSpline:
     Parameters
     ----------
     robust : (n,) from 0 (ignored) to 1
-    supported : (v,) bool
+    spacing_mm : (n,) side of the square that each observation stands for
     noise_mm : sigma of a typical observation along the normal, as far as it is known
     check : raises when the caller asked to stop
+    share : (v,) the share of the density, if it is known
+
+    Attributes
+    ----------
+    share : (v,) density of the observations over the one that they have among themselves
+    supported : (v,) bool, where the surface is fitted
     """
 
     def __init__(
-        self, mesh: TriangleMesh, observations: Observations, robust: Array, supported: Mask, noise_mm: float, check: Callable[[], None]
+        self,
+        mesh: TriangleMesh,
+        observations: Observations,
+        robust: Array,
+        spacing_mm: Array,
+        noise_mm: float,
+        check: Callable[[], None],
+        share: Array | None = None,
     ) -> None:
+        self.surface = surface = DiscreteSurface(mesh, check)
         self.mesh = mesh
-        self.supported = supported
         self.noise_mm = noise_mm
         self._check = check
-        self.normals = mesh.vertex_normals()
-        self.stiffness, self.area = cotangent_laplacian(mesh)
-        self.edge_mm = float(np.sqrt(self.area.sum() / (_EQUILATERAL * len(mesh.triangles))))
-        check()
-        self.association = associate(mesh, self.normals, self.area, observations, noise_mm, self.edge_mm)
+        self.normals, self.area, self.stiffness, self.curvature = surface.normals, surface.area, surface.stiffness, surface.curvature
+        self.association = associate(mesh, self.normals, self.area, observations, noise_mm, surface.edge_mm)
         check()
         self.observations = observations
         self.variance = observations.relative_variance(self.association.normals)
         self.robust = robust
         self.weights = robust * observations.counts / self.variance
-        self.density = float(self.weights.sum()) / max(float(self.area[supported].sum()), 1e-12)
-        self.spacing_mm = float(np.sqrt(self.area[supported].sum() / max(float((robust * observations.counts).sum()), 1e-12)))
         interpolation = self.association.interpolation
+        if share is None:
+            share = density_share(surface, interpolation, robust, spacing_mm)
+        self.share = share
+        self.supported = share > FITTED
+        scanned = max(float(self.area[self.supported].sum()), 1e-12)
+        self.density = float(self.weights.sum()) / scanned
+        self.spacing_mm = float(np.sqrt(scanned / max(float((robust * observations.counts).sum()), 1e-12)))
         self._interpolation = interpolation
         self._pull = interpolation.multiply((self.weights / self.density)[:, None]).T.tocsr()
         # Under a soft association the product of both is wide: it pays for many solves, for a few it is applied in two steps.
@@ -91,9 +104,9 @@ class SmoothingSpline:
         else:
             self._gram_diagonal = self._gram.diagonal()
         self._squared = self.stiffness.power(2)
-        self.curvature = (self.stiffness @ mesh.vertices * self.normals).sum(axis=1) / self.area
-        self._inner = _away_from(mesh, ~supported)
-        self._anchor = np.where(supported, 1e-6, 1e-2) * self.area
+        self._inner = _away_from(mesh, ~self.supported)
+        self._free = _away_from(mesh, ~self.supported, rings=1)  # the bend at the rim of a cap is no bend of the object
+        self._anchor = np.where(self.supported, 1e-6, 1e-2) * self.area
 
     def prepare_for_many(self) -> None:
         """Spend time once that many solves save."""
@@ -113,29 +126,18 @@ class SmoothingSpline:
         """Weighted sums of values (n,) or (n, k) of the observations at the vertices."""
         return np.asarray(self._pull @ values)
 
-    def diffused(self, values: Array, reach_mm: Array, *, tolerance: float = 1e-3, start: Array | None = None) -> Array:
-        """Values (v, k) smoothed by an implicit step of diffusion over a reach (v,), mm; constants stay."""
-        mass = (self.area / reach_mm**2)[:, None]
-        diagonal = mass[:, 0] + self.stiffness.diagonal()
-
-        def apply(x: Array) -> Array:
-            return np.asarray(mass * x + self.stiffness @ x)
-
-        begin = values if start is None else start
-        return conjugate_gradients(apply, diagonal, mass * values, begin, tolerance=tolerance, most=200, check=self._check)
-
     def _smoothed_curvature(self, curvature: Array, bandwidth_mm: Array, start: Array) -> Array:
         """Curvatures (v, k) smoothed twice over the bandwidth (v,).
 
         Only the measured part speaks: the bend where it meets the cap would be taken for the object's own.
         """
         if np.all(self._inner):
-            once = self.diffused(curvature, bandwidth_mm, start=curvature if not start.any() else start)
-            return self.diffused(once, bandwidth_mm, start=once)
+            once = self.surface.diffused(curvature, bandwidth_mm, start=curvature if not start.any() else start)
+            return self.surface.diffused(once, bandwidth_mm, start=once)
         measured = np.where(self._inner, 1.0, 1e-6)[:, None]
         both = np.concatenate([measured * curvature, measured], axis=1)
         for _ in range(2):
-            both = self.diffused(both, bandwidth_mm)
+            both = self.surface.diffused(both, bandwidth_mm)
         return np.asarray(both[:, :-1] / np.maximum(both[:, -1:], 1e-12), np.float64)
 
     def solve(self, bandwidth_mm: Array, pulls: Array, curvature: Array, *, tolerance: float = 1e-3, majorized: bool = False) -> Array:
@@ -144,7 +146,7 @@ class SmoothingSpline:
         The target depends on the answer: the curvature that is smoothed is that of the displaced surface.  It is found by
         two rounds of lagging behind (each leaves an eighth of the error at most).
         """
-        rows = np.where(self.supported, bandwidth_mm**4 / self.area, 0.0)
+        rows = np.where(self._free, bandwidth_mm**4 / self.area, 0.0)
         mass = (self._pull.sum(axis=1) if majorized else self._gram_diagonal)[:, None]
         diagonal = mass[:, 0] + self._squared @ rows + self._anchor
         stiffness, gram, anchor = self.stiffness, self._gram, self._anchor[:, None]
@@ -179,17 +181,6 @@ class SmoothingSpline:
         pulls = self.pulls(bandwidth_mm)
         moved = self.solve(bandwidth_mm, pulls[:, None], self.curvature[:, None], tolerance=tolerance, majorized=self.association.soft)[:, 0]
         return SplineStep(moved, pulls - self.at_observations(moved))
-
-    def step_and_freedom(self, bandwidth_mm: Array, signs: Array) -> tuple[SplineStep, float]:
-        """One coarse displacement, and the degrees of freedom of the fit: the trace of the smoother, from random signs (n,).
-
-        M. F. Hutchinson, "A stochastic estimator of the trace of the influence matrix", 1989.
-        """
-        pulls = self.pulls(bandwidth_mm)
-        curvature = np.column_stack([self.curvature, np.zeros_like(self.curvature)])
-        answer = self.solve(bandwidth_mm, np.column_stack([pulls, signs]), curvature, tolerance=1e-2)
-        seen = self.at_observations(answer)
-        return SplineStep(answer[:, 0], pulls - seen[:, 0]), float(signs @ seen[:, 1])
 
     def squares(self, residuals_mm: Array) -> Array:
         """Squared residuals (n,) of single measurements in units of a typical one's variance, bounded; mm^2."""

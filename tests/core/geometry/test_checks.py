@@ -136,3 +136,9 @@ def _groups(nodes: range | list[int], links: list[list[int]]) -> int:
             old, new = label[node], label[link[0]]
             label = {key: new if value == old else value for key, value in label.items()}
     return len(set(label.values()))
+
+
+def test_a_known_number_of_intersections_is_not_counted_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("scanner_core.geometry.checks.self_intersecting_triangles", lambda mesh: pytest.fail("searched again"))
+    assert check_mesh(sphere(), self_intersections=0).sound
+    assert not check_mesh(sphere(), self_intersections=2).sound

@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 
 from scanner_core.geometry.box_tree import BoxTree
 from scanner_core.geometry.mesh import TriangleMesh
-from scanner_core.geometry.self_intersection import self_intersecting_triangles, self_intersection_pairs
+from scanner_core.geometry.self_intersection import THINNEST, IntersectionWatch, _cut, self_intersecting_triangles, self_intersection_pairs
+from scanner_core.geometry.weld import weld
 from tests.core.geometry.solids import box, joined, moved, sphere, torus
 
 Point = tuple[int, int, int]
@@ -137,3 +138,77 @@ def test_boxes_within_reach_agree_with_brute_force(seed: int, count: int) -> Non
     which, index = BoxTree(low, high).boxes_within(points, reach)
     assert (np.diff(which) >= 0).all()
     assert sorted(zip(which.tolist(), index.tolist(), strict=True)) == [tuple(row) for row in expected.tolist()]
+
+
+def _all_box_pairs(mesh: TriangleMesh) -> set[tuple[int, int]]:
+    """The plain way: every pair whose boxes overlap is tested, neighbours or not."""
+    corners = mesh.vertices[mesh.triangles]
+    size = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    length = np.linalg.norm(normal, axis=1)
+    usable = np.flatnonzero(length > THINNEST * size * size)
+    normal[usable] /= length[usable, None]
+    pairs = usable[BoxTree(corners[usable].min(axis=1), corners[usable].max(axis=1)).overlapping_pairs()]
+    return {tuple(pair) for pair in _cut(corners, weld(mesh.vertices)[1][mesh.triangles], normal, size, pairs).tolist()}
+
+
+def _agrees(mesh: TriangleMesh) -> int:
+    pairs = self_intersection_pairs(mesh)
+    found = {tuple(pair) for pair in pairs.tolist()}
+    assert len(found) == len(pairs)
+    assert found == _all_box_pairs(mesh)
+    return len(found)
+
+
+@settings(max_examples=40)
+@given(st.integers(0, 2**32 - 1), st.floats(0.0, 1.5), st.sampled_from(["sphere", "torus", "two", "uneven"]))
+def test_letting_neighbours_go_changes_no_answer(seed: int, noise: float, body: str) -> None:
+    """Surfaces from smooth to crumpled, with triangles of one size and of very different sizes."""
+    rng = np.random.default_rng(seed)
+    mesh = {"sphere": sphere(2.0), "torus": torus(), "two": joined(sphere(2.0), moved(sphere(2.0), (2.1, 0.1, 0.2), 1)), "uneven": box()}[body]
+    vertices = mesh.vertices
+    if body == "uneven":
+        mesh = joined(sphere(2.0, 40, 20), moved(sphere(0.1), (2.0, 0.0, 0.0), 2))
+        vertices = mesh.vertices * (1.0, 1.0, 0.3)
+    edge = np.linalg.norm(vertices[mesh.triangles[:, 0]] - vertices[mesh.triangles[:, 1]], axis=1)
+    scale = np.zeros(len(vertices))
+    scale[mesh.triangles[:, 0]] = edge
+    _agrees(TriangleMesh(vertices + noise * scale[:, None] * rng.normal(size=vertices.shape), mesh.triangles))
+
+
+def test_a_fan_that_goes_round_its_vertex_twice_intersects() -> None:
+    """All its normals point the same way, so that only the second turn tells it from a smooth place."""
+    angle = np.linspace(0, 4 * np.pi, 11)[:-1]
+    ring = np.column_stack([np.cos(angle), np.sin(angle), 0.05 * np.sin(angle / 2)])
+    vertices = np.concatenate([[[0.0, 0.0, 0.0]], ring])
+    spokes = np.arange(10)
+    assert _agrees(TriangleMesh(vertices, np.column_stack([np.zeros(10, np.int64), 1 + spokes, 1 + (spokes + 1) % 10]))) > 0
+
+
+def test_long_needles_among_many_small_triangles() -> None:
+    """Spheres round needles hold nearly everything: the tree of boxes takes over."""
+    rng = np.random.default_rng(8)
+    start = rng.uniform(-3, 3, (300, 3))
+    along = 20 * rng.normal(size=(300, 3))
+    corners = np.stack([start - along, start + along, start + 0.05 * rng.normal(size=(300, 3))], axis=1)
+    needles = TriangleMesh(corners.reshape(-1, 3), np.arange(900).reshape(-1, 3))
+    assert _agrees(joined(needles, sphere(2.0, 40, 20))) > 0
+
+
+@settings(max_examples=20)
+@given(st.integers(0, 2**32 - 1), st.floats(0.1, 1.0))
+def test_intersections_of_some_triangles_are_those_of_the_whole_mesh(seed: int, noise: float) -> None:
+    rng = np.random.default_rng(seed)
+    mesh = sphere(2.0)
+    mesh = TriangleMesh(mesh.vertices + 0.3 * noise * rng.normal(size=mesh.vertices.shape), mesh.triangles)
+    watch = IntersectionWatch(mesh)
+    for _ in range(3):
+        some = rng.choice(len(mesh.triangles), 20, replace=False)
+        vertices = mesh.vertices.copy()
+        moved = rng.choice(len(vertices), 3, replace=False)
+        vertices[moved] += 0.5 * rng.normal(size=(3, 3))
+        mesh = TriangleMesh(vertices, mesh.triangles)
+        some = np.union1d(some, np.flatnonzero(np.isin(mesh.triangles, moved).any(axis=1)))
+        pairs = self_intersection_pairs(mesh)
+        np.testing.assert_array_equal(watch.among(mesh, some), np.unique(pairs[np.isin(pairs, some).any(axis=1)]))
+    assert len(watch.among(mesh, some[:0])) == 0

@@ -3,10 +3,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from scanner_core.geometry.edges import EdgeTable
 from scanner_core.geometry.icosahedron import icosahedron
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.smoothing import cotangent_laplacian, satisfies_taubin, taubin_mu, taubin_smooth, uniform_averaging
-from scanner_core.geometry.subdivision import subdivide_uniform
+from scanner_core.geometry.subdivision import side_lifts, subdivide_uniform
 
 
 def sphere(radius_mm: float = 10.0, levels: int = 4) -> TriangleMesh:
@@ -15,6 +16,11 @@ def sphere(radius_mm: float = 10.0, levels: int = 4) -> TriangleMesh:
         mesh = subdivide_uniform(mesh)
         mesh = TriangleMesh(radius_mm * mesh.vertices / np.linalg.norm(mesh.vertices, axis=1)[:, None], mesh.triangles)
     return mesh
+
+
+def bumpy() -> TriangleMesh:
+    mesh = sphere(levels=2)
+    return TriangleMesh(mesh.vertices + 0.8 * np.random.default_rng(5).normal(size=mesh.vertices.shape), mesh.triangles)
 
 
 def test_taubins_condition() -> None:
@@ -52,3 +58,28 @@ def test_laplacian_of_the_coordinates_is_the_curvature() -> None:
     assert area.sum() == pytest.approx(mesh.area())
     curvature = ((stiffness @ mesh.vertices) / area[:, None] * mesh.vertices / 4.0).sum(axis=1)
     assert np.median(curvature) == pytest.approx(2 / 4.0, rel=0.02)
+
+
+def test_a_shared_table_of_edges_changes_nothing() -> None:
+    mesh = bumpy()
+    table = EdgeTable.of(mesh.triangles)
+    averaging = uniform_averaging(mesh), uniform_averaging(mesh, table)
+    for one, other in (averaging, (cotangent_laplacian(mesh)[0], cotangent_laplacian(mesh, table)[0])):
+        np.testing.assert_array_equal(one.toarray(), other.toarray())
+        assert one.has_canonical_format
+        assert one.has_sorted_indices
+    normals = mesh.vertex_normals()
+    np.testing.assert_array_equal(side_lifts(mesh, normals), side_lifts(mesh, normals, table))
+
+
+def test_laplacian_against_its_sum_over_triangles() -> None:
+    mesh = bumpy()
+    expected = np.zeros((len(mesh.vertices),) * 2)
+    for triangle in mesh.triangles:
+        for i in range(3):
+            a, b, tip = triangle[i], triangle[(i + 1) % 3], triangle[(i + 2) % 3]
+            u, w = mesh.vertices[a] - mesh.vertices[tip], mesh.vertices[b] - mesh.vertices[tip]
+            half = 0.5 * np.clip(u @ w / np.linalg.norm(np.cross(u, w)), 0.05, 5.0)
+            expected[[a, b], [b, a]] -= half
+            expected[[a, b], [a, b]] += half
+    np.testing.assert_allclose(cotangent_laplacian(mesh)[0].toarray(), expected, atol=1e-12)
