@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
+from scipy.spatial import cKDTree
 
 from scanner_core.errors import ReconstructionError
 from scanner_core.geometry.edges import EdgeTable, row_dot
@@ -23,6 +24,7 @@ from scanner_core.geometry.remeshing import collapse_short, flip_edges, relax, s
 from scanner_core.geometry.smoothing import uniform_averaging
 from scanner_core.geometry.subdivision import subdivide_uniform
 from scanner_core.geometry.voxel_region import Field, Region, VoxelGrid
+from scanner_core.reconstruction.cloud_scale import CloudScale
 from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.region import EnclosedRegion
 
@@ -31,6 +33,8 @@ Array = NDArray[np.float64]
 _STEP = 0.4
 """Longest move of a vertex, in edges."""
 
+_LONGEST_EDGE = 1.0
+"""In radii of the largest ball in the region; a plate of thickness t has edges of half of t."""
 _LEAST_EDGE_VOXELS = 1.8
 _LEAST_TRIANGLES = 1200
 _MOST_ITERATIONS = 1500
@@ -41,7 +45,12 @@ _PASSES = 0.6
 _GRADE = 0.3
 """How fast the edges grow away from a thin part, mm per mm."""
 _LENGTH_NODES = 600_000
+_TRIES = 2
+_TOO_MANY = 30_000
+"""Triangles of a balloon that is not tried any more: what needs such short edges has failed twice with longer ones."""
 _FOLDED = 1.2
+_REACHED = 1.5
+"""Distance of a point from the nearest vertex of a balloon that has got there, in edges."""
 _GUARD = (0.88, 1.1)
 """Healthy range of volume(balloon) / volume(region): 0.93 to 1.02 when it fills it, several when it folded."""
 
@@ -88,21 +97,52 @@ class EdgeLengths:
         return EdgeLengths(self.grid, self.lengths_mm * np.float32(factor))
 
 
-def inflate(region: EnclosedRegion, pace: Pace, tries: int = 3) -> Balloon:
-    """Inflate a balloon in a region, with ever finer edges; raises E-REC-03 when none of the tries fills it."""
+def inflate(region: EnclosedRegion, pace: Pace) -> Balloon:
+    """Inflate a balloon in a region; raises E-REC-03 when none of some tries fills it.
+
+    A balloon that folded has met itself: behind a spot that is too thin for it, which a region grown by a voxel has not got,
+    or across a gap that is too narrow for its edges.  One that does not fill the region needs shorter edges.
+    """
     lengths = choose_lengths(region, pace)
-    fill = 0.0
-    for attempt in range(tries):
-        balloon = inflate_at(region, lengths, pace)
-        fill = balloon.fill
-        if _GUARD[0] <= fill <= _GUARD[1]:
+    balloon = inflate_at(region, lengths, pace)
+    if balloon.fill > _GUARD[1]:
+        grown = region.grown()
+        wide = choose_lengths(grown, pace)
+        for shorter in (1.0, 0.7) if grown.handles == 0 else ():
+            again = inflate_at(grown, wide.times(shorter), pace)
+            if _fills(again):
+                return again
+        lengths = _shorter_at_gaps(region, lengths, pace)
+    for _ in range(_TRIES):
+        if _fills(balloon):
             return balloon
-        lengths = (_shorter_at_gaps(region, lengths, pace) if attempt == 0 and fill > 1 else lengths).times(0.7)
+        lengths = lengths.times(0.7)
+        if _triangles_to_come(region, lengths) > _TOO_MANY:
+            break
+        balloon = inflate_at(region, lengths, pace)
+    if _fills(balloon):
+        return balloon
     raise ReconstructionError(
         "E-REC-03",
-        reason=f"the inflating balloon takes {fill:.2f} times the volume that the points enclose",
+        reason=f"the inflating balloon takes {balloon.fill:.2f} times the volume that the points enclose",
         do="scan the thin or hidden parts more densely",
     )
+
+
+def _fills(balloon: Balloon) -> bool:
+    return _GUARD[0] <= balloon.fill <= _GUARD[1]
+
+
+def unreached_share(balloon: Balloon, points: Array, scale: CloudScale) -> float:
+    """Share of (n, 3) points that lie, with most of their neighbours, farther from a balloon than its coarseness explains."""
+    mesh = balloon.mesh
+    table = EdgeTable.of(mesh.triangles)
+    longest = np.zeros(len(mesh.vertices))
+    for end in (0, 1):
+        np.maximum.at(longest, table.edges[:, end], table.lengths(mesh.vertices))
+    away, nearest = cKDTree(mesh.vertices).query(points)
+    far = away > _REACHED * longest[nearest] + 3 * scale.noise_mm
+    return float((far & (far[scale.neighbours].mean(axis=1) > 0.5)).mean())
 
 
 def choose_lengths(region: EnclosedRegion, pace: Pace) -> EdgeLengths:
@@ -114,7 +154,7 @@ def choose_lengths(region: EnclosedRegion, pace: Pace) -> EdgeLengths:
     thin = 2 if region.depth_mm.size > _LENGTH_NODES else 1  # half the resolution is enough to choose a length
     grid = VoxelGrid(region.grid.origin, region.grid.voxel_mm * thin, region.depth_mm[::thin, ::thin, ::thin].shape)
     depth, inside = region.depth_mm[::thin, ::thin, ::thin], region.inside[::thin, ::thin, ::thin]
-    edge = min(0.9 * float(depth.max()), float(np.sqrt(_border_area(region) / (0.433 * _LEAST_TRIANGLES))))
+    edge = min(_LONGEST_EDGE * float(depth.max()), float(np.sqrt(_border_area(region) / (0.433 * _LEAST_TRIANGLES))))
     least = min(edge, _LEAST_EDGE_VOXELS * region.grid.voxel_mm)
     lengths = np.full(depth.shape, edge, np.float32)
     start = np.unravel_index(int(np.argmax(depth)), depth.shape)

@@ -13,7 +13,7 @@ from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.jobs.progress import IsCancelled, OnProgress
 from scanner_core.reconstruction.acceptance import LEAST_POINTS, accept, check_fit, check_hollow
 from scanner_core.reconstruction.cloud_scale import CloudScale, measure_scale
-from scanner_core.reconstruction.inflate import Balloon, inflate
+from scanner_core.reconstruction.inflate import Balloon, inflate, unreached_share
 from scanner_core.reconstruction.memory import peak_memory_mb
 from scanner_core.reconstruction.observations import observations_of
 from scanner_core.reconstruction.pace import Pace
@@ -27,6 +27,9 @@ from scanner_core.reconstruction.spline import SmoothingSpline
 from scanner_core.reconstruction.uncertainty import standard_uncertainty
 
 Array = NDArray[np.float64]
+
+_UNREACHED = 0.01
+"""Share of the points away from the balloon that is no part which it has not got into."""
 
 _LEAST_QUALITY = 0.3
 """Triangles are mended up to this quality, 4 sqrt(3) area over the sum of the squared sides: 1 is equilateral."""
@@ -125,7 +128,15 @@ def _inflated(points: Array, scale: CloudScale, pace: Pace, table_mm: float | No
             reason=f"the body has {region.handles} holes right through it, and a balloon has none",
             do="fill the hole, or scan the object in parts",
         )
-    return inflate(region, pace, tries=3 if table_mm is None else 1)
+    balloon = inflate(region, pace)
+    unreached = unreached_share(balloon, points, scale)
+    if unreached > _UNREACHED:
+        raise ReconstructionError(
+            "E-REC-03",
+            reason=f"the inflating balloon does not get to {100 * unreached:.0f} % of the points",
+            do="scan the thin or hidden parts more densely",
+        )
+    return balloon
 
 
 def _guard(checks: MeshChecks, fit: Fit) -> None:

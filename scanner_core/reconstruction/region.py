@@ -26,7 +26,18 @@ from scipy import fft, ndimage
 from scipy.spatial import cKDTree
 
 from scanner_core.errors import ReconstructionError
-from scanner_core.geometry.voxel_region import Field, NodeWeights, Region, VoxelGrid, closed_by, euler_number, handles, largest_piece, opened_by, signed_depth
+from scanner_core.geometry.voxel_region import (
+    Field,
+    NodeWeights,
+    Region,
+    VoxelGrid,
+    closed_by,
+    euler_number,
+    handles,
+    largest_piece,
+    opened_by,
+    signed_depth,
+)
 from scanner_core.reconstruction.cloud_scale import CloudScale
 from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.table import standing_on_table
@@ -34,13 +45,16 @@ from scanner_core.reconstruction.table import standing_on_table
 Array = NDArray[np.float64]
 
 _COARSE_NODES = 150_000
-_NODES = (400_000, 2_400_000)
-"""Nodes of the grid that the region is made on: the second only where the first is too coarse for a thin part."""
+_GRIDS = ((400_000, 1.0), (2_400_000, 1.0), (2_400_000, 0.7), (2_400_000, 0.5))
+"""Nodes of the grid that the region is made on, and its blur in spacings of the points: a finer grid, and a blur that leaves
+gaps between the points, only where the one before has lost a thin part."""
 
 _THIN_VOXELS = 2.0
 """Half the thickness that the voxels resolve."""
 
 _MISSED_SHARE = 0.002
+_LOST_SHARE = 0.02
+"""Share of the points outside a region that asks for a finer grid, and the share that is not trusted even then."""
 _ROUNDS = 12
 _OPENING = 0.2
 """Wide is an opening of that share of the scanned area: a half-ball has one half."""
@@ -70,6 +84,12 @@ class EnclosedRegion:
     def volume_mm3(self) -> float:
         return float(self.inside.sum()) * self.grid.voxel_mm**3
 
+    def grown(self) -> EnclosedRegion:
+        """The region grown by one voxel on all sides."""
+        depth = self.depth_mm + np.float32(self.grid.voxel_mm)
+        inside = np.asarray(depth > 0)
+        return EnclosedRegion(self.grid, inside, depth, handles(inside))
+
 
 def enclosed_region(points: Array, scale: CloudScale, pace: Pace, table_mm: float | None = None) -> EnclosedRegion:
     """The region enclosed by (n, 3) points; raises E-REC-02 where they enclose nothing.
@@ -81,18 +101,36 @@ def enclosed_region(points: Array, scale: CloudScale, pace: Pace, table_mm: floa
     _check_flat(chosen)
     blur = max(scale.spacing_mm, 0.7 * scale.noise_mm)
     normals = _oriented(chosen, blur, pace, table_mm)
-    for most_nodes in _NODES:
-        grid = _grid(chosen, 0.7 * blur, most_nodes)
-        finest = most_nodes == _NODES[-1] or grid.voxel_mm <= 0.75 * blur
-        try:
-            region = _region_on(grid, chosen, normals, blur, scale.spacing_mm, pace, table_mm)
-        except ReconstructionError:
-            if finest:
-                raise
+    best: EnclosedRegion | None = None
+    fewest = np.inf
+    finest = sharpest = np.inf
+    for most_nodes, share in _GRIDS:
+        sharp = max(share * scale.spacing_mm, 0.7 * scale.noise_mm)
+        grid = _grid(chosen, 0.7 * sharp, most_nodes)
+        if (grid.voxel_mm > 0.95 * finest and sharp > 0.95 * sharpest) or (share < 1 and fewest <= _MISSED_SHARE):
             continue
-        if finest or not _too_coarse(region, points, scale, pace):
+        finest, sharpest = grid.voxel_mm, sharp
+        refusal = None
+        try:
+            region = _region_on(grid, chosen, normals, sharp, scale.spacing_mm, pace, table_mm)
+        except ReconstructionError as error:
+            refusal = error
+            continue
+        missed = _missed_share(region, points, scale)
+        if missed <= max(fewest, _MISSED_SHARE):
+            best, fewest = region, missed
+        if missed <= _MISSED_SHARE and not _is_thin(region, pace):
             break
-    return region
+    if best is None:
+        assert refusal is not None
+        raise refusal
+    if fewest > _LOST_SHARE:
+        raise ReconstructionError(
+            "E-REC-03",
+            reason=f"{100 * fewest:.0f} % of the points lie outside the body that was found",
+            do="scan the thin parts more densely",
+        )
+    return best
 
 
 def _oriented(points: Array, blur_mm: float, pace: Pace, table_mm: float | None) -> Array:
@@ -280,9 +318,9 @@ def _missed_share(region: EnclosedRegion, points: Array, scale: CloudScale) -> f
     return float((away & (away[scale.neighbours].mean(axis=1) > 0.5)).mean())
 
 
-def _too_coarse(region: EnclosedRegion, points: Array, scale: CloudScale, pace: Pace) -> bool:
-    """Whether a region has parts that its voxels hardly resolve, or lacks parts that the points show."""
-    if region.handles or _missed_share(region, points, scale) > _MISSED_SHARE:
+def _is_thin(region: EnclosedRegion, pace: Pace) -> bool:
+    """Whether a region has handles, or parts that its voxels hardly resolve."""
+    if region.handles:
         return True
     pace.check()
     # nothing may lie far from what a ball of some voxels sweeps: that is how the balloon will get there
