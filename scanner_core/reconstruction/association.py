@@ -62,6 +62,10 @@ class Association:
     soft: bool
     spread_mm2: Array
 
+    def homes(self) -> NDArray[np.int64]:
+        """The vertex that each foot is nearest to, (n,); not of a soft association."""
+        return np.take_along_axis(self.interpolation.indices.reshape(-1, 3), np.argmax(self.interpolation.data.reshape(-1, 3), axis=1)[:, None], 1)[:, 0]
+
 
 def associate(mesh: TriangleMesh, normals: Array, areas: Array, observations: Observations, noise_mm: float, edge_mm: float) -> Association:
     """Tie observations to a mesh with unit vertex normals (v, 3) and vertex areas (v,); softly where the noise asks for it."""

@@ -25,6 +25,7 @@ class DiscreteSurface:
     ----------
     normals : (v, 3) unit normals
     stiffness : (v, v) sparse; ``stiffness @ x / area`` is minus the Laplacian of x
+    single : the same in single precision, for iterations
     area : (v,) mm^2 that belong to each vertex
     curvature : (v,) sum of the principal curvatures, 1/mm, + where the surface bulges outwards
     edge_mm : side of the equilateral triangle with the mean area
@@ -35,6 +36,7 @@ class DiscreteSurface:
         self.check = check
         self.normals = mesh.vertex_normals()
         self.stiffness, self.area = cotangent_laplacian(mesh)
+        self.single = self.stiffness.astype(np.float32)
         self.curvature = row_dot(self.stiffness @ mesh.vertices, self.normals) / self.area
         self.edge_mm = float(np.sqrt(self.area.sum() / (EQUILATERAL * len(mesh.triangles))))
         check()
@@ -44,14 +46,16 @@ class DiscreteSurface:
 
         The kernel has a variance of twice the squared reach along each direction.
         """
-        mass = (self.area / np.asarray(reach_mm) ** 2)[:, None]
-        diagonal = mass[:, 0] + self.stiffness.diagonal()
+        mass = (self.area / np.asarray(reach_mm) ** 2).astype(np.float32)[:, None]
+        diagonal = mass[:, 0] + self.single.diagonal()
+        single = self.single
 
-        def apply(x: Array) -> Array:
-            return np.asarray(mass * x + self.stiffness @ x)
+        def apply(x: NDArray[np.floating]) -> NDArray[np.floating]:
+            return np.asarray(mass * x + single @ x)
 
         begin = values if start is None else start
-        return conjugate_gradients(apply, diagonal, mass * values, begin, tolerance=tolerance, most=200, check=self.check)
+        right = mass * values.astype(np.float32)
+        return conjugate_gradients(apply, diagonal, right, begin, tolerance=tolerance, most=200, check=self.check).astype(np.float64)
 
 
 def vertex_areas(mesh: TriangleMesh) -> Array:

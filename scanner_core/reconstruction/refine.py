@@ -30,7 +30,7 @@ from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.reconstruction.repair import unfold
 from scanner_core.reconstruction.resampling import coarsened, reduced, split_towards
 from scanner_core.reconstruction.robust import robust_weights
-from scanner_core.reconstruction.spline import SmoothingSpline
+from scanner_core.reconstruction.spline import Part, SmoothingSpline, grown
 from scanner_core.reconstruction.support import MEASURED
 
 Array = NDArray[np.float64]
@@ -65,6 +65,12 @@ _SOFT_EDGE = 0.75
 _AT_REST = 0.08
 """The surface is at rest when a step moves it by less than so much of the noise, rms: a quarter of its own error."""
 
+_RESTLESS = 0.25
+_RESTLESS_SHARE = 0.002
+"""Vertices that the last step moved by so much of the noise are not at rest; so few of them do not matter any more."""
+
+_POLISH = 6
+
 _SOFT_AT_REST = 0.01
 """The same under heavy noise, of which the error is a much smaller part, and where steps are short."""
 
@@ -81,6 +87,13 @@ _CELL = 0.3
 _LEAST_TRIANGLES = 16_000
 _MOST_TRIANGLES = 2_000_000
 _MOST_LEVELS = 12
+
+
+def tidied(mesh: TriangleMesh, where: Mask) -> TriangleMesh:
+    """Better triangles: folds smoothed, edges flipped everywhere, vertices of a mask (v,) moved within the surface."""
+    flipped = flip_edges(unfold(mesh))
+    even = relax(flipped, step=0.25)
+    return TriangleMesh(np.where(where[:, None], even.vertices, flipped.vertices), flipped.triangles)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -104,6 +117,9 @@ class Fit:
     settled : (v,) bool, whether a wider bandwidth than the narrowest that the mesh can carry has won there
     share : (v,) density of the points over the one that they have among themselves
     residuals_mm : (n,) of the last solve, over the root of the observations' relative variance
+    moved_mm : (v,) size of the last step
+    homes : (n,) the vertex nearest to the foot of each observation; empty under a soft association
+    density : weight of the observations over area, which the bandwidths refer to
     level : the points that `robust` and `residuals_mm` belong to
     unreached : share of the observations that lie off the surface together with their neighbours, at the end
     """
@@ -115,6 +131,9 @@ class Fit:
     settled: Mask
     share: Array
     residuals_mm: Array
+    moved_mm: Array
+    homes: NDArray[np.int64]
+    density: float
     level: Level
     unreached: float = 0.0
 
@@ -143,7 +162,8 @@ class Refinement:
                 self._improve(fit)
             moved = self._improve(fit, choose=True, first=number == 0)
             cheap = _FEW < len(fit.mesh.triangles) < _CHEAP
-            self._settle(fit, moved, 4 if cheap else 1, at_rest=0.5 * _AT_REST if cheap else _AT_REST)
+            if cheap:
+                self._settle(fit, moved, 4, at_rest=0.5 * _AT_REST)
             self._pace.report(min(0.8, len(fit.mesh.triangles) / most), fit.mesh, force=True)
             as_fine_as_noise = number > 0 and mean_edge(fit.mesh) <= 1.2 * _SOFT_EDGE * fit.noise_mm
             if as_fine_as_noise or len(fit.mesh.triangles) >= 0.8 * most or self._unsettled_share(fit) < _SETTLED_SHARE:
@@ -156,7 +176,9 @@ class Refinement:
         else:
             self._draw(fit)
             if float(np.median(fit.bandwidth_mm)) < _RESOLVED * mean_edge(fit.mesh):
-                self._settle(fit, np.inf, 4)
+                for _ in range(3):
+                    self._improve(fit)
+                self._polish(fit, _POLISH)
         fit.mesh = fair_cap(centred_facets(fit.mesh), fit.supported, self._pace.check, rounds=10)
         patient = robust_weights(fit.residuals_mm, fit.level.scale)
         fit.robust = robust_weights(fit.residuals_mm, fit.level.scale, patient=False)
@@ -169,7 +191,7 @@ class Refinement:
         count = len(mesh.vertices)
         settled, share = np.zeros(count, bool), np.ones(count)
         none = np.zeros(0)
-        return Fit(mesh, none, self._finest.scale.noise_mm, np.full(count, mean_edge(mesh)), settled, share, none, self._finest)
+        return Fit(mesh, none, self._finest.scale.noise_mm, np.full(count, mean_edge(mesh)), settled, share, none, none, np.zeros(0, np.int64), 0.0, self._finest)
 
     # ------------------------------------------------------------------------------------------ points
 
@@ -217,7 +239,51 @@ class Refinement:
         fit.robust = robust_weights(fit.residuals_mm, fit.level.scale)
         fit.mesh = unfold(TriangleMesh(fit.mesh.vertices + moved[:, None] * spline.normals, fit.mesh.triangles))
         self._pace.report(0.0)
+        fit.moved_mm, fit.density = np.abs(moved), spline.density
+        fit.homes = np.zeros(0, np.int64) if spline.association.soft else spline.association.homes()
         return float(np.sqrt((spline.area * moved**2).sum() / spline.area.sum()))
+
+    def _polish(self, fit: Fit, rounds: int) -> None:
+        """Improve only where the surface has not come to rest: in slits and at edges, a small part of it."""
+        for _ in range(rounds):
+            restless = fit.moved_mm > _RESTLESS * fit.noise_mm
+            share = float(restless.mean())
+            if share < _RESTLESS_SHARE:
+                break
+            if len(fit.homes) == 0 or share > 0.3:
+                self._improve(fit)
+            else:
+                fit.mesh = tidied(fit.mesh, grown(fit.mesh, restless, 1))
+                self._improve_part(fit, restless)
+        fit.mesh = unfold(fit.mesh)
+
+    def _improve_part(self, fit: Fit, restless: Mask) -> None:
+        """One solve for the vertices of a mask (v,) and two rings around them, with three more to hold on to."""
+        self._pace.check()
+        mesh, level = fit.mesh, fit.level
+        movable = grown(mesh, restless, 2)
+        inside = grown(mesh, movable, 3)
+        triangles = mesh.triangles[inside[mesh.triangles].all(axis=1)]
+        vertices, triangles = np.unique(triangles, return_inverse=True)
+        seen = np.zeros(len(mesh.vertices), bool)
+        seen[vertices] = True
+        which = np.flatnonzero(seen[fit.homes])
+        part = TriangleMesh(mesh.vertices[vertices], triangles.reshape(-1, 3).astype(np.int64))
+        spline = SmoothingSpline(
+            part, level.observations.select(which), fit.robust[which], level.scale.spacings_mm[which], fit.noise_mm, self._pace.check,
+            fit.share[vertices], Part(movable[vertices], fit.density),
+        )  # fmt: skip
+        step = spline.step(fit.bandwidth_mm[vertices], tolerance=1e-2)
+        bound = _STEP * spline.surface.edge_mm
+        moved = np.clip(step.displacement_mm, -bound, bound)
+        places = mesh.vertices.copy()
+        places[vertices] += moved[:, None] * spline.normals
+        fit.mesh = TriangleMesh(places, mesh.triangles)
+        fit.moved_mm = np.zeros(len(places))
+        fit.moved_mm[vertices] = np.abs(moved)
+        fit.homes[which] = vertices[spline.association.homes()]
+        fit.residuals_mm[which] = step.residuals_mm / np.sqrt(spline.variance)
+        fit.robust = robust_weights(fit.residuals_mm, level.scale)
 
     def _choose(self, fit: Fit, spline: SmoothingSpline, first: bool) -> None:
         """The bandwidth with the best cross-validation among those that this mesh carries, where none has won yet."""
