@@ -69,7 +69,7 @@ _RESTLESS = 0.25
 _RESTLESS_SHARE = 0.002
 """Vertices that the last step moved by so much of the noise are not at rest; so few of them do not matter any more."""
 
-_POLISH = 6
+_POLISH = 8
 
 _SOFT_AT_REST = 0.01
 """The same under heavy noise, of which the error is a much smaller part, and where steps are short."""
@@ -91,7 +91,7 @@ _MOST_LEVELS = 12
 
 def tidied(mesh: TriangleMesh, where: Mask) -> TriangleMesh:
     """Better triangles: folds smoothed, edges flipped everywhere, vertices of a mask (v,) moved within the surface."""
-    flipped = flip_edges(unfold(mesh))
+    flipped = flip_edges(unfold(mesh, rounds=2))
     even = relax(flipped, step=0.25)
     return TriangleMesh(np.where(where[:, None], even.vertices, flipped.vertices), flipped.triangles)
 
@@ -169,16 +169,18 @@ class Refinement:
             if as_fine_as_noise or len(fit.mesh.triangles) >= 0.8 * most or self._unsettled_share(fit) < _SETTLED_SHARE:
                 break
             self._split(fit, most)
+        seen = fit.level
         self._see(fit, finest=True)
-        if as_fine_as_noise:  # finer triangles only draw what is found
+        if as_fine_as_noise:
             self._settle(fit, np.inf, 6, at_rest=_SOFT_AT_REST)
-            self._draw(fit)
-        else:
-            self._draw(fit)
-            if float(np.median(fit.bandwidth_mm)) < _RESOLVED * mean_edge(fit.mesh):
-                for _ in range(3):
-                    self._improve(fit)
-                self._polish(fit, _POLISH)
+        target = self._target_triangles(fit)
+        drawn = not 0.98 * target <= len(fit.mesh.triangles) <= target
+        if drawn:
+            self._draw(fit, target)
+        if not as_fine_as_noise and float(np.median(fit.bandwidth_mm)) < _RESOLVED * mean_edge(fit.mesh):
+            if drawn or seen is not fit.level:
+                self._improve(fit)
+            self._polish(fit, _POLISH)
         fit.mesh = fair_cap(centred_facets(fit.mesh), fit.supported, self._pace.check, rounds=10)
         patient = robust_weights(fit.residuals_mm, fit.level.scale)
         fit.robust = robust_weights(fit.residuals_mm, fit.level.scale, patient=False)
@@ -237,7 +239,7 @@ class Refinement:
             fit.noise_mm = spline.noise(step.residuals_mm, min(freedom, 0.5 * len(step.residuals_mm)))
         fit.residuals_mm = step.residuals_mm / np.sqrt(spline.variance)
         fit.robust = robust_weights(fit.residuals_mm, fit.level.scale)
-        fit.mesh = unfold(TriangleMesh(fit.mesh.vertices + moved[:, None] * spline.normals, fit.mesh.triangles))
+        fit.mesh = unfold(TriangleMesh(fit.mesh.vertices + moved[:, None] * spline.normals, fit.mesh.triangles), rounds=4)
         self._pace.report(0.0)
         fit.moved_mm, fit.density = np.abs(moved), spline.density
         fit.homes = np.zeros(0, np.int64) if spline.association.soft else spline.association.homes()
@@ -321,7 +323,10 @@ class Refinement:
         """Halve the edges where the surface is not settled, shorter where the error function asks for it."""
         count = len(fit.mesh.triangles)
         noise_limit = int(fit.mesh.area() / (EQUILATERAL * (_SOFT_EDGE * fit.noise_mm) ** 2)) if fit.noise_mm > 0 else most
-        target = min(4 * count, most, max(noise_limit, int(1.3 * count)))
+        target = min(most if most <= 5 * count else 4 * count, max(noise_limit, int(1.3 * count)))
+        if target == most:
+            self._draw(fit, most)
+            return
         sizes = wanted_sizes(self._parameters.criterion, fit) * np.where(fit.settled, 4.0, 1.0)
         self._resample(fit, sizes, target, down_to=0.5)
 
@@ -330,13 +335,11 @@ class Refinement:
         fit.mesh, values = split_towards(fit.mesh, sizes, values, target, self._pace.check, down_to=down_to)
         fit.bandwidth_mm, fit.settled, fit.share = np.exp(values[:, 0]), values[:, 1] > 0.99, values[:, 2]
 
-    def _draw(self, fit: Fit) -> None:
-        """Bring the surface to its final number of triangles."""
-        target = self._target_triangles(fit)
+    def _draw(self, fit: Fit, target: int) -> None:
+        """Bring the surface to a number of triangles, at least 0.98 of it and at most all, that are as large as is wanted of them."""
         sizes = wanted_sizes(self._parameters.criterion, fit)
         filled = float((vertex_areas(fit.mesh) / sizes**2).sum())
-        sizes_mm = sizes * float(np.sqrt(filled / (EQUILATERAL * target)))
-        fit.mesh, kept = coarsened(fit.mesh, sizes_mm, self._pace.check)
+        fit.mesh, kept = coarsened(fit.mesh, sizes * float(np.sqrt(filled / (EQUILATERAL * target))), self._pace.check)
         self._keep(fit, kept)
         if len(fit.mesh.triangles) > target:
             fit.mesh, kept = reduced(fit.mesh, target)

@@ -26,7 +26,7 @@ _TOO_SHORT = 0.7
 def split_towards(
     mesh: TriangleMesh, sizes: Array, values: Array, triangles: int, check: Callable[[], None], *, down_to: float = 0.0
 ) -> tuple[TriangleMesh, Array]:
-    """Split the edges that are longest against their wanted length until there are so many triangles, at most four times as many.
+    """Split the edges that are longest against their wanted length until there are so many triangles.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ def split_towards(
     The mesh, on the curved surface that the vertex normals describe, and the values of its vertices.
     """
     state = np.column_stack([sizes, values])
-    goal = min(triangles, 4 * len(mesh.triangles))
+    goal = triangles
     least = 0.0
     for turn in range(6):
         missing = (goal - len(mesh.triangles)) // 2
