@@ -27,6 +27,7 @@ from scanner_core.reconstruction.spline import SmoothingSpline
 from scanner_core.reconstruction.uncertainty import standard_uncertainty
 
 Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
 
 _UNREACHED = 0.01
 """Share of the points away from the balloon that is no part which it has not got into."""
@@ -78,7 +79,6 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
 
     pace.enter("smooth")
     mesh, crossing = repaired(smooth(fit.mesh, fit.supported), _LEAST_QUALITY, pace.check)
-    refined = len(fit.mesh.triangles)
     pace.check()
     spline = SmoothingSpline(mesh, observations, fit.robust, scale.spacings_mm, fit.noise_mm, pace.check)
     pace.check()
@@ -86,36 +86,43 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
     pace.check()
     checks = check_mesh(mesh, self_intersections=crossing)
     _guard(checks, fit)
-    kept = fit.robust > 0.5
-    residual = float(np.sqrt((spline.association.distances_mm[kept] ** 2).mean()))
-    mesh = _finished(mesh, fit, uncertainty, centre, parameters)
+    area = spline.area
+    seen = fit.level.observations
+    used = np.where(fit.robust > 0.5, seen.counts, 0.0)
+    squares = spline.distances_mm**2 + seen.scatter_along(spline.association.normals)
+    within = np.where(fit.supported, area, 0.0)
+    finished = _finished(mesh, fit.supported, uncertainty, centre, parameters)
     pace.centre_mm = None  # the finished mesh stands in the object frame
     seconds = pace.finish()
-    area = spline.area
-    supported = fit.supported
     report = ReconstructionReport(
         points=len(cloud),
-        outliers_rejected=int(np.count_nonzero(fit.robust <= 0)) + accepted.strays,
+        outliers_rejected=round(float(seen.counts[fit.robust <= 0].sum())) + accepted.strays,
         noise_sigma_um=1e3 * fit.noise_mm,
-        vertices=len(mesh.vertices),
-        triangles=len(mesh.triangles),
+        vertices=len(finished.vertices),
+        triangles=len(finished.triangles),
         closed=checks.closed and not parameters.open_holes,
-        genus=checks.genus if checks.genus is not None else 0,
+        genus=checks.genus or 0,
         self_intersections=checks.self_intersections,
-        supported_area_fraction=float(area[supported].sum() / area.sum()),
-        residual_rms_um=1e3 * residual,
-        expected_error_rms_um=1e3 * float(np.sqrt((area[supported] * uncertainty[supported] ** 2).sum() / area[supported].sum())),
+        supported_area_fraction=float(within.sum() / area.sum()),
+        residual_rms_um=1e3 * _rms(squares, used),
+        expected_error_rms_um=1e3 * _rms(uncertainty**2, within),
         phases=(
             Phase("inflate", pace.seconds["inflate"], len(balloon.mesh.triangles)),
-            Phase("refine", pace.seconds["refine"], refined),
+            Phase("refine", pace.seconds["refine"], len(fit.mesh.triangles)),
             Phase("smooth", pace.seconds["smooth"], len(mesh.triangles)),
         ),
         seconds=seconds,
         peak_memory_mb=peak_memory_mb(),
-        warnings=accepted.warnings + _warnings(fit, area),
+        warnings=accepted.warnings + _warnings(float(within.sum() / area.sum()), float((fit.robust <= 0).mean())),
     )
-    pace.report(1.0, mesh, force=True)
-    return Reconstruction(mesh, report)
+    pace.report(1.0, finished, force=True)
+    return Reconstruction(finished, report)
+
+
+def _rms(squares: Array, weights: Array) -> float:
+    """Root of the weighted mean of squares, both (n,); 0 where nothing has a weight."""
+    total = float(weights.sum())
+    return float(np.sqrt((weights * squares).sum() / total)) if total > 0 else 0.0
 
 
 def _inflated(points: Array, scale: CloudScale, pace: Pace, table_mm: float | None) -> Balloon:
@@ -155,27 +162,25 @@ def _guard(checks: MeshChecks, fit: Fit) -> None:
         raise ReconstructionError("E-REC-03", reason="it is not a closed manifold", do="scan the object more densely")
 
 
-def _finished(mesh: TriangleMesh, fit: Fit, uncertainty: Array, centre: Array, parameters: ReconstructionParameters) -> TriangleMesh:
-    """Back in the object frame, with what is known of every vertex."""
+def _finished(mesh: TriangleMesh, supported: Mask, uncertainty: Array, centre: Array, parameters: ReconstructionParameters) -> TriangleMesh:
+    """Back in the object frame, with what is known of every vertex; without what no point supports when it is to be left open."""
     attributes: dict[str, NDArray[np.generic]] = {
         "standard_uncertainty_um": (1e3 * uncertainty).astype(np.float32),
-        "supported": fit.supported.astype(np.uint8),
+        "supported": supported.astype(np.uint8),
     }
     finished = TriangleMesh(mesh.vertices + centre, mesh.triangles, attributes)
-    if not parameters.open_holes or np.all(fit.supported):
+    if not parameters.open_holes or np.all(supported):
         return finished
-    triangles = finished.triangles[fit.supported[finished.triangles].all(axis=1)]
+    triangles = finished.triangles[supported[finished.triangles].all(axis=1)]
     used, renumbered = np.unique(triangles, return_inverse=True)
     kept: dict[str, NDArray[np.generic]] = {name: values[used] for name, values in attributes.items()}
     return TriangleMesh(finished.vertices[used], renumbered.reshape(-1, 3).astype(np.int64), kept)
 
 
-def _warnings(fit: Fit, area: Array) -> tuple[str, ...]:
+def _warnings(supported_share: float, rejected_share: float) -> tuple[str, ...]:
     warnings = []
-    open_share = 1 - float(area[fit.supported].sum() / area.sum())
-    if open_share > 0.02:
-        warnings.append(f"{100 * open_share:.0f} % of the surface was not scanned; it is capped and marked as unsupported.")
-    rejected = float((fit.robust <= 0).mean())
-    if rejected > 0.05:
-        warnings.append(f"{100 * rejected:.0f} % of the points do not belong to the surface and were rejected.")
+    if supported_share < 0.98:
+        warnings.append(f"{100 * (1 - supported_share):.0f} % of the surface was not scanned; it is capped and marked as unsupported.")
+    if rejected_share > 0.05:
+        warnings.append(f"{100 * rejected_share:.0f} % of the points do not belong to the surface and were rejected.")
     return tuple(warnings)

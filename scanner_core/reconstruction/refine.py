@@ -164,7 +164,7 @@ class Refinement:
             cheap = _FEW < len(fit.mesh.triangles) < _CHEAP
             if cheap:
                 self._settle(fit, moved, 4, at_rest=0.5 * _AT_REST)
-            self._pace.report(min(0.8, len(fit.mesh.triangles) / most), fit.mesh, force=True)
+            self._pace.report(0.7 * (len(fit.mesh.triangles) / most) ** 0.5, fit.mesh, force=True)
             as_fine_as_noise = number > 0 and mean_edge(fit.mesh) <= 1.2 * _SOFT_EDGE * fit.noise_mm
             if as_fine_as_noise or len(fit.mesh.triangles) >= 0.8 * most or self._unsettled_share(fit) < _SETTLED_SHARE:
                 break
@@ -247,7 +247,8 @@ class Refinement:
 
     def _polish(self, fit: Fit, rounds: int) -> None:
         """Improve only where the surface has not come to rest: in slits and at edges, a small part of it."""
-        for _ in range(rounds):
+        for number in range(rounds):
+            self._pace.report(0.8 + 0.2 * number / rounds, fit.mesh if self._pace.wants_preview() else None)
             restless = fit.moved_mm > _RESTLESS * fit.noise_mm
             share = float(restless.mean())
             if share < _RESTLESS_SHARE:
