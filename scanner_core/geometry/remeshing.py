@@ -187,9 +187,9 @@ def _side_cotangents(vertices: Array, triangles: NDArray[np.int64]) -> Array:
     return np.stack([-row_dot(to_next[:, (i + 2) % 3], to_next[:, (i + 1) % 3]) / double_area for i in range(3)], axis=1)
 
 
-def relax(mesh: TriangleMesh, *, step: float = 0.5, normals: Array | None = None) -> TriangleMesh:
+def relax(mesh: TriangleMesh, *, step: float = 0.5, normals: Array | None = None, table: EdgeTable | None = None) -> TriangleMesh:
     """Move every vertex towards the middle of its neighbours, within its tangent plane only."""
-    table = EdgeTable.of(mesh.triangles)
+    table = table or EdgeTable.of(mesh.triangles)
     joined = adjacency(table.edges, len(mesh.vertices))
     middle = (joined @ mesh.vertices) / np.maximum(joined.sum(axis=1), 1)[:, None]
     n = mesh.vertex_normals() if normals is None else normals

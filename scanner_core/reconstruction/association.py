@@ -25,9 +25,9 @@ from scipy import sparse
 from scipy.spatial import cKDTree
 
 from scanner_core.geometry.edges import row_dot
-from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.proximity import closest_near
 from scanner_core.geometry.subdivision import side_lifts
+from scanner_core.reconstruction.discrete_surface import DiscreteSurface
 from scanner_core.reconstruction.observations import Observations
 
 Array = NDArray[np.float64]
@@ -67,31 +67,32 @@ class Association:
         return np.take_along_axis(self.interpolation.indices.reshape(-1, 3), np.argmax(self.interpolation.data.reshape(-1, 3), axis=1)[:, None], 1)[:, 0]
 
 
-def associate(mesh: TriangleMesh, normals: Array, areas: Array, observations: Observations, noise_mm: float, edge_mm: float) -> Association:
-    """Tie observations to a mesh with unit vertex normals (v, 3) and vertex areas (v,); softly where the noise asks for it."""
-    if noise_mm >= SOFT_ABOVE * edge_mm:
-        pairs = len(observations) * 2 * np.pi * (_SOFT_REACH * noise_mm) ** 2 * len(mesh.vertices) / float(areas.sum())
+def associate(surface: DiscreteSurface, observations: Observations, noise_mm: float, *, softly: bool = True) -> Association:
+    """Tie observations to a surface, with probabilities where the noise asks for it and they are allowed."""
+    if softly and noise_mm >= SOFT_ABOVE * surface.edge_mm:
+        pairs = len(observations) * 2 * np.pi * (_SOFT_REACH * noise_mm) ** 2 * len(surface.area) / float(surface.area.sum())
         if pairs <= _MOST_PAIRS:
-            return _soft(mesh, normals, areas, observations, noise_mm)
-    return _feet(mesh, normals, observations.points)
+            return _soft(surface, observations, noise_mm)
+    return _feet(surface, observations.points)
 
 
-def _feet(mesh: TriangleMesh, normals: Array, points: Array) -> Association:
-    feet = closest_near(mesh, points)
+def _feet(surface: DiscreteSurface, points: Array) -> Association:
+    mesh, normals = surface.mesh, surface.normals
+    feet = closest_near(mesh, points, table=surface.table)
     corners = mesh.triangles[feet.triangles]
     at_feet = np.einsum("nc,ncd->nd", feet.weights, normals[corners])
     at_feet /= np.maximum(np.sqrt(row_dot(at_feet, at_feet)), 1e-30)[:, None]
     # the vertices are on the surface and the facets are its chords: measure from the curved surface over the foot
     w = feet.weights
-    over_foot = 4 * (w * w[:, (1, 2, 0)] * side_lifts(mesh, normals)[feet.triangles]).sum(axis=1)
+    over_foot = 4 * (w * w[:, (1, 2, 0)] * side_lifts(mesh, normals, surface.table)[feet.triangles]).sum(axis=1)
     distances = row_dot(points - feet.points, at_feet) - over_foot
     offsets = np.arange(0, 3 * len(points) + 1, 3)
     interpolation = sparse.csr_array((w.ravel(), corners.ravel(), offsets), shape=(len(points), len(mesh.vertices)))
     return Association(interpolation, distances, at_feet, False, np.zeros(len(points)))
 
 
-def _soft(mesh: TriangleMesh, normals: Array, areas: Array, observations: Observations, noise_mm: float) -> Association:
-    points, v = observations.points, mesh.vertices
+def _soft(surface: DiscreteSurface, observations: Observations, noise_mm: float) -> Association:
+    points, v, normals, areas = observations.points, surface.mesh.vertices, surface.normals, surface.area
     pairs = cKDTree(points).sparse_distance_matrix(cKDTree(v), _SOFT_REACH * noise_mm, output_type="coo_matrix")
     order = np.argsort(pairs.row.astype(np.int64) * len(v) + pairs.col, kind="stable")
     i, j, away = pairs.row[order].astype(np.int64), pairs.col[order].astype(np.int64), pairs.data[order]
@@ -104,7 +105,7 @@ def _soft(mesh: TriangleMesh, normals: Array, areas: Array, observations: Observ
     interpolation = sparse.csr_array((r, (i, j)), shape=(len(points), len(v)))
     alone = np.flatnonzero(total <= 0)  # beyond the reach of the surface: an outlier, or a part that it has not reached
     if len(alone):
-        feet = _feet(mesh, normals, points[alone])
+        feet = _feet(surface, points[alone])
         keep = np.ones(len(points))
         keep[alone] = 0
         lift = sparse.csr_array((np.ones(len(alone)), (alone, np.arange(len(alone)))), shape=(len(points), len(alone)))

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.geometry.edges import row_dot
+from scanner_core.geometry.edges import EdgeTable, row_dot
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.smoothing import cotangent_laplacian
 from scanner_core.reconstruction.conjugate_gradients import conjugate_gradients
@@ -23,6 +23,7 @@ class DiscreteSurface:
 
     Attributes
     ----------
+    table : its edges
     normals : (v, 3) unit normals
     stiffness : (v, v) sparse; ``stiffness @ x / area`` is minus the Laplacian of x
     single : the same in single precision, for iterations
@@ -35,7 +36,8 @@ class DiscreteSurface:
         self.mesh = mesh
         self.check = check
         self.normals = mesh.vertex_normals()
-        self.stiffness, self.area = cotangent_laplacian(mesh)
+        self.table = EdgeTable.of(mesh.triangles)
+        self.stiffness, self.area = cotangent_laplacian(mesh, self.table)
         self.single = self.stiffness.astype(np.float32)
         self.curvature = row_dot(self.stiffness @ mesh.vertices, self.normals) / self.area
         self.edge_mm = float(np.sqrt(self.area.sum() / (EQUILATERAL * len(mesh.triangles))))

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from scanner_core.geometry.edges import EdgeTable
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.remeshing import flip_edges, relax
 from scanner_core.reconstruction.bandwidth import local_choice
@@ -91,8 +92,10 @@ _MOST_LEVELS = 12
 
 def tidied(mesh: TriangleMesh, where: Mask) -> TriangleMesh:
     """Better triangles: folds smoothed, edges flipped everywhere, vertices of a mask (v,) moved within the surface."""
-    flipped = flip_edges(unfold(mesh, rounds=2))
-    even = relax(flipped, step=0.25)
+    table = EdgeTable.of(mesh.triangles)
+    smooth = unfold(mesh, rounds=2, table=table)
+    flipped = flip_edges(smooth, table=table if smooth is mesh else None)
+    even = relax(flipped, step=0.25, table=table if flipped is mesh else None)
     return TriangleMesh(np.where(where[:, None], even.vertices, flipped.vertices), flipped.triangles)
 
 

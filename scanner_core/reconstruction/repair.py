@@ -38,9 +38,9 @@ _UPRIGHT = 0.5
 """Cosine to the mean normal of its surroundings that a changed triangle keeps, unless it was worse before."""
 
 
-def folded_triangles(mesh: TriangleMesh) -> Indices:
-    """Triangles at an edge where the surface turns back onto itself, (m,)."""
-    table = EdgeTable.of(mesh.triangles)
+def folded_triangles(mesh: TriangleMesh, table: EdgeTable | None = None) -> Indices:
+    """Triangles at an edge where the surface turns back onto itself, (m,); `table` are the edges, made if None."""
+    table = table or EdgeTable.of(mesh.triangles)
     assert table.edge_sides is not None
     normals = mesh.area_vectors()
     normals /= np.maximum(np.sqrt(row_dot(normals, normals)), 1e-30)[:, None]
@@ -49,8 +49,10 @@ def folded_triangles(mesh: TriangleMesh) -> Indices:
     return np.unique(pairs[turned])
 
 
-def unfold(mesh: TriangleMesh, rounds: int = 12) -> TriangleMesh:
-    """Smooth the surroundings of folds until there is none."""
+def unfold(mesh: TriangleMesh, rounds: int = 12, table: EdgeTable | None = None) -> TriangleMesh:
+    """Smooth the surroundings of folds until there is none; the mesh itself where there was none."""
+    if table is not None and not len(folded_triangles(mesh, table)):
+        return mesh
     return _smooth_where(mesh, folded_triangles, rounds, lambda: None)[0]
 
 

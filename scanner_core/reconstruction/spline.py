@@ -98,8 +98,7 @@ class SmoothingSpline:
         self.noise_mm = noise_mm
         self._check = check
         self.normals, self.area, self.stiffness, self.curvature = surface.normals, surface.area, surface.stiffness, surface.curvature
-        edge = surface.edge_mm if part is None else np.inf  # what is fitted in parts is fitted with feet
-        self.association = associate(mesh, self.normals, self.area, observations, noise_mm, edge)
+        self.association = associate(surface, observations, noise_mm, softly=part is None)  # what is fitted in parts has feet
         check()
         self.observations = observations
         self.variance = observations.relative_variance(self.association.normals)
