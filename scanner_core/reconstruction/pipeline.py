@@ -80,7 +80,8 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
     pace.enter("smooth")
     mesh, crossing = repaired(smooth(fit.mesh, fit.supported), _LEAST_QUALITY, pace.check)
     pace.check()
-    spline = SmoothingSpline(mesh, observations, fit.robust, scale.spacings_mm, fit.noise_mm, pace.check)
+    measured = fit.supported.astype(np.float64)  # the bend where the cap begins is no detail of the surface
+    spline = SmoothingSpline(mesh, observations, fit.robust, scale.spacings_mm, fit.noise_mm, pace.check, measured)
     pace.check()
     uncertainty = standard_uncertainty(spline, fit.bandwidth_mm)
     pace.check()

@@ -28,6 +28,10 @@ _BLIND = 1.3
 """Noise over bandwidth below which a soft association still sees all that the bandwidth lets through."""
 
 
+_DEEPEST_CUT = 0.2
+"""Of its bandwidth, the most that the smoother takes from its own answer: on whole surfaces one vertex in a thousand exceeds it."""
+
+
 def standard_uncertainty(spline: SmoothingSpline, bandwidth_mm: Array) -> Array:
     """Standard uncertainty (k = 1) of every vertex along its normal, (v,), mm; with a bandwidth (v,), mm."""
     surface = spline.surface
@@ -38,6 +42,8 @@ def standard_uncertainty(spline: SmoothingSpline, bandwidth_mm: Array) -> Array:
     wide = bandwidth_mm**2 * np.sqrt(spline.density / density)
     noise = spline.noise_mm**2 / (density * wide)
     again = spline.solve(bandwidth_mm, np.zeros((len(spline.weights), 1)), spline.curvature[:, None])[:, 0]
+    # At a free rim, where no point holds the answer, it can run away.
+    again = np.clip(again, -_DEEPEST_CUT * bandwidth_mm, _DEEPEST_CUT * bandwidth_mm)
     lost = surface.diffused((again**2)[:, None], bandwidth_mm, tolerance=1e-2)[:, 0]
     lost = np.maximum(lost - VARIANCE_LOST_AGAIN * noise, 0)
     factor = np.full(len(density), BIAS_FACTOR)
