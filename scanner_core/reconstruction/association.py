@@ -64,7 +64,8 @@ class Association:
 
     def homes(self) -> NDArray[np.int64]:
         """The vertex that each foot is nearest to, (n,); not of a soft association."""
-        return np.take_along_axis(self.interpolation.indices.reshape(-1, 3), np.argmax(self.interpolation.data.reshape(-1, 3), axis=1)[:, None], 1)[:, 0]
+        largest = np.argmax(self.interpolation.data.reshape(-1, 3), axis=1)[:, None]
+        return np.asarray(np.take_along_axis(self.interpolation.indices.reshape(-1, 3), largest, axis=1)[:, 0], np.int64)
 
 
 def associate(surface: DiscreteSurface, observations: Observations, noise_mm: float, *, softly: bool = True) -> Association:
@@ -100,7 +101,7 @@ def _soft(surface: DiscreteSurface, observations: Observations, noise_mm: float)
     total = np.bincount(i, weight, minlength=len(points))
     r = weight / np.maximum(total[i], 1e-300)
     off = row_dot(points[i] - v[j], normals[j])
-    distance = np.bincount(i, r * off, minlength=len(points))
+    distance = np.asarray(np.bincount(i, r * off, minlength=len(points)), np.float64)
     spread = np.bincount(i, r * off**2, minlength=len(points)) - distance**2
     interpolation = sparse.csr_array((r, (i, j)), shape=(len(points), len(v)))
     alone = np.flatnonzero(total <= 0)  # beyond the reach of the surface: an outlier, or a part that it has not reached
@@ -113,4 +114,4 @@ def _soft(surface: DiscreteSurface, observations: Observations, noise_mm: float)
         distance[alone] = feet.distances_mm
     at = np.asarray(interpolation @ normals)
     at /= np.maximum(np.sqrt(row_dot(at, at)), 1e-30)[:, None]
-    return Association(interpolation, distance, at, True, np.maximum(spread, 0))
+    return Association(interpolation, distance, at, True, np.asarray(np.maximum(spread, 0), np.float64))

@@ -82,7 +82,7 @@ def _lowest(scores: Array) -> Array:
     best = np.argmin(scores, axis=0)
     inner = np.clip(best, 1, len(scores) - 2) if len(scores) > 2 else best
     if len(scores) <= 2:
-        return best.astype(np.float64)
+        return np.asarray(best, np.float64)
     column = np.arange(scores.shape[1])
     below, at, above = scores[inner - 1, column], scores[inner, column], scores[inner + 1, column]
     bend = below - 2 * at + above

@@ -15,6 +15,7 @@ from scanner_core.reconstruction.conjugate_gradients import conjugate_gradients
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
+
 def fair_cap(mesh: TriangleMesh, supported: Mask, check: Callable[[], None], rounds: int = 2) -> TriangleMesh:
     """Pull the unsupported part tight, as a soap film in the rim of the supported one, which does not move.
 
@@ -32,12 +33,11 @@ def fair_cap(mesh: TriangleMesh, supported: Mask, check: Callable[[], None], rou
         fixed = np.flatnonzero(supported)
         right = mass * mesh.vertices[free] - stiffness[free][:, fixed] @ mesh.vertices[fixed]
 
-        def apply(x: Array, inner: sparse.csr_array = inner, mass: Array = mass) -> Array:
+        def apply(x: NDArray[np.floating], inner: sparse.csr_array = inner, mass: Array = mass) -> NDArray[np.floating]:
             return np.asarray(inner @ x + mass * x)
 
         diagonal = inner.diagonal() + mass[:, 0]
-        placed = conjugate_gradients(apply, diagonal, right, mesh.vertices[free], tolerance=1e-4, most=400, check=check)
         vertices = mesh.vertices.copy()
-        vertices[free] = placed
+        vertices[free] = conjugate_gradients(apply, diagonal, right, mesh.vertices[free], tolerance=1e-4, most=400, check=check)
         mesh = TriangleMesh(vertices, mesh.triangles)
     return mesh

@@ -159,6 +159,7 @@ class Refinement:
         """Fit a balloon to the points, coarse to fine."""
         fit = self._begin(balloon)
         most = self._most_triangles()
+        as_fine_as_noise = False
         for number in range(_MOST_LEVELS):
             self._see(fit)
             for _ in range(2 if number == 0 else 0):
@@ -194,9 +195,9 @@ class Refinement:
         wanted = self._parameters.triangles
         mesh = reduced(balloon, wanted)[0] if wanted is not None and len(balloon.triangles) > wanted else balloon
         count = len(mesh.vertices)
-        settled, share = np.zeros(count, bool), np.ones(count)
-        none = np.zeros(0)
-        return Fit(mesh, none, self._finest.scale.noise_mm, np.full(count, mean_edge(mesh)), settled, share, none, none, np.zeros(0, np.int64), 0.0, self._finest)
+        bandwidth, settled, share = np.full(count, mean_edge(mesh)), np.zeros(count, bool), np.ones(count)
+        none, nowhere = np.zeros(0), np.zeros(0, np.int64)
+        return Fit(mesh, none, self._finest.scale.noise_mm, bandwidth, settled, share, none, none, nowhere, 0.0, self._finest)
 
     # ------------------------------------------------------------------------------------------ points
 

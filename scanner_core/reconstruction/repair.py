@@ -69,9 +69,7 @@ def repaired(mesh: TriangleMesh, least_quality: float, check: Callable[[], None]
     return mended, 0 if left == 0 else len(self_intersecting_triangles(mended))
 
 
-def _smooth_where(
-    mesh: TriangleMesh, find: Callable[[TriangleMesh], Indices], rounds: int, check: Callable[[], None]
-) -> tuple[TriangleMesh, int]:
+def _smooth_where(mesh: TriangleMesh, find: Callable[[TriangleMesh], Indices], rounds: int, check: Callable[[], None]) -> tuple[TriangleMesh, int]:
     """Smooth round the triangles that are found, and how many were found at last (-1 if it was not looked after the last round)."""
     ever = np.zeros(len(mesh.vertices), bool)
     for tick in range(rounds):

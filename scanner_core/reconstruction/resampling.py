@@ -18,7 +18,6 @@ Indices = NDArray[np.int64]
 _CLEARLY = 0.6
 """Edges count as clearly among the longest above so much of the 99th percentile of their excess."""
 
-
 _TOO_SHORT = 0.7
 """An edge below so much of its wanted length is collapsed; twice that is the length above which a split makes none too short."""
 

@@ -140,10 +140,6 @@ class SmoothingSpline:
         """Values at the vertices (v,) or (v, k), seen from the observations."""
         return np.asarray(self._interpolation @ values)
 
-    def around_vertices(self, values: Array) -> Array:
-        """Weighted sums of values (n,) or (n, k) of the observations at the vertices."""
-        return np.asarray(self._pull @ values)
-
     def _smoothed_curvature(self, curvature: Array, bandwidth_mm: Array, start: Array | None = None) -> Array:
         """Curvatures (v, k) smoothed twice over the bandwidth (v,).
 
@@ -159,7 +155,14 @@ class SmoothingSpline:
         return np.asarray(both[:, :-1] / np.maximum(both[:, -1:], 1e-12), np.float64)
 
     def solve(
-        self, bandwidth_mm: Array, pulls: Array, curvature: Array, *, tolerance: float = 1e-3, majorized: bool = False, smoothed: Array | None = None
+        self,
+        bandwidth_mm: Array,
+        pulls: Array,
+        curvature: Array,
+        *,
+        tolerance: float = 1e-3,
+        majorized: bool = False,
+        smoothed: Array | None = None,
     ) -> Array:
         """Displacements (v, k) for distances `pulls` (n, k) from a surface with the sums of principal curvatures `curvature` (v, k).
 
@@ -172,12 +175,11 @@ class SmoothingSpline:
         stiffness, area, stiff = self.stiffness, self.area[:, None], (rows * self.area)[:, None]
         apply = self._operator(rows, majorized)
         pulled = self._pull @ pulls
-        answer = np.zeros_like(pulled)
+        answer: Array = np.zeros_like(pulled)
+        target = self._smoothed_curvature(curvature, bandwidth_mm) if smoothed is None else smoothed
         for lag in range(_LAGS):
             if lag:
                 target = self._smoothed_curvature(curvature + stiffness @ answer / area, bandwidth_mm, target)
-            else:
-                target = self._smoothed_curvature(curvature, bandwidth_mm) if smoothed is None else smoothed
             right = self._movable * (pulled - stiffness @ (stiff * (curvature - target))).astype(np.float32)
             answer = conjugate_gradients(apply, diagonal, right, answer, tolerance=tolerance, most=600, check=self._check).astype(np.float64)
         return answer

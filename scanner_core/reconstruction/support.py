@@ -17,7 +17,7 @@ MEASURED = 0.5
 """Density over the one that the points have among themselves, from which on a vertex counts as measured.  Smoothed across the
 straight rim of a scan, it is one half there."""
 
-FITTED = .05
+FITTED = 0.05
 """The fit goes on a little beyond the rim, about two spacings, so that the bend towards a cap is not in the measured part."""
 
 

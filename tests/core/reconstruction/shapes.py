@@ -6,14 +6,18 @@ from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from scanner_core.geometry.icosahedron import icosahedron
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.subdivision import subdivide_uniform
 from scanner_core.jobs.progress import Progress
+from scanner_core.reconstruction.cloud_scale import measure_scale
+from scanner_core.reconstruction.observations import observations_of
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.reconstruction.pipeline import Reconstruction, reconstruct
+from scanner_core.reconstruction.spline import SmoothingSpline
 
 Array = NDArray[np.float64]
 
@@ -24,6 +28,26 @@ def unit_sphere(levels: int) -> TriangleMesh:
         mesh = subdivide_uniform(mesh)
         mesh = TriangleMesh(mesh.vertices / np.linalg.norm(mesh.vertices, axis=1)[:, None], mesh.triangles)
     return mesh
+
+
+def sphere(radius_mm: float, levels: int) -> TriangleMesh:
+    mesh = unit_sphere(levels)
+    return TriangleMesh(radius_mm * mesh.vertices, mesh.triangles)
+
+
+def on_sphere(radius_mm: float, count: int, noise_mm: float, seed: int) -> Array:
+    """Points on a true sphere with Gaussian noise on each coordinate, (count, 3)."""
+    rng = np.random.default_rng(seed)
+    directions = rng.normal(size=(count, 3))
+    directions /= np.linalg.norm(directions, axis=1)[:, None]
+    return np.asarray(radius_mm * directions + noise_mm * rng.normal(size=(count, 3)))
+
+
+def ridged(levels: int, width: float = 0.05) -> TriangleMesh:
+    """A ball of 10 mm with a ridge of 0.8 mm around its equator, half a millimetre wide."""
+    mesh = unit_sphere(levels)
+    radius = 10 + 0.8 * np.exp(-((mesh.vertices[:, 2] / width) ** 2))
+    return TriangleMesh(radius[:, None] * mesh.vertices, mesh.triangles)
 
 
 def impression() -> TriangleMesh:
@@ -61,6 +85,12 @@ def sampled(mesh: TriangleMesh, count: int, noise_mm: float, seed: int, keep: Ca
         points = points[keep(points)]
     points = points[:count]
     return np.asarray(points + noise_mm * rng.normal(size=points.shape))
+
+
+def spline_on(mesh: TriangleMesh, points: Array, noise_mm: float) -> SmoothingSpline:
+    """The spline of a mesh and points that are all trusted."""
+    spacings = measure_scale(points, cKDTree(points), 0).spacings_mm
+    return SmoothingSpline(mesh, observations_of(points, None), np.ones(len(points)), spacings, noise_mm, lambda: None)
 
 
 def run(points: Array, parameters: ReconstructionParameters | None = None, seen: list[Progress] | None = None) -> Reconstruction:
