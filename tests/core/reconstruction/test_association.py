@@ -12,8 +12,7 @@ from tests.core.reconstruction.shapes import Array, on_sphere, sphere
 
 def tied(points: Array, noise_mm: float, *, soft: bool, levels: int = 3, radius: float = 5.0) -> tuple[DiscreteSurface, Association]:
     surface = DiscreteSurface(sphere(radius, levels), lambda: None)
-    edge = surface.edge_mm if soft else np.inf
-    return surface, associate(surface.mesh, surface.normals, surface.area, observations_of(points, None), noise_mm, edge)
+    return surface, associate(surface, observations_of(points, None), noise_mm, softly=soft)
 
 
 def test_feet_are_the_closest_points() -> None:
