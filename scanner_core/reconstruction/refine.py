@@ -70,7 +70,8 @@ _RESTLESS = 0.25
 _RESTLESS_SHARE = 0.002
 """Vertices that the last step moved by so much of the noise are not at rest; so few of them do not matter any more."""
 
-_POLISH = 8
+_POLISH = 16
+"""Most rounds of solving the restless places again; it is over sooner where there are none left."""
 
 _SOFT_AT_REST = 0.01
 """The same under heavy noise, of which the error is a much smaller part, and where steps are short."""
@@ -181,6 +182,7 @@ class Refinement:
         drawn = not 0.98 * target <= len(fit.mesh.triangles) <= target
         if drawn:
             self._draw(fit, target)
+            self._hold_tolerance(fit)
         if not as_fine_as_noise and float(np.median(fit.bandwidth_mm)) < _RESOLVED * mean_edge(fit.mesh):
             if drawn or seen is not fit.level:
                 self._improve(fit)
@@ -353,6 +355,17 @@ class Refinement:
             if len(fit.mesh.triangles) >= target - 1:
                 break
             self._resample(fit, wanted_sizes(self._parameters.criterion, fit), target)
+
+    def _hold_tolerance(self, fit: Fit) -> None:
+        """Add triangles until the facets keep the tolerance that was asked for; the sag goes with the area only on average."""
+        tolerance_um = self._parameters.tolerance_um
+        if tolerance_um is None or self._parameters.triangles is not None:
+            return
+        for _ in range(4):
+            excess = 1e3 * facet_sag_mm(fit.mesh) / tolerance_um
+            if excess <= 1 or len(fit.mesh.triangles) >= _MOST_TRIANGLES:
+                break
+            self._draw(fit, min(int(1.05 * excess * len(fit.mesh.triangles)), _MOST_TRIANGLES))
 
     @staticmethod
     def _keep(fit: Fit, kept: NDArray[np.int64]) -> None:

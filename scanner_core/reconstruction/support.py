@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 _REACH = 1.2
 """Reach of one step of the smoothing of the density, in spacings: the kernel then holds 70 points, 12 % of which is chance."""
 
-MEASURED = 0.5
+MEASURED = 0.45
 """Density over the one that the points have among themselves, from which on a vertex counts as measured.  Smoothed across the
 straight rim of a scan, it is one half there."""
 
@@ -36,7 +36,8 @@ def density_share(surface: DiscreteSurface, interpolation: sparse.csr_array, rob
     used = (robust > 0.5).astype(np.float64)
     typical = float(np.median(spacing_mm))
     sums = interpolation.T @ np.column_stack([used, used * spacing_mm]) / surface.area[:, None]
-    sums = surface.diffused(sums, _REACH * typical, tolerance=1e-2)
+    # wide enough to bridge the gaps of the sparsest parts
+    sums = surface.diffused(sums, _REACH * float(np.quantile(spacing_mm, 0.95)), tolerance=1e-2)
     spacing = np.where(sums[:, 0] > 1e-3 / typical**2, sums[:, 1] / np.maximum(sums[:, 0], 1e-300), typical)
     spacing = np.clip(spacing, 0.2 * typical, 5 * typical)
     density = surface.diffused(sums[:, :1], _REACH * spacing, tolerance=1e-2)[:, 0]
