@@ -35,10 +35,11 @@ def density_share(surface: DiscreteSurface, interpolation: sparse.csr_array, rob
     """
     used = (robust > 0.5).astype(np.float64)
     typical = float(np.median(spacing_mm))
-    sums = interpolation.T @ np.column_stack([used, used * spacing_mm]) / surface.area[:, None]
+    # by size, not by number: beside a dense part the spacing of a sparse one is its own
+    sums = interpolation.T @ np.column_stack([used, used * spacing_mm, used * spacing_mm**2]) / surface.area[:, None]
     # wide enough to bridge the gaps of the sparsest parts
     sums = surface.diffused(sums, _REACH * float(np.quantile(spacing_mm, 0.95)), tolerance=1e-2)
-    spacing = np.where(sums[:, 0] > 1e-3 / typical**2, sums[:, 1] / np.maximum(sums[:, 0], 1e-300), typical)
+    spacing = np.where(sums[:, 0] > 1e-3 / typical**2, sums[:, 2] / np.maximum(sums[:, 1], 1e-300), typical)
     spacing = np.clip(spacing, 0.2 * typical, 5 * typical)
     density = surface.diffused(sums[:, :1], _REACH * spacing, tolerance=1e-2)[:, 0]
     return np.asarray(density * spacing**2)
