@@ -167,10 +167,10 @@ def test_tolerance_bounds_the_sag_of_the_facets() -> None:
     assert len(fine.mesh.triangles) > 2 * len(coarse.mesh.triangles)
 
 
-def unevenly_noisy(seed: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Points of which half have 0.1 mm and half 0.5 mm of noise, the covariances that say so, and which are the good ones."""
+def unevenly_noisy(seed: int, share: float = 0.5) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Points of which a share has 0.1 mm and the rest 0.5 mm of noise, the covariances that say so, and which are the good ones."""
     rng = np.random.default_rng(seed)
-    good = rng.random(4000) < 0.5
+    good = rng.random(4000) < share
     sigma = np.where(good, 0.1, 0.5)
     points = sampled(impression(), 4000, 0.0, seed) + sigma[:, None] * rng.normal(size=(4000, 3))
     return points, sigma[:, None, None] ** 2 * np.eye(3), good
@@ -191,9 +191,10 @@ def test_covariances_are_weights(weighted: Reconstruction) -> None:
 
 
 @pytest.mark.xfail(strict=True, reason="the bandwidth is kept above the noise of the median point, which is a bad one here")
-def test_bad_points_with_covariances_do_no_harm(weighted: Reconstruction) -> None:
-    points, _, good = unevenly_noisy(0)
-    assert rms_um(weighted, impression()) < 1.05 * rms_um(run(points[good], EIGHT_THOUSAND), impression())
+def test_bad_points_with_covariances_do_no_harm() -> None:
+    points, covariances, good = unevenly_noisy(0, 0.4)
+    all_of_them = run(points, EIGHT_THOUSAND, covariances=covariances)
+    assert rms_um(all_of_them, impression()) < 1.05 * rms_um(run(points[good], EIGHT_THOUSAND), impression())
 
 
 def test_scale_of_the_covariances_does_not_matter_and_bytes_repeat(weighted: Reconstruction) -> None:
@@ -266,13 +267,17 @@ def even_pattern(directions: np.ndarray, seed: int, size: float) -> np.ndarray:
 def test_any_star_shaped_body_gives_a_sound_mesh_or_one_sentence(seed: int, count: int, noise: float, size: float, scale: float) -> None:
     body = unit_sphere(5)
     truth = TriangleMesh(scale * even_pattern(body.vertices, seed, size)[:, None] * body.vertices, body.triangles)
+    result, refusal = None, ""
     try:
         result = run(sampled(truth, count, noise * scale, seed), ReconstructionParameters(triangles=3000))
     except ReconstructionError as error:
-        assert "\n" not in str(error)
-        return
-    assert_sound(result)
-    assert result.mesh.volume() == pytest.approx(truth.volume(), rel=0.05)
+        refusal = str(error)
+    if result is None:
+        assert refusal
+        assert "\n" not in refusal
+    else:
+        assert_sound(result)
+        assert result.mesh.volume() == pytest.approx(truth.volume(), rel=0.05)
 
 
 class Hesitant:
