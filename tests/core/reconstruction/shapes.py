@@ -15,8 +15,10 @@ from scanner_core.geometry.subdivision import subdivide_uniform
 from scanner_core.jobs.progress import Progress
 from scanner_core.reconstruction.cloud_scale import measure_scale
 from scanner_core.reconstruction.observations import observations_of
+from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.reconstruction.pipeline import Reconstruction, reconstruct
+from scanner_core.reconstruction.refine import Fit, Refinement
 from scanner_core.reconstruction.spline import SmoothingSpline
 
 Array = NDArray[np.float64]
@@ -47,6 +49,14 @@ def ridged(levels: int, width: float = 0.05) -> TriangleMesh:
     """A ball of 10 mm with a ridge of 0.8 mm around its equator, half a millimetre wide."""
     mesh = unit_sphere(levels)
     radius = 10 + 0.8 * np.exp(-((mesh.vertices[:, 2] / width) ** 2))
+    return TriangleMesh(radius[:, None] * mesh.vertices, mesh.triangles)
+
+
+def knobbed(levels: int, width: float = 0.3) -> TriangleMesh:
+    """A ball of 10 mm with six knobs of 2 mm."""
+    mesh = unit_sphere(levels)
+    squares = ((mesh.vertices[:, None] - np.concatenate([np.eye(3), -np.eye(3)])) ** 2).sum(axis=2)
+    radius = 10 + 2 * np.exp(-squares / width**2).sum(axis=1)
     return TriangleMesh(radius[:, None] * mesh.vertices, mesh.triangles)
 
 
@@ -93,7 +103,16 @@ def spline_on(mesh: TriangleMesh, points: Array, noise_mm: float) -> SmoothingSp
     return SmoothingSpline(mesh, observations_of(points, None), np.ones(len(points)), spacings, noise_mm, lambda: None)
 
 
-def run(points: Array, parameters: ReconstructionParameters | None = None, seen: list[Progress] | None = None) -> Reconstruction:
+def fitted(points: Array, balloon: TriangleMesh, parameters: ReconstructionParameters | None = None) -> Fit:
+    """Phase two alone, from a given balloon."""
+    observations = observations_of(points, None)
+    scale = measure_scale(observations.points, cKDTree(observations.points), 0)
+    return Refinement(observations, scale, parameters or ReconstructionParameters(), Pace(lambda told: None, lambda: False)).run(balloon)
+
+
+def run(
+    points: Array, parameters: ReconstructionParameters | None = None, seen: list[Progress] | None = None, covariances: Array | None = None
+) -> Reconstruction:
     """Reconstruct without a caller who waits."""
     told: list[Progress] = [] if seen is None else seen
-    return reconstruct(PointCloud(points), parameters or ReconstructionParameters(), progress=told.append, cancelled=lambda: False)
+    return reconstruct(PointCloud(points, covariances), parameters or ReconstructionParameters(), progress=told.append, cancelled=lambda: False)
