@@ -30,7 +30,7 @@ class Observations:
     ----------
     points : (n, 3) float64, mm, about the centre of the cloud
     counts : (n,) float64, measurements in each
-    shapes : (n, 3, 3) covariances over their typical variance (the median of a third of the trace), or None when all are alike
+    shapes : (n, 3, 3) covariances over their typical variance (the harmonic mean of a third of the trace), or None when all are alike
     scatter : (n, 3, 3) mm^2, second moment of the merged points about their mean, or None when nothing was merged
     """
 
@@ -79,7 +79,8 @@ def _shapes(covariances: Array) -> Array | None:
     variance = np.trace(covariances, axis1=1, axis2=2) / 3
     if not np.all(np.isfinite(variance)) or float(np.median(variance)) <= 0:
         return None
-    typical = float(np.median(variance))
+    # the variance of the points that tell most: with the median, many bad points would make the good ones look like them
+    typical = float(1 / np.mean(1 / np.maximum(variance, np.median(variance) / _MOST_UNEVEN)))
     bounded = np.clip(variance, typical / _MOST_UNEVEN, typical * _MOST_UNEVEN)
     shapes = covariances * (bounded / np.maximum(variance, 1e-300) / typical)[:, None, None]
     # a direction in which a covariance is singular would weigh without bound

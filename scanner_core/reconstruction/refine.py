@@ -86,6 +86,9 @@ _RESOLVED = 5.0
 _CELL = 0.3
 """Cells into which the points are merged on a level, in edges of its triangles."""
 
+_SCARCE = 0.5
+"""Triangles for each point below which it matters where they are."""
+
 _LEAST_TRIANGLES = 16_000
 _MOST_TRIANGLES = 2_000_000
 _MOST_LEVELS = 12
@@ -179,7 +182,9 @@ class Refinement:
         if as_fine_as_noise:
             self._settle(fit, np.inf, 6, at_rest=_SOFT_AT_REST)
         target = self._target_triangles(fit)
-        drawn = not 0.98 * target <= len(fit.mesh.triangles) <= target
+        # Few triangles were placed by what a coarse surface knew: they are placed again.
+        scarce = self._parameters.triangles is not None and target < _SCARCE * len(fit.level.observations)
+        drawn = scarce or not 0.98 * target <= len(fit.mesh.triangles) <= target
         if drawn:
             self._draw(fit, target)
             self._hold_tolerance(fit)
@@ -349,7 +354,7 @@ class Refinement:
         fit.mesh, kept = coarsened(fit.mesh, sizes * float(np.sqrt(filled / (EQUILATERAL * target))), self._pace.check)
         self._keep(fit, kept)
         if len(fit.mesh.triangles) > target:
-            fit.mesh, kept = reduced(fit.mesh, target)
+            fit.mesh, kept = reduced(fit.mesh, target, wanted_sizes(self._parameters.criterion, fit))
             self._keep(fit, kept)
         for _ in range(_MOST_LEVELS):
             if len(fit.mesh.triangles) >= target - 1:

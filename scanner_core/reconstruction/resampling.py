@@ -21,6 +21,9 @@ _CLEARLY = 0.6
 _TOO_SHORT = 0.7
 """An edge below so much of its wanted length is collapsed; twice that is the length above which a split makes none too short."""
 
+_MOST_ROUNDS = 40
+"""A round collapses edges that share no neighbour, a few per cent of them."""
+
 
 def split_towards(
     mesh: TriangleMesh, sizes: Array, values: Array, triangles: int, check: Callable[[], None], *, down_to: float = 0.0
@@ -68,29 +71,37 @@ def split_towards(
 def coarsened(mesh: TriangleMesh, sizes_mm: Array, check: Callable[[], None]) -> tuple[TriangleMesh, Indices]:
     """Collapse edges that are much shorter than wanted at both ends (v,); also, for each vertex, the one that it continues."""
     kept = np.arange(len(mesh.vertices))
-    for _ in range(3):
+    for _ in range(_MOST_ROUNDS):
         check()
         table = EdgeTable.of(mesh.triangles)
         wanted = sizes_mm[kept]
         ratio = table.lengths(mesh.vertices) / np.minimum(wanted[table.edges[:, 0]], wanted[table.edges[:, 1]])
         if not np.any(ratio < _TOO_SHORT):
             break
+        before = len(kept)
         mesh, continued = collapse_edges(mesh, table, ratio < _TOO_SHORT, ratio)
         kept = kept[continued]
+        if len(kept) > 0.995 * before:  # what is left is hardly worth another round
+            break
         mesh = flip_edges(mesh)
     return mesh, kept
 
 
-def reduced(mesh: TriangleMesh, triangles: int) -> tuple[TriangleMesh, Indices]:
-    """Collapse the shortest edges until at most so many triangles are left; also, for each vertex, the one that it continues."""
+def reduced(mesh: TriangleMesh, triangles: int, sizes: Array | None = None) -> tuple[TriangleMesh, Indices]:
+    """Collapse the edges that are shortest against their wanted length (v,) until at most so many triangles are left.
+
+    Also returns, for each vertex, the one that it continues.
+    """
     kept = np.arange(len(mesh.vertices))
     for _ in range(200):
         excess = (len(mesh.triangles) - triangles + 1) // 2
         if excess <= 0:
             break
         table = EdgeTable.of(mesh.triangles)
-        lengths = table.lengths(mesh.vertices)
-        mesh, continued = collapse_edges(mesh, table, np.ones(len(lengths), bool), lengths, most=excess)
+        cost = table.lengths(mesh.vertices)
+        if sizes is not None:
+            cost = cost / (sizes[kept[table.edges[:, 0]]] + sizes[kept[table.edges[:, 1]]])
+        mesh, continued = collapse_edges(mesh, table, np.ones(len(cost), bool), cost, most=excess)
         kept = kept[continued]
         mesh = flip_edges(mesh)
     return mesh, kept

@@ -190,7 +190,6 @@ def test_covariances_are_weights(weighted: Reconstruction) -> None:
     assert rms_um(weighted, impression()) < 0.87 * rms_um(run(unevenly_noisy(0)[0], EIGHT_THOUSAND), impression())
 
 
-@pytest.mark.xfail(strict=True, reason="the bandwidth is kept above the noise of the median point, which is a bad one here")
 def test_bad_points_with_covariances_do_no_harm() -> None:
     points, covariances, good = unevenly_noisy(0, 0.4)
     all_of_them = run(points, EIGHT_THOUSAND, covariances=covariances)

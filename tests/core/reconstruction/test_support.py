@@ -23,7 +23,6 @@ def test_density_share_inside_at_the_rim_and_far_from_the_points() -> None:
     assert (share[(inside > -2.5) & (inside < -1.5)] < MEASURED).mean() > 0.95
 
 
-@pytest.mark.xfail(strict=True, reason="gaps between sparse points take the spacing of the dense side, and count as unsupported")
 def test_density_share_does_not_depend_on_the_density() -> None:
     """Ten times as dense on one side: both sides are measured."""
     mesh = sphere(10.0, 5)
