@@ -7,7 +7,7 @@ Under heavy noise it is not: points beyond the middle of a narrow part choose th
 small.  A *soft* association gives every vertex its probability of being the origin of the point, for Gaussian noise and an
 evenly sampled surface,
 
-    r_ij = a_j exp(-|x_i - v_j|^2 / 2 sigma_i^2) / sum over k,          (a_j: area of vertex j)
+    r_ij = a_j exp(-|x_i - v_j|^2 / 2 sigma^2) / sum over k,          (a_j: area of vertex j)
 
 as in expectation-maximization for mixtures of Gaussians (Dempster, Laird and Rubin 1977; for surfaces Myronenko and Song,
 "Point set registration: coherent point drift", 2010).  The posterior mean of the distance, ``d_i = sum_j r_ij (x_i - v_j) . n_j``,

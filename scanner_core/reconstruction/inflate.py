@@ -20,7 +20,7 @@ from scanner_core.errors import ReconstructionError
 from scanner_core.geometry.edges import EdgeTable, row_dot
 from scanner_core.geometry.icosahedron import icosahedron
 from scanner_core.geometry.mesh import TriangleMesh
-from scanner_core.geometry.remeshing import collapse_short, flip_edges, relax, split_long
+from scanner_core.geometry.remeshing import collapse_short, flip_edges, split_long
 from scanner_core.geometry.smoothing import uniform_averaging
 from scanner_core.geometry.subdivision import subdivide_uniform
 from scanner_core.geometry.voxel_region import Field, Region, VoxelGrid
@@ -269,13 +269,3 @@ def _grow(mesh: TriangleMesh, table: EdgeTable | None, region: EnclosedRegion, l
         table = EdgeTable.of(collapsed.triangles)
     flipped = flip_edges(collapsed, table=table)
     return flipped, table if flipped is collapsed else None
-
-
-def settle(mesh: TriangleMesh, region: EnclosedRegion, rounds: int = 3) -> TriangleMesh:
-    """Bring a subdivided balloon back to the region's border, without changing its connectivity."""
-    for _ in range(rounds):
-        room = region.grid.sample(region.depth_mm, mesh.vertices)
-        limit = 0.3 * float(np.sqrt(mesh.area() / len(mesh.triangles)))
-        normals = mesh.vertex_normals()
-        mesh = relax(TriangleMesh(mesh.vertices + np.clip(0.6 * room, -limit, limit)[:, None] * normals, mesh.triangles), step=0.3)
-    return mesh

@@ -19,7 +19,7 @@ MOST_OBSERVATIONS = 120_000
 """More points than these are merged into cells; it bounds memory and time."""
 
 _MOST_UNEVEN = 16.0
-"""Largest variance over the median one, and the median one over the smallest, that a covariance is believed."""
+"""Largest variance over the typical one, and the typical one over the smallest, that a covariance is believed; the same again for a direction."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -75,16 +75,22 @@ def observations_of(points: Array, covariances: Array | None, most: int = MOST_O
 
 
 def _shapes(covariances: Array) -> Array | None:
-    """Covariances (n, 3, 3) as proportions; None when they say nothing (not positive, or not finite)."""
-    variance = np.trace(covariances, axis1=1, axis2=2) / 3
-    if not np.all(np.isfinite(variance)) or float(np.median(variance)) <= 0:
+    """Covariances (n, 3, 3) as proportions; None when they say nothing.  One that is no covariance counts as a typical one."""
+    finite = np.asarray(np.isfinite(covariances).all(axis=(1, 2)), np.bool_)
+    usable = np.where(finite[:, None, None], covariances, np.eye(3))
+    usable = 0.5 * (usable + usable.transpose(0, 2, 1))
+    variance = np.trace(usable, axis1=1, axis2=2) / 3
+    valid = finite & (variance > 0) & (np.linalg.eigvalsh(usable)[:, 0] >= -1e-6 * variance)
+    if not np.any(valid):
         return None
     # the variance of the points that tell most: with the median, many bad points would make the good ones look like them
-    typical = float(1 / np.mean(1 / np.maximum(variance, np.median(variance) / _MOST_UNEVEN)))
+    typical = float(1 / np.mean(1 / np.maximum(variance[valid], np.median(variance[valid]) / _MOST_UNEVEN)))
     bounded = np.clip(variance, typical / _MOST_UNEVEN, typical * _MOST_UNEVEN)
-    shapes = covariances * (bounded / np.maximum(variance, 1e-300) / typical)[:, None, None]
+    shapes = usable * (bounded / np.where(valid, variance, 1.0) / typical)[:, None, None]
     # a direction in which a covariance is singular would weigh without bound
-    return np.asarray(shapes + np.eye(3) * (bounded / typical / _MOST_UNEVEN)[:, None, None])
+    shapes += np.eye(3) * (bounded / typical / _MOST_UNEVEN)[:, None, None]
+    shapes[~valid] = np.eye(3)
+    return np.asarray(shapes)
 
 
 def _cell_mm(points: Array, most: int) -> float:

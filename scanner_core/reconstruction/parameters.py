@@ -14,12 +14,13 @@ class ReconstructionParameters:
 
     Attributes
     ----------
-    triangles : at most so many triangles and at least 0.98 times as many; None leaves it to the points
-    tolerance_um : the facets may depart from the fitted surface by so much; ignored when `triangles` is given
+    triangles : at most so many triangles and at least 0.98 times as many, with `open_holes` before the cap is left away; None leaves it to the points
+    tolerance_um : 95 of 100 facets may depart from the fitted surface by so much; ignored when `triangles` is given
     open_holes : leave away the part of the surface that no point supports; the mesh is then not closed
     table_mm : height z of the table that the object stands on; None when nothing is known of one
     seed : of every random choice
-    criterion : what phase two refines by: the ``data_error`` of the publication, or the ``sag`` of the facets
+    criterion : what phase two refines by: the ``data_error`` of the publication, the ``sag`` of the facets, or
+        nothing (``uniform``, to compare with)
     """
 
     triangles: int | None = None

@@ -65,6 +65,7 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
     scale = measure_scale(points, tree, parameters.seed)
     pace.check()
     table = None if parameters.table_mm is None else parameters.table_mm - float(centre[2])
+    aside: tuple[str, ...] = ()
     try:
         balloon = _inflated(points, scale, pace, table)
     except ReconstructionError as error:
@@ -72,6 +73,7 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
             raise
         # Standing it on the table has made a body that no balloon fills: take the shape that the points alone enclose.
         balloon = _inflated(points, scale, pace, None)
+        aside = ("The body that stands on the table could not be filled; the base was closed by what the points alone enclose.",)
 
     pace.enter("refine")
     fit = Refinement(observations, scale, parameters, pace).run(balloon.mesh)
@@ -90,14 +92,15 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
     area = spline.area
     seen = fit.level.observations
     used = np.where(fit.robust > 0.5, seen.counts, 0.0)
-    squares = spline.distances_mm**2 + seen.scatter_along(spline.association.normals)
+    squares = spline.distances_mm**2 + spline.association.spread_mm2 + seen.scatter_along(spline.association.normals)
     within = np.where(fit.supported, area, 0.0)
+    rejected = float(seen.counts[fit.robust <= 0].sum())
     finished = _finished(mesh, fit.supported, uncertainty, centre, parameters)
     pace.centre_mm = None  # the finished mesh stands in the object frame
     seconds = pace.finish()
     report = ReconstructionReport(
         points=len(cloud),
-        outliers_rejected=round(float(seen.counts[fit.robust <= 0].sum())) + accepted.strays,
+        outliers_rejected=round(rejected) + accepted.strays,
         noise_sigma_um=1e3 * fit.noise_mm,
         vertices=len(finished.vertices),
         triangles=len(finished.triangles),
@@ -114,7 +117,7 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
         ),
         seconds=seconds,
         peak_memory_mb=peak_memory_mb(),
-        warnings=accepted.warnings + _warnings(float(within.sum() / area.sum()), float((fit.robust <= 0).mean())),
+        warnings=accepted.warnings + _warnings(float(within.sum() / area.sum()), rejected / float(seen.counts.sum()), parameters.open_holes) + aside,
     )
     pace.report(1.0, finished, force=True)
     return Reconstruction(finished, report)
@@ -178,10 +181,11 @@ def _finished(mesh: TriangleMesh, supported: Mask, uncertainty: Array, centre: A
     return TriangleMesh(finished.vertices[used], renumbered.reshape(-1, 3).astype(np.int64), kept)
 
 
-def _warnings(supported_share: float, rejected_share: float) -> tuple[str, ...]:
+def _warnings(supported_share: float, rejected_share: float, open_holes: bool) -> tuple[str, ...]:
     warnings = []
     if supported_share < 0.98:
-        warnings.append(f"{100 * (1 - supported_share):.0f} % of the surface was not scanned; it is capped and marked as unsupported.")
+        what = "left open" if open_holes else "capped and marked as unsupported"
+        warnings.append(f"{100 * (1 - supported_share):.0f} % of the closed surface was not scanned; it is {what}.")
     if rejected_share > 0.05:
         warnings.append(f"{100 * rejected_share:.0f} % of the points do not belong to the surface and were rejected.")
     return tuple(warnings)

@@ -66,6 +66,9 @@ _SOFT_EDGE = 0.75
 _AT_REST = 0.08
 """The surface is at rest when a step moves it by less than so much of the noise, rms: a quarter of its own error."""
 
+_NOTHING = 1e-4
+"""Of an edge: a step that does not matter, however exact the points are."""
+
 _RESTLESS = 0.25
 _RESTLESS_SHARE = 0.002
 """Vertices that the last step moved by so much of the noise are not at rest; so few of them do not matter any more."""
@@ -74,7 +77,7 @@ _POLISH = 16
 """Most rounds of solving the restless places again; it is over sooner where there are none left."""
 
 _SOFT_AT_REST = 0.01
-"""The same under heavy noise, of which the error is a much smaller part, and where steps are short."""
+"""The same as _AT_REST under heavy noise, of which the error is a much smaller part, and where steps are short."""
 
 _FEW = 8_000
 _CHEAP = 30_000
@@ -179,6 +182,8 @@ class Refinement:
             self._split(fit, most)
         seen = fit.level
         self._see(fit, finest=True)
+        if seen is not fit.level:  # what is rejected or not reached must be told of every point
+            self._improve(fit)
         if as_fine_as_noise:
             self._settle(fit, np.inf, 6, at_rest=_SOFT_AT_REST)
         target = self._target_triangles(fit)
@@ -189,18 +194,19 @@ class Refinement:
             self._draw(fit, target)
             self._hold_tolerance(fit)
         if not as_fine_as_noise and float(np.median(fit.bandwidth_mm)) < _RESOLVED * mean_edge(fit.mesh):
-            if drawn or seen is not fit.level:
+            if drawn:
                 self._improve(fit)
             self._polish(fit, _POLISH)
         fit.mesh = fair_cap(centred_facets(fit.mesh), fit.supported, self._pace.check, rounds=10)
         patient = robust_weights(fit.residuals_mm, fit.level.scale)
         fit.robust = robust_weights(fit.residuals_mm, fit.level.scale, patient=False)
-        fit.unreached = float(((patient > 0.5) & (fit.robust < 0.5)).mean())
+        counts = fit.level.observations.counts
+        fit.unreached = float(counts[(patient > 0.5) & (fit.robust < 0.5)].sum() / counts.sum())
         return fit
 
     def _begin(self, balloon: TriangleMesh) -> Fit:
         wanted = self._parameters.triangles
-        mesh = reduced(balloon, wanted)[0] if wanted is not None and len(balloon.triangles) > wanted else balloon
+        mesh = reduced(balloon, wanted, self._pace.check)[0] if wanted is not None and len(balloon.triangles) > wanted else balloon
         count = len(mesh.vertices)
         bandwidth, settled, share = np.full(count, mean_edge(mesh)), np.zeros(count, bool), np.ones(count)
         none, nowhere = np.zeros(0), np.zeros(0, np.int64)
@@ -231,7 +237,7 @@ class Refinement:
     def _settle(self, fit: Fit, moved_mm: float, most: int, *, at_rest: float = _AT_REST) -> None:
         """Improve until the surface comes to rest, at most so many times."""
         for _ in range(most):
-            if moved_mm < at_rest * fit.noise_mm:
+            if moved_mm < max(at_rest * fit.noise_mm, _NOTHING * mean_edge(fit.mesh)):
                 break
             moved_mm = self._improve(fit)
 
@@ -260,7 +266,7 @@ class Refinement:
         """Improve only where the surface has not come to rest: in slits and at edges, a small part of it."""
         for number in range(rounds):
             self._pace.report(0.8 + 0.2 * number / rounds, fit.mesh if self._pace.wants_preview() else None)
-            restless = fit.moved_mm > _RESTLESS * fit.noise_mm
+            restless = fit.moved_mm > max(_RESTLESS * fit.noise_mm, _NOTHING * mean_edge(fit.mesh))
             share = float(restless.mean())
             if share < _RESTLESS_SHARE:
                 break
@@ -354,7 +360,7 @@ class Refinement:
         fit.mesh, kept = coarsened(fit.mesh, sizes * float(np.sqrt(filled / (EQUILATERAL * target))), self._pace.check)
         self._keep(fit, kept)
         if len(fit.mesh.triangles) > target:
-            fit.mesh, kept = reduced(fit.mesh, target, wanted_sizes(self._parameters.criterion, fit))
+            fit.mesh, kept = reduced(fit.mesh, target, self._pace.check, wanted_sizes(self._parameters.criterion, fit))
             self._keep(fit, kept)
         for _ in range(_MOST_LEVELS):
             if len(fit.mesh.triangles) >= target - 1:

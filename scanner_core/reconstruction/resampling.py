@@ -53,7 +53,7 @@ def split_towards(
         if turn == 0:
             least = down_to * float(np.quantile(excess, 0.9))
         # All edges at once is the uniform 1:4; otherwise only those that are clearly among the longest.
-        enough = excess > max(least, _CLEARLY * float(np.quantile(excess, 0.99))) if missing < len(excess) or least > 0 else excess > 0
+        enough = excess > _CLEARLY * float(np.quantile(excess, 0.99)) if missing < len(excess) else excess > 0
         if least > 0:
             enough = excess > least
         marked = np.zeros(len(excess), bool)
@@ -87,13 +87,14 @@ def coarsened(mesh: TriangleMesh, sizes_mm: Array, check: Callable[[], None]) ->
     return mesh, kept
 
 
-def reduced(mesh: TriangleMesh, triangles: int, sizes: Array | None = None) -> tuple[TriangleMesh, Indices]:
+def reduced(mesh: TriangleMesh, triangles: int, check: Callable[[], None], sizes: Array | None = None) -> tuple[TriangleMesh, Indices]:
     """Collapse the edges that are shortest against their wanted length (v,) until at most so many triangles are left.
 
     Also returns, for each vertex, the one that it continues.
     """
     kept = np.arange(len(mesh.vertices))
     for _ in range(200):
+        check()
         excess = (len(mesh.triangles) - triangles + 1) // 2
         if excess <= 0:
             break

@@ -74,7 +74,7 @@ def test_vertices_that_are_left_continue_one_that_was_there() -> None:
 @pytest.mark.parametrize("triangles", [400, 1001, 5118])
 def test_reduction_meets_a_number(triangles: int) -> None:
     mesh = sphere(10.0, 4)
-    fewer, kept = reduced(mesh, triangles)
+    fewer, kept = reduced(mesh, triangles, lambda: None)
     assert triangles - 2 < len(fewer.triangles) <= triangles
     assert len(kept) == len(fewer.vertices)
     assert_ball(fewer)
