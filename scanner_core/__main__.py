@@ -85,7 +85,7 @@ def _parser() -> argparse.ArgumentParser:
     reconstruct.add_argument("input", metavar="INPUT", help="PLY, XYZ/TXT/CSV/ASC, NPY or a case")
     reconstruct.add_argument("--out", required=True, metavar="MESH", help=".stl .ply .obj .3mf")
     reconstruct.add_argument("--triangles", type=_count, default=None, metavar="N", help="at most N triangles, at least 0.98 N of the closed surface")
-    reconstruct.add_argument("--tolerance-um", type=_positive, default=None, metavar="T", help="keep 95 of 100 facets within T um of the fitted surface")
+    reconstruct.add_argument("--tolerance-um", type=_positive, default=None, metavar="T", help="95 of 100 facets within T um of the fitted surface")
     reconstruct.add_argument("--open-holes", action="store_true", help="leave away what no point supports, instead of capping it")
     reconstruct.add_argument("--units", choices=("mm", "m", "inch"), default="mm", help="of the input's coordinates")
     reconstruct.add_argument("--seed", type=int, default=0, metavar="N")
