@@ -6,7 +6,6 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import sparse
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -51,6 +50,8 @@ class TriangleMesh:
 
     def vertex_normals(self) -> NDArray[np.float64]:
         """Area-weighted unit normals, (v, 3)."""
+        from scipy import sparse  # not at the top: the window stands before scipy is imported
+
         count = len(self.triangles)
         corners = (np.ones(3 * count), self.triangles.ravel(), np.arange(0, 3 * count + 1, 3))
         around = sparse.csr_array(corners, shape=(count, len(self.vertices))).T
