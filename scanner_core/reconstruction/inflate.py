@@ -217,7 +217,6 @@ def inflate_at(region: EnclosedRegion, lengths: EdgeLengths, pace: Pace) -> Ball
     deepest = np.unravel_index(int(np.argmax(depth)), depth.shape)
     centre = grid.origin + grid.voxel_mm * np.array(deepest, float)
     radius = 0.85 * float(depth.max())
-    mesh = icosahedron(centre, 0.3 * radius)
     for size in np.linspace(0.4, 1.0, 4) * radius:
         mesh = icosahedron(centre, float(size))
         pace.report(0.0, mesh, force=True)

@@ -80,6 +80,8 @@ _SOFT_AT_REST = 0.01
 """The same as _AT_REST under heavy noise, of which the error is a much smaller part, and where steps are short."""
 
 _FEW = 8_000
+"""Up to so many triangles another step is wasted: slits are narrower than their edges."""
+
 _CHEAP = 30_000
 """Up to so many triangles another step is cheap: what is found there need not be found on fine levels."""
 

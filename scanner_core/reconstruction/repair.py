@@ -222,7 +222,8 @@ class _Improvement:
         corners = np.unique(t[self.quality < self.least])
         if not len(corners):
             return 0
-        worst = np.minimum.reduceat(self.quality[self._ring(corners)[0]], self._ring(corners)[1])
+        ring, begins, _ = self._ring(corners)
+        worst = np.minimum.reduceat(self.quality[ring], begins)
         order = corners[np.argsort(worst, kind="stable")]
         picked = order[self._independent(order)]
         ring, begins, owner = self._ring(picked)

@@ -7,6 +7,7 @@ import json
 import resource
 import subprocess
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -15,6 +16,7 @@ from hypothesis import strategies as st
 
 from scanner_core.__main__ import main
 from scanner_core.geometry.checks import check_mesh
+from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.mesh_io import read_mesh
 from tests.core.mesh_io.test_hostile_files import damage, damaged
 from tests.core.reconstruction.shapes import impression, sampled
@@ -139,15 +141,15 @@ def test_damaged_files_never_end_in_a_traceback(
     assert not (tmp_path / "a.stl").exists()
 
 
-def _too_sparse(_console: object, cloud: object, parameters: object) -> None:
+def _too_sparse(_console: object, cloud: PointCloud, parameters: object) -> None:
     from scanner_core.errors import ReconstructionError
     from scanner_core.reconstruction.acceptance import accept
 
-    accept(cloud.points, 0, lambda: None)  # type: ignore[attr-defined]
+    accept(cloud.points, 0, lambda: None)
     raise ReconstructionError("E-REC-02", reason="the test takes none")
 
 
-def made(folder: Path, content: bytes, source: str, out: str, *words: object) -> tuple[Outcome, dict[str, object]]:
+def made(folder: Path, content: bytes, source: str, out: str, *words: object) -> tuple[Outcome, dict[str, Any]]:
     (folder / source).write_bytes(content)
     outcome = impronta("reconstruct", folder / source, "--out", folder / out, "--triangles", 2000, "--json", *words)
     assert outcome.code == 0, outcome.err
@@ -157,7 +159,7 @@ def made(folder: Path, content: bytes, source: str, out: str, *words: object) ->
 def test_units_and_their_warning(tmp_path: Path) -> None:
     made(tmp_path, npy(POINTS), "mm.npy", "mm.ply")
     _, values = made(tmp_path, npy(POINTS / 1000), "m.npy", "m.ply", "--units", "m")
-    assert not any("--units" in warning for warning in values["warnings"])  # type: ignore[attr-defined]
+    assert not any("--units" in warning for warning in values["warnings"])
     made(tmp_path, xyz(POINTS / 25.4), "inch.xyz", "inch.ply", "--units", "inch")
     true = read_mesh(tmp_path / "mm.ply")
     for name in ("m.ply", "inch.ply"):
@@ -165,7 +167,7 @@ def test_units_and_their_warning(tmp_path: Path) -> None:
         assert np.array_equal(mesh.triangles, true.triangles)
         assert np.abs(mesh.vertices - true.vertices).max() < 1e-5
     outcome, values = made(tmp_path, npy(POINTS / 1000), "m.npy", "small.ply")
-    assert any("--units m" in warning for warning in values["warnings"])  # type: ignore[attr-defined]
+    assert any("--units m" in warning for warning in values["warnings"])
     assert "--units m" in outcome.err
 
 
@@ -174,10 +176,10 @@ def test_far_from_the_origin(tmp_path: Path) -> None:
     outcome, values = made(tmp_path, npy(POINTS + 1e6), "far.npy", "far.ply")
     near, far = read_mesh(tmp_path / "near.ply"), read_mesh(tmp_path / "far.ply")
     assert np.abs(far.vertices - 1e6 - near.vertices).max() < 1e-5
-    assert any("from the origin" in warning for warning in values["warnings"])  # type: ignore[attr-defined]
+    assert any("from the origin" in warning for warning in values["warnings"])
     assert "from the origin" in outcome.err
     one_sentence(impronta("reconstruct", tmp_path / "far.npy", "--out", tmp_path / "far.stl"), "E-FILE-07")
     assert not (tmp_path / "far.stl").exists()
     outcome, values = made(tmp_path, npy(POINTS + 2e4), "middle.npy", "middle.stl")
-    assert any("STL" in warning for warning in values["warnings"])  # type: ignore[attr-defined]
+    assert any("STL" in warning for warning in values["warnings"])
     assert check_mesh(read_mesh(tmp_path / "middle.stl")).closed

@@ -1,5 +1,8 @@
 from __future__ import annotations
 
+import dataclasses
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -63,5 +66,5 @@ def test_normals_and_bending_of_the_sphere() -> None:
     np.testing.assert_allclose(SPHERE.bending(points), np.sqrt(2) / SPHERE_RADIUS_MM, rtol=1e-3)
 
 
-def _fields(instance: object) -> dict[str, object]:
-    return {name: getattr(instance, name) for name in type(instance).__dataclass_fields__}  # type: ignore[attr-defined]
+def _fields(instance: Any) -> dict[str, object]:
+    return {field.name: getattr(instance, field.name) for field in dataclasses.fields(instance)}
