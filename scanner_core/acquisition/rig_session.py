@@ -122,4 +122,6 @@ def _with_bench(
     # In simulated time a hand-over a frame would cost more than the frame; in real time previews want every frame at once.
     transfer = 8 if isinstance(clock, SteppedClock) else 1
     left, right = bench.camera("left", transfer), bench.camera("right", transfer)
+    for camera, wanted in ((left, config.left), (right, config.right)):
+        camera.exposure_ms, camera.gain_db = wanted.exposure_ms, wanted.gain_db
     return OpenRig(config, left, right, motion, clock, config.calibration, bench, release)

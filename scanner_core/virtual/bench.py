@@ -6,6 +6,7 @@ import threading
 from collections import OrderedDict
 from typing import Literal
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -19,6 +20,7 @@ from scanner_core.virtual.board import BoardRenderer, flat_on_table, operator_po
 from scanner_core.virtual.camera import VirtualCamera
 from scanner_core.virtual.exposure import Exposure, Shutter
 from scanner_core.virtual.image_formation import ImageSensor
+from scanner_core.virtual.mechanics import PlayTimeline, warm_up_px
 from scanner_core.virtual.motion_state import MotionTimeline
 from scanner_core.virtual.presets import VirtualPreset
 from scanner_core.virtual.scene import Scene
@@ -54,7 +56,7 @@ class VirtualBench:
         target: CharucoTarget = DEFAULT_TARGET,
     ) -> None:
         self.preset, self.target, self.seed = preset, target, seed
-        self._clock, self._timeline = clock, timeline
+        self._clock, self._timeline = clock, PlayTimeline(timeline, preset.backlash_deg)
         self._sensors = (ImageSensor(preset, 0, seed), ImageSensor(preset, 1, seed))
         self._renderers = (BoardRenderer(preset, 0, target), BoardRenderer(preset, 1, target))
         self._shutter = Shutter(preset, seed)
@@ -113,10 +115,10 @@ class VirtualBench:
         sensor = self._sensors[index]
         with self._lock:
             if self._board is not None:
-                signal = self._board_signal(index, start_s + 0.5e-3 * exposure_ms)
+                signal = self._drifted(self._board_signal(index, start_s + 0.5e-3 * exposure_ms), index, start_s)
                 return sensor.lit_frame(signal * np.float32(exposure_ms / self.preset.exposure_ms), key, gain)
             spot = self._expose(start_s, exposure_ms).spots[index]
-        return sensor.frame(spot, key, gain)
+        return sensor.frame(spot, key, gain, self.preset.ambient_dn * exposure_ms / self.preset.exposure_ms)
 
     def _expose(self, start_s: float, exposure_ms: float) -> Exposure:
         instant = (start_s, exposure_ms)
@@ -141,6 +143,15 @@ class VirtualBench:
             remembered = (known, self._renderers[index].signal(pose))
             self._board_images[index] = remembered
         return remembered[1]
+
+    def _drifted(self, signal: NDArray[np.float32], index: int, time_s: float) -> NDArray[np.float32]:
+        """The image as the warm camera has it; a few hundredths of a pixel, so that linear interpolation does not blur it."""
+        x, y = warm_up_px(self.preset, index, time_s)
+        if x == y == 0:
+            return signal
+        shift = np.array([[1.0, 0.0, x], [0.0, 1.0, y]])
+        moved = cv2.warpAffine(signal, shift, signal.shape[::-1], flags=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
+        return np.asarray(moved, np.float32)
 
     # ------------------------------------------------------------------------------------------ for tests alone
     def truth_calibration(self) -> StereoCalibration:

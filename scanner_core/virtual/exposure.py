@@ -8,6 +8,7 @@ from math import ceil, hypot, radians
 import numpy as np
 from numpy.typing import NDArray
 
+from scanner_core.virtual.mechanics import warm_up_px
 from scanner_core.virtual.motion_state import MotionInstant, MotionTimeline
 from scanner_core.virtual.presets import VirtualPreset
 from scanner_core.virtual.projection import ImagePoints, StereoProjection
@@ -48,23 +49,34 @@ class Shutter:
         duration_s = 1e-3 * exposure_ms
         middle = timeline.instant(start_s + 0.5 * duration_s)
         instants = self._instants(timeline, middle, start_s, duration_s)
-        lit = [(instant, footprint) for instant in instants if (footprint := scene.light(instant)) is not None]
+        moving = len(instants) > 1
+        lit = []
+        for number, instant in enumerate(instants):
+            footprint = scene.light(instant, number % 2 if moving else None)
+            if footprint is not None:
+                lit.append((instant, footprint))
         if not lit:
             return Exposure((None, None), middle.table_deg)
         level = exposure_ms / self._preset.exposure_ms / len(instants)
-        speckle = self._speckle.at(lit[len(lit) // 2][1].centre)
         points, normals, shares, seen = self._in_table_frame(scene, lit)
-        spots = self._projection.image(points, normals, seen * shares * (level * speckle.fluxes)[:, None], speckle.shifts_mm)
+        # Speckle is fixed to the surface: it changes from instant to instant as the beam moves over it.
+        speckles = [self._speckle.at(footprint.centre) for _, footprint in lit]
+        counts = [len(footprint.points) for _, footprint in lit]
+        fluxes = np.repeat(np.stack([speckle.fluxes for speckle in speckles], axis=1), counts, axis=1)
+        shifts_mm = np.repeat(np.stack([speckle.shifts_mm for speckle in speckles], axis=1), counts, axis=1)
+        drifts_px = [warm_up_px(self._preset, index, start_s) for index in (0, 1)]
+        spots = self._projection.image(points, normals, seen * shares * (level * fluxes), shifts_mm, drifts_px)
         return Exposure(spots, middle.table_deg)
 
     def _instants(self, timeline: MotionTimeline, middle: MotionInstant, start_s: float, duration_s: float) -> list[MotionInstant]:
-        """One instant while the beam stands or creeps, more when it smears the spot by half its sigma or is switched."""
+        """One instant while the beam stands or creeps, else one for every sigma of the beam that it moves; more when it is switched."""
         first, last = timeline.instant(start_s), timeline.instant(start_s + duration_s)
         turn = hypot(last.x_deg - first.x_deg, last.y_deg - first.y_deg)
         smear = radians(turn) * self._preset.distance_mm / self._preset.beam_sigma_mm
-        if smear < 0.5 and first.laser_power == middle.laser_power == last.laser_power:
+        steady = first.laser_power == middle.laser_power == last.laser_power
+        if smear < 0.5 and steady:
             return [middle]
-        count = min(_MOST_INSTANTS, max(3, ceil(smear)))
+        count = min(_MOST_INSTANTS, max(2 if steady else 3, ceil(smear)))
         return [timeline.instant(start_s + duration_s * (i + 0.5) / count) for i in range(count)]
 
     def _in_table_frame(self, scene: Scene, lit: list[tuple[MotionInstant, Footprint]]) -> tuple[Array, Array, Array, NDArray[np.bool_]]:

@@ -25,6 +25,8 @@ _FAINTEST_DN = 1e-2
 """Points with less flux than this are left out."""
 _EDGES = np.arange(8192) - 0.5
 """Left or upper edges of the pixels."""
+_BELOW_SATURATION_DN = 225.0
+"""Brightest pixel over the black level where saturation is switched off: 255 less black level and noise."""
 _NORMALS = 1 << 18
 _POOL_FRAMES = 3
 
@@ -39,21 +41,30 @@ class ImageSensor:
         width, height = self.camera.size_px
         self._pixels = width * height
         self._noise = rng.standard_normal(_POOL_FRAMES * self._pixels, dtype=np.float32)
-        self._dark: dict[float, NDArray[np.uint8]] = {}
+        self._dark: dict[tuple[float, float], NDArray[np.uint8]] = {}
         self._normals = rng.standard_normal(_NORMALS)
 
-    def frame(self, points: ImagePoints | None, key: int, gain: float = 1.0) -> NDArray[np.uint8]:
-        """The frame of an exposure in the dark; `key` chooses its noise, `gain` amplifies (1 = 0 dB)."""
+    def frame(self, points: ImagePoints | None, key: int, gain: float = 1.0, ambient_dn: float = 0.0) -> NDArray[np.uint8]:
+        """The frame of an exposure in the dark.
+
+        Parameters
+        ----------
+        key : chooses its noise
+        gain : amplifies (1 = 0 dB)
+        ambient_dn : room light over the black level at 0 dB, the same all over the frame
+        """
         width, height = self.camera.size_px
         start = self._noise_start(key)
-        image = self._dark_frames(gain)[start : start + self._pixels].reshape(height, width).copy()
+        image = self._dark_frames(gain, ambient_dn)[start : start + self._pixels].reshape(height, width).copy()
         if points is None:
             return image
         for left, top, signal in self.windows(points):
             rows, columns = signal.shape
             start = (key * 40503 + left * 7919 + top) % (_NORMALS - signal.size)
             normal = self._normals[start : start + signal.size].reshape(rows, columns)
-            image[top : top + rows, left : left + columns] = self._digits(signal, normal, gain)
+            if not self._preset.saturates:
+                signal = signal * min(1.0, (_BELOW_SATURATION_DN / gain - ambient_dn) / float(signal.max()))
+            image[top : top + rows, left : left + columns] = self._digits(signal + ambient_dn, normal, gain)
         return image
 
     def lit_frame(self, signal: NDArray[np.float32], key: int, gain: float = 1.0) -> NDArray[np.uint8]:
@@ -76,13 +87,16 @@ class ImageSensor:
     def _noise_start(self, key: int) -> int:
         return key * 2654435761 % ((_POOL_FRAMES - 1) * self._pixels)
 
-    def _dark_frames(self, gain: float) -> NDArray[np.uint8]:
-        """Noise made beforehand; every dark frame is a slice of it."""
-        if gain not in self._dark:
+    def _dark_frames(self, gain: float, ambient_dn: float) -> NDArray[np.uint8]:
+        """Noise made beforehand; every frame without a spot is a slice of it."""
+        key = gain, ambient_dn
+        if key not in self._dark:
             self._dark.clear()
-            level = self._noise * np.float32(gain * self._preset.read_noise_dn) + np.float32(self._preset.black_dn + 0.5)
-            self._dark[gain] = np.clip(level, 0, 255).astype(np.uint8)
-        return self._dark[gain]
+            p = self._preset
+            sd = np.float32(gain * np.sqrt(p.read_noise_dn**2 + ambient_dn / p.electrons_per_dn))
+            level = self._noise * sd + np.float32(gain * ambient_dn + p.black_dn + 0.5)
+            self._dark[key] = np.clip(level, 0, 255).astype(np.uint8)
+        return self._dark[key]
 
     def windows(self, points: ImagePoints) -> list[tuple[int, int, Array]]:
         """Noise-free signal in DN over black: (left, top, (h, w)) for windows inside the image."""

@@ -7,11 +7,13 @@ Positions are in the table frame (see :mod:`scanner_core`).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from scanner_core.errors import UsageError
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.camera_model import CameraModel
 
@@ -57,13 +59,28 @@ class VirtualPreset:
         Share of the fully developed, unpolarized speckle: 1 gives centroid shifts of
         ``0.65 wavelength / (2 pi sin u)`` rms on the surface per camera and axis (Dorsch, Haeusler, Herrmann 1994),
         bounded by the beam's sigma (in quadrature of the reciprocals), and a lognormal flux of contrast
-        ``0.65 / sqrt(speckles in the spot)``; both are fields on the surface with the correlation length
-        ``wavelength R f_number / focal_length``, so they repeat where the beam comes back.
+        ``0.65 / sqrt(speckles in the spot)``; both are fields on the surface, so they repeat where the beam comes back,
+        and a beam that moves by L during the exposure averages over them.  Their correlation length is the beam's own
+        sigma, not the speckles' size: the pattern is fixed to the surface, what changes is the part of it that is lit
+        (``tests/bench/optics/speckle_waves.py`` computes the waves; it finds shifts 0.7 times as large as these).
     surface_um
         rms of the optical surface about the geometric one along the normal (translucence, coating grain), a field with
         a correlation length of `surface_cell_mm`; both cameras see the same.
     specular
         Share of the light that leaves as a mirror reflection and makes a stray spot where it hits again.
+    ambient_dn
+        Room light in the spot's frames over the black level at `exposure_ms` and 0 dB; it brings its own shot noise.
+    saturates
+        Whether the spot may exceed 255 DN; else its light is attenuated so that the brightest pixel stays below (an ideal
+        exposure control).
+    backlash_deg
+        Play of the table's drive: ``true = min(max(true before, reported), reported + backlash)``.
+    warm_up_px, warm_up_s
+        The images of both cameras drift while these get warm: by ``warm_up (1 - exp(-t / warm_up_s))`` along x and y, in
+        opposite directions in the two cameras.
+
+    Not modelled: the coherence of defocused light.  A lens that blurs by defocus spreads the speckles of its aperture, and
+    the centroid's shift grows with the blur; see ``tests/bench/optics/speckle_waves.py``.
     """
 
     name: str
@@ -89,6 +106,11 @@ class VirtualPreset:
     surface_um: float
     surface_cell_mm: float
     specular: float
+    ambient_dn: float
+    backlash_deg: float
+    warm_up_px: tuple[float, float]
+    warm_up_s: float
+    saturates: bool = True
 
     @property
     def beam_sigma_mm(self) -> float:
@@ -101,7 +123,7 @@ class VirtualPreset:
 
     @property
     def speckle_cell_mm(self) -> float:
-        """Correlation length of the speckle on the surface."""
+        """Size of a speckle on the surface: the lens's resolution."""
         return 1e-3 * self.wavelength_um / (2 * self.sin_aperture)
 
     @property
@@ -115,6 +137,55 @@ class VirtualPreset:
         """Relative rms of a spot's flux."""
         speckles = np.pi * (0.5 * self.beam_diameter_mm) ** 2 / self.speckle_cell_mm**2
         return float(self.speckle * 0.65 / np.sqrt(max(1.0, speckles)))
+
+
+    def without(self, *terms: str) -> VirtualPreset:
+        """The same rig with terms of the image model switched off (see :data:`TERMS`).
+
+        Raises
+        ------
+        UsageError
+            E-USE-01 for a term that is not known.
+        """
+        changes: dict[str, Any] = {}
+        for term in terms:
+            if term not in TERMS:
+                raise UsageError("E-USE-01", what=f"The image model has no term '{term}'", do=f"choose from {', '.join(TERMS)}")
+            changes |= TERMS[term]
+        if changes.pop("undistorted", False):
+            changes["cameras"] = tuple(replace(camera, distortion=np.zeros(5)) for camera in self.cameras)
+        if changes.pop("square", False):
+            changes["cameras"] = tuple(_square(camera) for camera in changes.get("cameras", self.cameras))
+        return replace(self, **changes)
+
+
+TERMS: dict[str, dict[str, Any]] = {
+    "speckle": {"speckle": 0.0},
+    "surface": {"surface_um": 0.0},
+    "spot_size": {"beam_diameter_mm": 0.01},
+    "lens_blur": {"lens_sigma_px": (0.01, 0.01)},
+    "defocus": {"defocus_sigma_px": (0.0, 0.0)},
+    "distortion": {"undistorted": True},
+    "non_square_pixels": {"square": True},
+    "shot_noise": {"electrons_per_dn": 1e12},
+    "read_noise": {"read_noise_dn": 0.0},
+    "saturation": {"saturates": False},
+    "stray_light": {"specular": 0.0},
+    "ambient_light": {"ambient_dn": 0.0},
+    "backlash": {"backlash_deg": 0.0},
+    "warm_up": {"warm_up_px": (0.0, 0.0)},
+}
+"""What can be switched off, to see what limits a rig: values of :class:`VirtualPreset` by the term's name."""
+
+GEOMETRIC_TERMS = ("distortion", "non_square_pixels")
+"""Terms that change the cameras: the rig has to be calibrated again."""
+
+
+def _square(camera: CameraModel) -> CameraModel:
+    """The same field of view along x with pixels as high as they are wide; the image has fewer rows for its height."""
+    matrix = camera.matrix.copy()
+    matrix[1, 1] = matrix[0, 0]
+    return replace(camera, matrix=matrix)
 
 
 def look_at(position: ArrayLike, target: ArrayLike) -> RigidTransform:
@@ -186,19 +257,21 @@ def _cameras(
     return cameras[0], cameras[1]
 
 
-_DISTORTIONS = ((-0.112, 0.094, 0.00042, -0.00031, 0.0), (-0.104, 0.081, -0.00035, 0.00047, 0.0))
+_DISTORTIONS = ((-0.112, 0.094, 0.00042, -0.00031, -0.021), (-0.104, 0.081, -0.00035, 0.00047, -0.016))
+"""k1, k2, p1, p2, k3."""
 
 
 def _bench() -> VirtualPreset:
     """604 x 294 pixels of 10 x 15.6 um behind 8.5 mm, R = 435 mm; a slight defocus makes the spot sigma 1.0 x 0.8 px.
 
-    That sigma holds footprint (0.29 x 0.19 px), lens and the pixel's own box (1/sqrt(12) px).
+    That sigma holds footprint (0.29 x 0.19 px), lens and the pixel's own box (1/sqrt(12) px).  The shutters are open for most
+    of a frame's time, under a laser that is attenuated accordingly: a beam that moves meanwhile averages over the speckle.
     """
     return VirtualPreset(
         name="bench",
         cameras=_cameras(435.0, 36.5, (604, 294), (850.0, 545.0), _DISTORTIONS),
         rate_hz=60.0,
-        exposure_ms=2.0,
+        exposure_ms=12.0,
         distance_mm=435.0,
         laser_position_mm=spherical(450.0, 0.0, LASER_ELEVATION_DEG, TARGET) + _LASER_MISPLACED,
         laser_target_mm=np.array(TARGET) + _LASER_MISAIMED,
@@ -218,6 +291,10 @@ def _bench() -> VirtualPreset:
         surface_um=0.0,
         surface_cell_mm=0.3,
         specular=0.02,
+        ambient_dn=1.5,
+        backlash_deg=0.02,
+        warm_up_px=(0.03, 0.02),
+        warm_up_s=900.0,
     )
 
 
@@ -247,27 +324,34 @@ def _paper_2003() -> VirtualPreset:
         surface_um=50.0,
         surface_cell_mm=0.3,
         specular=0.02,
+        ambient_dn=1.5,
+        backlash_deg=0.02,
+        warm_up_px=(0.0, 0.0),  # what the publication reports was measured on a warm rig
+        warm_up_s=900.0,
     )
 
 
 def _workshop() -> VirtualPreset:
-    """A present-day camera: 1440 x 1080 pixels of 3.45 um behind 8 mm, R = 600 mm, half angle 30 deg."""
+    """A present-day camera: 1440 x 1080 pixels of 3.45 um behind 8 mm at f/2, R = 600 mm, half angle 30 deg.
+
+    The fast lens is what the small pixels need: at f/4 speckle alone scatters a sphere by 40 um.
+    """
     return VirtualPreset(
         name="workshop",
         cameras=_cameras(600.0, 30.0, (1440, 1080), (2320.0, 2320.0), _DISTORTIONS),
         rate_hz=60.0,
-        exposure_ms=2.0,
+        exposure_ms=12.0,
         distance_mm=600.0,
         laser_position_mm=spherical(610.0, 0.0, LASER_ELEVATION_DEG, TARGET) + _LASER_MISPLACED,
         laser_target_mm=np.array(TARGET) + _LASER_MISAIMED,
         beam_diameter_mm=0.6,
         beam_nodes=7,
         focal_length_mm=8.0,
-        f_number=4.0,
+        f_number=2.0,
         wavelength_um=0.633,
         lens_sigma_px=(0.5, 0.5),
         defocus_sigma_px=(0.565, 0.565),
-        focus_mm=480.0,
+        focus_mm=523.0,
         peak_dn=198.0,
         electrons_per_dn=40.0,
         read_noise_dn=1.0,
@@ -276,6 +360,10 @@ def _workshop() -> VirtualPreset:
         surface_um=10.0,
         surface_cell_mm=0.3,
         specular=0.02,
+        ambient_dn=1.0,
+        backlash_deg=0.02,
+        warm_up_px=(0.04, 0.04),
+        warm_up_s=900.0,
     )
 
 

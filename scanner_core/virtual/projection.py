@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import hypot
 
@@ -50,14 +51,17 @@ class StereoProjection:
         self._principal = np.stack([camera.matrix[:2, 2] for camera in cameras]).T[:, :, None]
         self._flux = np.array([_frontal_flux(preset, i) for i in (0, 1)])[:, None] * preset.distance_mm**2
 
-    def image(self, points: Array, normals: Array, shares: Array, shifts_mm: Array) -> tuple[ImagePoints | None, ImagePoints | None]:
+    def image(
+        self, points: Array, normals: Array, shares: Array, shifts_mm: Array, drifts_px: Sequence[tuple[float, float]] = ((0.0, 0.0), (0.0, 0.0))
+    ) -> tuple[ImagePoints | None, ImagePoints | None]:
         """Both images of lit points.
 
         Parameters
         ----------
         points, normals : (n, 3) mm, table frame
         shares : (2, n) of the whole beam at the preset's exposure, 0 where the left, right camera does not see the point
-        shifts_mm : (2, 2) displacement of each image (x, y), in mm at the points' depth
+        shifts_mm : (2, n, 2) displacement of every point's image (x, y) in the left, right camera, in mm at its depth
+        drifts_px : displacement of the whole image (x, y) of the left, right camera
 
         Returns
         -------
@@ -74,11 +78,12 @@ class StereoProjection:
         xx, yy, xy = x * x, y * y, 2 * x * y
         r2 = xx + yy
         radial = 1 + r2 * (k1 + r2 * (k2 + r2 * k3))
-        shift = shifts_mm.T[:, :, None] / depth[:, :1]
-        x_px = self._focal[0] * (x * radial + p1 * xy + p2 * (r2 + 2 * xx) + shift[0]) + self._principal[0]
-        y_px = self._focal[1] * (y * radial + p2 * xy + p1 * (r2 + 2 * yy) + shift[1]) + self._principal[1]
+        shift = shifts_mm / depth[:, :, None]
+        x_px = self._focal[0] * (x * radial + p1 * xy + p2 * (r2 + 2 * xx) + shift[:, :, 0]) + self._principal[0]
+        y_px = self._focal[1] * (y * radial + p2 * xy + p1 * (r2 + 2 * yy) + shift[:, :, 1]) + self._principal[1]
         left, right = (
-            ImagePoints(x_px[i], y_px[i], flux[i], lens_sigma_px(self._preset, float(depth[i, 0]))) if flux[i].any() else None for i in (0, 1)
+            ImagePoints(x_px[i] + drift[0], y_px[i] + drift[1], flux[i], lens_sigma_px(self._preset, float(depth[i, 0]))) if flux[i].any() else None
+            for i, drift in enumerate(drifts_px)
         )
         return left, right
 

@@ -52,6 +52,9 @@ class Footprint:
     centre: Array
 
 
+_HEXAGON = 7
+
+
 class Scene:
     """The specimen on the table, under the beam and before the cameras."""
 
@@ -60,8 +63,8 @@ class Scene:
         self._preset = preset
         self._surface = None if specimen is None else _Surface(specimen)
         self._eyes_table = np.stack([camera.centre_mm() for camera in preset.cameras])
-        self._offsets, weights = _beam_nodes(preset)
-        self._weights = weights.tolist()
+        self._nodes = _beam_nodes(preset)
+        self._halves = _half_nodes(self._nodes)
         d = preset.laser_target_mm - preset.laser_position_mm
         self._azimuth, self._elevation = atan2(d[1], d[0]), atan2(d[2], hypot(d[0], d[1]))
         self._at: tuple[float, tuple[Array, Array, Array]] = (nan, (np.eye(3), np.zeros(3), self._eyes_table))
@@ -86,18 +89,23 @@ class Scene:
             self._at = (table_deg, (turn, turn @ self._preset.laser_position_mm, self._eyes_table @ turn.T))
         return self._at[1]
 
-    def light(self, instant: MotionInstant) -> Footprint | None:
-        """The footprint of the beam, or None when it is dark or hits nothing."""
+    def light(self, instant: MotionInstant, part: int | None = None) -> Footprint | None:
+        """The footprint of the beam, or None when it is dark or hits nothing.
+
+        `part` 0 or 1 takes every second node of the beam's outline: of a moving beam two neighbouring instants together
+        sample the profile as well as a standing beam's whole set does, at half the rays.
+        """
         if instant.laser_power <= 0:
             return None
         turn, origin, eyes = self._turned(instant.table_deg)
         beam = self.beam(instant.x_deg, instant.y_deg) @ turn.T
-        return self._footprint(origin + self._offsets @ beam[1:], beam[0], eyes)
+        offsets, weights = self._nodes if part is None else self._halves[part]
+        return self._footprint(origin + offsets @ beam[1:], weights, beam[0], eyes)
 
-    def _footprint(self, starts: Array, direction: Array, eyes: Array) -> Footprint | None:
+    def _footprint(self, starts: Array, weights: Array, direction: Array, eyes: Array) -> Footprint | None:
         points, normals, shares = [], [], []
         towards = direction.tolist()
-        for start, power in zip(starts.tolist(), self._weights, strict=True):
+        for start, power in zip(starts.tolist(), weights.tolist(), strict=True):
             hit = self._first_hit(start, towards)
             if hit is not None:
                 point, normal, albedo = hit
@@ -186,13 +194,25 @@ def _beam_nodes(preset: VirtualPreset) -> tuple[Array, Array]:
 
     Seven nodes, exact to degree 5 (Stroud 1971, E2^r2 5-1: the axis and a hexagon at two sigmas), or a Gauss-Hermite product.
     """
-    if preset.beam_nodes == 7:
+    if preset.beam_nodes == _HEXAGON:
         turn = np.radians([0, 60, 120, 0, 180, 240, 300])
         length = np.array([2.0, 2.0, 2.0, 0.0, 2.0, 2.0, 2.0])[:, None]
-        weights = np.full(7, 1 / 12)
+        weights = np.full(_HEXAGON, 1 / 12)
         weights[3] = 0.5
         return preset.beam_sigma_mm * length * np.c_[np.cos(turn), np.sin(turn)], weights
     x, w = np.polynomial.hermite_e.hermegauss(round(np.sqrt(preset.beam_nodes)))
     w = w / w.sum()
     a, b = np.meshgrid(x, x)
     return preset.beam_sigma_mm * np.c_[a.ravel(), b.ravel()], np.outer(w, w).ravel()
+
+
+def _half_nodes(nodes: tuple[Array, Array]) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
+    """Two sets of nodes that share the axis and have a triangle of the hexagon each; a product rule is not halved."""
+    offsets, weights = nodes
+    if len(weights) != _HEXAGON:
+        return nodes, nodes
+    halves = []
+    for rows in ([0, 2, 3, 5], [1, 4, 3, 6]):  # the axis stays in the middle of the list
+        half = weights[rows] * [2.0, 2.0, 1.0, 2.0]
+        halves.append((offsets[rows], half))
+    return halves[0], halves[1]

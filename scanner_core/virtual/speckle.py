@@ -31,7 +31,7 @@ class SpeckleField:
     """The speckle at every place of the object frame, seeded; see :class:`~scanner_core.virtual.presets.VirtualPreset`."""
 
     def __init__(self, preset: VirtualPreset, seed: int) -> None:
-        self._noise = SpatialNoise(seed, 6, preset.speckle_cell_mm)
+        self._noise = SpatialNoise(seed, 6, preset.beam_sigma_mm)
         self._shift_mm = preset.speckle_shift_mm
         self._log_sigma = float(np.sqrt(np.log1p(preset.speckle_contrast**2)))
 

@@ -77,7 +77,7 @@ def test_an_exposure_is_computed_once_for_both_cameras(ball: Specimen, motion: S
     bench = rig(ball, motion)
     casts = []
     light = Scene.light
-    monkeypatch.setattr(Scene, "light", lambda self, instant: casts.append(instant) or light(self, instant))
+    monkeypatch.setattr(Scene, "light", lambda self, instant, part: casts.append(instant) or light(self, instant, part))
     run(bench, 1)  # the clock moves on between the cameras, so these are two exposures
     assert len(casts) == 2
     casts.clear()

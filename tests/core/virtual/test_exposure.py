@@ -14,7 +14,7 @@ from scanner_core.virtual.scene import Scene
 from scanner_core.virtual.specimens import Specimen
 from tests.core.virtual.conftest import ScriptedMotion
 
-CLEAN = replace(PRESETS["bench"], speckle=0.0, specular=0.0)
+CLEAN = replace(PRESETS["bench"], exposure_ms=2.0, speckle=0.0, specular=0.0, warm_up_px=(0.0, 0.0))
 
 
 def centroid(exposure: Exposure, index: int) -> np.ndarray:
@@ -109,6 +109,31 @@ def test_speckle_moves_the_spot_by_its_rms_and_repeats_at_the_same_place(slab: S
     np.testing.assert_allclose(np.mean(ratios, axis=0), 1, atol=0.05)
     np.testing.assert_allclose(np.std(ratios, axis=0), preset.speckle_contrast, rtol=0.2)
     assert np.abs(np.corrcoef(np.array(shifts).T) - np.eye(4)).max() < 0.25
+
+
+def test_a_beam_that_moves_during_the_exposure_averages_over_the_speckle(slab: Specimen, motion: ScriptedMotion) -> None:
+    """Over three sigmas of the beam the shifts fall to about two thirds; along and across the motion alike."""
+    preset = replace(CLEAN, speckle=1.0)
+    scene = Scene(preset, slab)
+    rough, smooth = Shutter(preset, seed=3), Shutter(CLEAN, seed=3)
+    sd = {}
+    for path_mm in (0.0, 0.45):
+        motion.x_speed_deg_s = float(np.degrees(path_mm / preset.distance_mm)) / 2e-3
+        shifts = []
+        for motion.x_deg in np.linspace(-3, 3, 200):
+            a, b = (shutter.expose(scene, motion, 0.0, 2.0) for shutter in (rough, smooth))
+            shifts.append(np.concatenate([centroid(a, i) - centroid(b, i) for i in (0, 1)]))
+        sd[path_mm] = np.std(shifts, axis=0)
+    assert 0.5 < (sd[0.45] / sd[0.0]).mean() < 0.8
+
+
+def test_a_warm_camera_s_image_has_drifted(slab: Specimen, motion: ScriptedMotion) -> None:
+    preset = replace(CLEAN, warm_up_px=(0.5, -0.2), warm_up_s=100.0)
+    scene, cold, warm = Scene(CLEAN, slab), Shutter(CLEAN, 0), Shutter(preset, 0)
+    for time_s, grown in ((0.0, 0.0), (100.0, 1 - np.exp(-1)), (1e4, 1.0)):
+        a, b = (shutter.expose(scene, motion, time_s, 2.0) for shutter in (cold, warm))
+        np.testing.assert_allclose(centroid(b, 0) - centroid(a, 0), grown * np.array([0.5, -0.2]), atol=1e-9)
+        np.testing.assert_allclose(centroid(b, 1) - centroid(a, 1), -grown * np.array([0.5, -0.2]), atol=1e-9)
 
 
 def test_the_surface_term_moves_both_images_as_one_point_along_the_normal(slab: Specimen, motion: ScriptedMotion) -> None:

@@ -61,11 +61,11 @@ def test_the_bench_s_spot_has_sigma_1_0_by_0_8_px_and_its_peak(index: int) -> No
     axis = camera.rotation[2]
     place = camera.centre_mm() + BENCH.distance_mm * axis
     sensor, projection = ImageSensor(BENCH, index, seed=0), StereoProjection(BENCH)
-    offsets, weights = Scene(BENCH, None)._offsets, np.array(Scene(BENCH, None)._weights)
+    offsets, weights = Scene(BENCH, None)._nodes
     points = place + offsets @ camera.rotation[:2]
     shares = np.zeros((2, len(weights)))
     shares[index] = weights
-    spot = projection.image(points, np.tile(-axis, (len(points), 1)), shares, np.zeros((2, 2)))[index]
+    spot = projection.image(points, np.tile(-axis, (len(points), 1)), shares, np.zeros((2, len(points), 2)))[index]
     assert spot is not None
     image = total(sensor, spot)
     rows, columns = np.indices(image.shape)
@@ -156,3 +156,19 @@ def test_the_middle_of_the_volume_is_seen_upright() -> None:
     right, up = pose.rotate(np.array([[0.0, 1, 0], [0, 0, 1]]))
     assert right[0] == pytest.approx(1)
     assert up[1] < -0.8
+
+
+def test_room_light_adds_a_level_and_its_shot_noise() -> None:
+    preset = replace(BENCH, electrons_per_dn=5.0)
+    sensor = ImageSensor(preset, 0, seed=5)
+    dark, lit = sensor.frame(None, 1), sensor.frame(None, 1, 1.0, 20.0)
+    assert lit.mean() - dark.mean() == pytest.approx(20.0, abs=0.1)
+    assert lit.std() == pytest.approx(np.sqrt(preset.read_noise_dn**2 + 20.0 / 5.0 + 1 / 12), rel=0.02)
+    spot = sensor.frame(one(100.3, 50.7, 800.0), 1, 1.0, 20.0)
+    assert int(spot.max()) - int(sensor.frame(one(100.3, 50.7, 800.0), 1).max()) == pytest.approx(20, abs=8)
+
+
+def test_without_saturation_a_spot_that_is_too_bright_stays_below_full_scale() -> None:
+    bright = one(100.0, 50.0, 6000.0)
+    assert ImageSensor(BENCH, 0, seed=5).frame(bright, 1).max() == 255
+    assert 215 < ImageSensor(BENCH.without("saturation"), 0, seed=5).frame(bright, 1).max() < 255

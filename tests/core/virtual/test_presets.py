@@ -7,9 +7,10 @@ import pytest
 
 from scanner_core.acquisition.aiming import beam_angles, cylinder_outline
 from scanner_core.devices import rig
+from scanner_core.errors import UsageError
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.triangulation import Triangulator
-from scanner_core.virtual.presets import ELEVATION_DEG, PRESETS, TARGET, VirtualPreset, camera_azimuth_deg
+from scanner_core.virtual.presets import ELEVATION_DEG, PRESETS, TARGET, TERMS, VirtualPreset, camera_azimuth_deg
 
 
 def test_there_is_one_for_every_rig_file() -> None:
@@ -69,6 +70,20 @@ def test_speckle_of_the_bench_is_that_of_its_lens() -> None:
     # 0.65 x 0.633 um / (2 pi x 8.5 / (2 x 4 x 435)) = 26.8 um
     assert PRESETS["bench"].speckle_shift_mm == pytest.approx(0.0268, rel=0.02)
     assert PRESETS["bench"].speckle_cell_mm == pytest.approx(0.13, abs=0.001)
+
+
+@pytest.mark.parametrize("preset", PRESETS.values(), ids=PRESETS)
+def test_every_term_can_be_switched_off(preset: VirtualPreset) -> None:
+    for term in TERMS:
+        off = preset.without(term)
+        assert preset.name == off.name
+        assert off.without(term).cameras[0].distortion.tolist() == off.cameras[0].distortion.tolist()
+    bare = preset.without(*TERMS)
+    assert bare.speckle_shift_mm == 0 == bare.surface_um == bare.specular == bare.backlash_deg
+    assert bare.cameras[0].matrix[0, 0] == bare.cameras[0].matrix[1, 1]
+    assert not bare.cameras[1].distortion.any()
+    with pytest.raises(UsageError, match=r"no term 'fog'"):
+        preset.without("fog")
 
 
 @pytest.mark.parametrize("preset", PRESETS.values(), ids=PRESETS)

@@ -11,7 +11,7 @@ from scanner_core.virtual.presets import PRESETS, TARGET
 from scanner_core.virtual.projection import ImagePoints, StereoProjection, lens_sigma_px
 
 BENCH = PRESETS["bench"]
-NO_SHIFT = np.zeros((2, 2))
+NO_SHIFT = np.zeros((2, 1, 2))
 
 
 def flux_of(index: int, point: np.ndarray, normal: np.ndarray) -> float:
@@ -54,7 +54,7 @@ def test_a_surface_that_faces_away_is_dark() -> None:
 def test_a_shift_moves_the_image_by_focal_length_over_depth() -> None:
     projection = StereoProjection(BENCH)
     still = projection.image(np.array([TARGET]), np.array([[1.0, 0, 0]]), np.ones((2, 1)), NO_SHIFT)
-    moved = projection.image(np.array([TARGET]), np.array([[1.0, 0, 0]]), np.ones((2, 1)), np.array([[0.03, 0.0], [0.0, -0.05]]))
+    moved = projection.image(np.array([TARGET]), np.array([[1.0, 0, 0]]), np.ones((2, 1)), np.array([[[0.03, 0.0]], [[0.0, -0.05]]]))
     for a, b, axis, expected in zip(still, moved, (0, 1), (0.03, -0.05), strict=True):
         assert a is not None
         assert b is not None

@@ -57,7 +57,7 @@ def test_beam_axes_are_orthonormal() -> None:
 @pytest.mark.parametrize("nodes", [7, 9, 25])
 def test_the_beam_s_nodes_have_the_moments_of_its_gaussian(nodes: int) -> None:
     scene = Scene(replace(BENCH, beam_nodes=nodes), None)
-    x, y, w = scene._offsets[:, 0], scene._offsets[:, 1], np.array(scene._weights)
+    (x, y), w = scene._nodes[0].T, scene._nodes[1]
     sigma = BENCH.beam_sigma_mm
     assert len(w) == nodes
     for power_x, power_y, moment in [(0, 0, 1), (1, 0, 0), (2, 0, sigma**2), (0, 2, sigma**2), (1, 1, 0), (4, 0, 3 * sigma**4), (2, 2, sigma**4)]:
@@ -93,7 +93,7 @@ def test_hits_and_occlusion_agree_with_the_oracle(ear_impression: Specimen, tabl
         footprint = scene.light(instant)
         assert footprint is not None
         axes = turn.rotate(scene.beam(instant.x_deg, instant.y_deg))
-        starts = pivot + scene._offsets @ axes[1:]
+        starts = pivot + scene._nodes[0] @ axes[1:]
         assert len(footprint.points) == len(starts)
         for i, start in enumerate(starts):
             met = crossings(mesh, start, axes[0])
