@@ -113,6 +113,8 @@ def _command(commands: argparse._SubParsersAction[argparse.ArgumentParser], name
 def _virtual(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--speed", type=_speed, default="max", metavar="1, 5, max", help="of the virtual rig (default max)")
     parser.add_argument("--seed", type=int, default=0, metavar="N", help="of every random choice")
+    without = "terms of the virtual rig's image model to switch off, to see what limits it: speckle, surface, shot_noise, ..."
+    parser.add_argument("--without", type=lambda text: text.split(","), default=[], metavar="TERM,...", help=without)
 
 
 def _speed(text: str) -> float | str:

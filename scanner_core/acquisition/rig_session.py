@@ -18,7 +18,7 @@ from scanner_core.virtual.bench import VirtualBench
 from scanner_core.virtual.firmware import Firmware
 from scanner_core.virtual.firmware_registry import register_firmware, unregister_firmware
 from scanner_core.virtual.motion_state import MotionTimeline
-from scanner_core.virtual.presets import PRESETS
+from scanner_core.virtual.presets import PRESETS, VirtualPreset
 from scanner_core.virtual.specimens import Specimen
 
 _VIRTUAL = "virtual://"
@@ -77,6 +77,7 @@ def open_rig(config: RigConfig, specimen: Specimen | None = None, speed: Speed =
         raise UsageError("E-RIG-01", path=config.name, reason=f"there is no driver for cameras of the kind '{config.left.driver}'")
     if config.virtual not in PRESETS:
         raise UsageError("E-RIG-01", path=config.name, reason=f"'virtual' must be one of {', '.join(PRESETS)}")
+    preset = PRESETS[config.virtual].changed(config.image_model)
     if config.controller.port.lower().startswith(_VIRTUAL):
         clock = make_clock(speed)
         # A name of its own, so that two rigs can be open in one process.
@@ -89,11 +90,11 @@ def open_rig(config: RigConfig, specimen: Specimen | None = None, speed: Speed =
         except BaseException:
             unregister_firmware(name)
             raise
-        return _with_bench(config, motion, clock, firmware, specimen, seed, partial(unregister_firmware, name))
-    return _open_remote(config, specimen, seed)
+        return _with_bench(config, preset, motion, clock, firmware, specimen, seed, partial(unregister_firmware, name))
+    return _open_remote(config, preset, specimen, seed)
 
 
-def _open_remote(config: RigConfig, specimen: Specimen | None, seed: int) -> OpenRig:
+def _open_remote(config: RigConfig, preset: VirtualPreset, specimen: Specimen | None, seed: int) -> OpenRig:
     """A firmware model in a process of its own, reached through the guardian; its side channel tells where the beam is."""
     from scanner_core.virtual.remote_timeline import RemoteTimeline
 
@@ -106,11 +107,12 @@ def _open_remote(config: RigConfig, specimen: Specimen | None, seed: int) -> Ope
     except BaseException:
         timeline.close()
         raise
-    return _with_bench(config, motion, timeline.clock, timeline, specimen, seed, timeline.close)
+    return _with_bench(config, preset, motion, timeline.clock, timeline, specimen, seed, timeline.close)
 
 
 def _with_bench(
     config: RigConfig,
+    preset: VirtualPreset,
     motion: MotionController,
     clock: Clock,
     timeline: MotionTimeline,
@@ -118,7 +120,7 @@ def _with_bench(
     seed: int,
     release: Callable[[], None],
 ) -> OpenRig:
-    bench = VirtualBench(PRESETS[config.virtual or ""], specimen, clock, timeline, seed)
+    bench = VirtualBench(preset, specimen, clock, timeline, seed)
     # In simulated time a hand-over a frame would cost more than the frame; in real time previews want every frame at once.
     transfer = 8 if isinstance(clock, SteppedClock) else 1
     left, right = bench.camera("left", transfer), bench.camera("right", transfer)

@@ -14,7 +14,7 @@ from scanner_core.case.store import CaseStore, Order
 from scanner_core.commands.calibration_report import calibration_json, calibration_summary
 from scanner_core.commands.console import Console
 from scanner_core.commands.reconstructing import reconstruction_summary, run_reconstruction
-from scanner_core.commands.scanning import run_scan, scan_json, scan_summary, sized_for, specimen_on_table
+from scanner_core.commands.scanning import run_scan, scan_json, scan_summary, sized_for, specimen_on_table, without_terms
 from scanner_core.devices.rig import load_preset
 from scanner_core.errors import StorageError, UsageError
 from scanner_core.mesh_io import write_mesh
@@ -26,7 +26,7 @@ CASE, MESHES = "case.impronta", ("mesh.stl", "mesh.ply")
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
-    config = load_preset(given.preset)
+    config = without_terms(load_preset(given.preset), given.without)
     if given.treated and given.specimen != "arch":
         raise UsageError("E-USE-01", what="Only the arch can be scanned after treatment", do="use --specimen arch --treated")
     specimen = specimen_on_table(given, config)

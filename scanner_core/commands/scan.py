@@ -10,13 +10,13 @@ from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.acquisition.status import FinishReason
 from scanner_core.case.store import CaseStore, Order
 from scanner_core.commands.console import Console
-from scanner_core.commands.scanning import run_scan, scan_json, scan_summary, sized_for, specimen_on_table
+from scanner_core.commands.scanning import run_scan, scan_json, scan_summary, sized_for, specimen_on_table, without_terms
 from scanner_core.devices.rig import load_rig_or_preset
 from scanner_core.errors import CalibrationError
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
-    config = load_rig_or_preset(given.rig)
+    config = without_terms(load_rig_or_preset(given.rig), given.without)
     request = PlanRequest() if given.plan is None else read_plan(Path(given.plan))
     specimen = specimen_on_table(given, config) if config.virtual else None
     if config.calibration is None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Sequence
 from dataclasses import replace
 
 from scanner_core.acquisition.plan import PlanRequest
@@ -12,7 +13,17 @@ from scanner_core.acquisition.status import ScanState
 from scanner_core.case.store import CaseStore
 from scanner_core.commands.console import Console
 from scanner_core.devices.rig import RigConfig
+from scanner_core.errors import UsageError
+from scanner_core.virtual.presets import GEOMETRIC_TERMS
 from scanner_core.virtual.specimens import Specimen, check_fits, load_specimen
+
+
+def without_terms(config: RigConfig, terms: Sequence[str]) -> RigConfig:
+    """The virtual rig with terms of its image model switched off; other cameras have no calibration yet."""
+    if terms and config.virtual is None:
+        raise UsageError("E-USE-01", what="Only the virtual rig's image model has terms to switch off", do="leave --without away")
+    changed = config.without(terms)
+    return changed.with_calibration(None) if set(terms) & set(GEOMETRIC_TERMS) else changed
 
 
 def specimen_on_table(given: argparse.Namespace, rig: RigConfig) -> Specimen:

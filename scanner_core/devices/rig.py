@@ -7,6 +7,7 @@ too large.  Nothing is measured with it; points come from the calibration alone.
 from __future__ import annotations
 
 import tomllib
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from importlib import resources
 from pathlib import Path
@@ -79,7 +80,8 @@ class VolumeConfig:
 class RigConfig:
     """Everything that the program knows of a rig.
 
-    `virtual` names the image model of the virtual rig (a preset), or is None for hardware.  `spot` stands in the table
+    `virtual` names the image model of the virtual rig (a preset), or is None for hardware; `image_model` holds what differs
+    from that preset (see :meth:`~scanner_core.virtual.presets.VirtualPreset.changed`).  `spot` stands in the table
     ``[spot]``, which may be absent or hold some keys only: the rest are the detector's defaults.
     """
 
@@ -93,6 +95,14 @@ class RigConfig:
     virtual: str | None = None
     calibration: StereoCalibration | None = None
     spot: SpotDetectorParameters = field(default_factory=SpotDetectorParameters)
+    image_model: Mapping[str, Any] = field(default_factory=dict)
+
+    def without(self, terms: Sequence[str]) -> RigConfig:
+        """The virtual rig with more terms of its image model switched off."""
+        if not terms:
+            return self
+        off = list(dict.fromkeys([*self.image_model.get("without", ()), *terms]))
+        return replace(self, image_model={**self.image_model, "without": off})
 
     def with_calibration(self, calibration: StereoCalibration | None) -> RigConfig:
         return replace(self, calibration=calibration)
@@ -160,6 +170,8 @@ def dump_rig(rig: RigConfig) -> str:
         lines += [
             f"{name} = {_value(getattr(part, name))}" for name in part.__dataclass_fields__ if not (key.startswith("camera") and name == "name")
         ]
+    if rig.image_model:
+        lines += ["", "[image_model]", *(f"{name} = {_value(value)}" for name, value in rig.image_model.items())]
     if rig.calibration is not None:
         lines += ["", *_dump_calibration(rig.calibration)]
     return "\n".join(lines) + "\n"
@@ -177,6 +189,7 @@ def _rig(tree: dict[str, Any]) -> RigConfig:
         virtual=None if tree.get("virtual") is None else str(tree["virtual"]),
         calibration=_calibration(tree["calibration"]) if "calibration" in tree else None,
         spot=SpotDetectorParameters(**tree.get("spot", {})),
+        image_model=dict(tree.get("image_model", {})),
     )
 
 

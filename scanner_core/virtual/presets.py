@@ -7,7 +7,8 @@ Positions are in the table frame (see :mod:`scanner_core`).
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
@@ -158,6 +159,32 @@ class VirtualPreset:
             changes["cameras"] = tuple(_square(camera) for camera in changes.get("cameras", self.cameras))
         return replace(self, **changes)
 
+
+    def changed(self, image_model: Mapping[str, Any]) -> VirtualPreset:
+        """The same rig with what a rig file's table ``[image_model]`` says.
+
+        `image_model` holds numbers of this class by their names, and under ``without`` a list of terms to switch off.
+        The spot's size stays when `f_number` changes: the lens is focused anew.
+
+        Raises
+        ------
+        UsageError
+            E-USE-01 for a name or a value that makes no rig.
+        """
+        numbers = {name: value for name, value in image_model.items() if name != "without"}
+        for name, value in numbers.items():
+            if not isinstance(getattr(self, name, None), float):
+                raise UsageError("E-USE-01", what=f"The image model has no number '{name}'", do=f"choose from {', '.join(_NUMBERS)}")
+            if isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value < 1e9:
+                raise UsageError("E-USE-01", what=f"'{name}' of the image model is {value}", do="choose a number that is not negative")
+        terms = image_model.get("without", ())
+        if not isinstance(terms, list | tuple):
+            raise UsageError("E-USE-01", what="'without' of the image model is no list", do=f"choose from {', '.join(TERMS)}")
+        changes: dict[str, Any] = {name: float(value) for name, value in numbers.items()}
+        return replace(self, **changes).without(*map(str, terms))
+
+
+_NUMBERS = tuple(item.name for item in fields(VirtualPreset) if item.type == "float")
 
 TERMS: dict[str, dict[str, Any]] = {
     "speckle": {"speckle": 0.0},
