@@ -12,6 +12,7 @@ from scanner_core.case.observation import MEASURED, StereoObservation
 from scanner_core.devices.rig import VolumeConfig
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.calibration import StereoCalibration
+from scanner_core.optics.noise_model import CentroidNoise, NoiseModel, along_axes
 from scanner_core.optics.spot import MissReason, Spot, SpotMiss
 from scanner_core.optics.triangulation import EpipolarGate, Triangulator
 
@@ -33,8 +34,10 @@ class StereoPair:
 class StereoEngine:
     """Evaluates pairs in micro-batches.  Stateless between batches."""
 
-    def __init__(self, calibration: StereoCalibration, volume: VolumeConfig) -> None:
+    def __init__(self, calibration: StereoCalibration, volume: VolumeConfig, floor_px: float) -> None:
+        """`floor_px` is what limits a centroid beside its pixels' noise, see :class:`SpotDetectorParameters`."""
         self._calibration = calibration
+        self._noise = NoiseModel.prior(calibration, floor_px)
         self._triangulator = Triangulator(calibration)
         self._gate = EpipolarGate()
         self._volume = volume
@@ -46,11 +49,13 @@ class StereoEngine:
         points = np.empty((0, 3))
         if both:
             spots = [(pairs[i].left, pairs[i].right) for i in both]
-            left = np.array([[a.x_px, a.y_px, a.standard_uncertainty_px] for a, _ in spots if isinstance(a, Spot)])
-            right = np.array([[b.x_px, b.y_px, b.standard_uncertainty_px] for _, b in spots if isinstance(b, Spot)])
-            seen = self._triangulator.triangulate(left[:, :2], right[:, :2], left[:, 2], right[:, 2])
+            left = _numbers([a for a, _ in spots if isinstance(a, Spot)])
+            right = _numbers([b for _, b in spots if isinstance(b, Spot)])
+            pixels = CentroidNoise(along_axes(left[:, 2], left[:, 3:]), along_axes(right[:, 2], right[:, 3:]))
+            left_sigma, right_sigma = self._noise.centroid_sigmas(self._calibration, pixels)
+            seen = self._triangulator.triangulate(left[:, :2], right[:, :2], left_sigma, right_sigma)
             in_object = self._to_object(table_deg).apply(seen.points)
-            matches = self._gate.accepts(seen.epipolar_residual_px, left[:, 2], right[:, 2])
+            matches = self._gate.accepts(seen.epipolar_residual_px, left_sigma, right_sigma)
             inside = np.hypot(in_object[:, 0], in_object[:, 1]) <= self._volume.radius_mm
             inside &= in_object[:, 2] <= self._volume.height_mm
             above = in_object[:, 2] >= TABLE_MM
@@ -70,6 +75,11 @@ class StereoEngine:
 
     def _to_object(self, table_deg: float) -> RigidTransform:
         return self._calibration.rig_to_object(table_deg)
+
+
+def _numbers(spots: Sequence[Spot]) -> NDArray[np.float64]:
+    """x, y, uncertainty, sigma x and sigma y, (n, 5) px."""
+    return np.array([[s.x_px, s.y_px, s.standard_uncertainty_px, s.sigma_x_px, s.sigma_y_px] for s in spots])
 
 
 def _spot(seen: Spot | SpotMiss | None) -> Spot | None:

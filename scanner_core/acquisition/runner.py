@@ -79,7 +79,7 @@ class ScanRunner:
             raise CalibrationError("E-CAL-02")
         self._rig, self._request, self._store, self._on_end = rig, request, store, on_end
         self._calibration = rig.calibration
-        self._engine = StereoEngine(rig.calibration, rig.config.volume)
+        self._engine = StereoEngine(rig.calibration, rig.config.volume, rig.config.spot.floor_px)
         self.live_cloud = PointLog()
         self.previews: dict[str, LatestSlot[Preview]] = {"left": LatestSlot(), "right": LatestSlot()}
         self.result: ScanResult | None = None

@@ -13,19 +13,22 @@ from scanner_core.case.store import CaseStore
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.registration import RegistrationResult, register_views
 from scanner_core.optics.calibration import StereoCalibration
+from scanner_core.optics.noise_model import NoiseModel
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RegisteredViews:
-    """The cloud of all views in the object frame, and how the views were brought together."""
+    """The cloud of all views in the object frame, how the views were brought together, and the noise of the points."""
 
     cloud: PointCloud
     registration: RegistrationResult
+    noise: NoiseModel
 
 
 def register_case(store: CaseStore, scan_id: int, calibration: StereoCalibration) -> RegisteredViews:
     """Register the views of a scan, keep the corrections in the case, and return the merged cloud."""
     table = store.observations(scan_id)
-    registration = register_views(triangulate_observations(table, calibration))
+    registration = register_views(triangulate_observations(table, calibration).cloud)
     store.put_corrections(scan_id, registration.corrections)
-    return RegisteredViews(triangulate_observations(table, calibration, store.corrections(scan_id)), registration)
+    measured = triangulate_observations(table, calibration, store.corrections(scan_id))
+    return RegisteredViews(measured.cloud, registration, measured.noise)

@@ -35,7 +35,10 @@ class StereoObservation:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ObservationTable:
-    """The measured observations of a scan as arrays in the order of their trigger ids; all (n,) or (n, 2)."""
+    """The measured observations of a scan as arrays in the order of their trigger ids; all (n,) or (n, 2).
+
+    The uncertainties are those of the detector, rms over x and y; the sigmas are the spots' sizes.
+    """
 
     trigger_id: NDArray[np.int64]
     view: NDArray[np.int32]
@@ -44,6 +47,8 @@ class ObservationTable:
     right_px: NDArray[np.float64]
     left_uncertainty_px: NDArray[np.float64]
     right_uncertainty_px: NDArray[np.float64]
+    left_sigma_px: NDArray[np.float64]
+    right_sigma_px: NDArray[np.float64]
 
     def __len__(self) -> int:
         return len(self.trigger_id)

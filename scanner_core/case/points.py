@@ -1,12 +1,12 @@
 """Points from what the case kept: 2D centroids, table angles and the calibration.
 
-The points that the runner shows live come from the same function, so a case that is opened again gives the same
-cloud to the last bit.
+A case that is opened again gives the same cloud to the last bit.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -16,20 +16,33 @@ from scanner_core.devices.rig import parse_rig
 from scanner_core.errors import CaseError, CaseFormatError
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.geometry.surface_scatter import excess_scatter_mm
 from scanner_core.optics.calibration import StereoCalibration
+from scanner_core.optics.noise_model import CentroidNoise, NoiseModel, along_axes, fit_centroid_noise
 from scanner_core.optics.triangulation import Triangulator
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MeasuredCloud:
+    """The cloud of a scan, and the noise that its covariances are made of."""
+
+    cloud: PointCloud
+    noise: NoiseModel
 
 
 def triangulate_observations(
     table: ObservationTable, calibration: StereoCalibration, corrections: Mapping[int, RigidTransform] | None = None
-) -> PointCloud:
-    """The cloud in the object frame, with covariances in mm^2.
+) -> MeasuredCloud:
+    """The cloud in the object frame, with covariances in mm^2 by the scan's own residuals (see :mod:`~scanner_core.optics.noise_model`).
 
     Parameters
     ----------
     corrections : the registration's motion of each view (object frame to object frame), or None
     """
-    seen = Triangulator(calibration).triangulate(table.left_px, table.right_px, table.left_uncertainty_px, table.right_uncertainty_px)
+    triangulator = Triangulator(calibration)
+    pixels = CentroidNoise(along_axes(table.left_uncertainty_px, table.left_sigma_px), along_axes(table.right_uncertainty_px, table.right_sigma_px))
+    noise = fit_centroid_noise(triangulator, calibration, table.left_px, table.right_px, pixels)
+    seen = triangulator.triangulate(table.left_px, table.right_px, *noise.centroid_sigmas(calibration, pixels))
     points = np.empty_like(seen.points)
     covariances = np.empty_like(seen.covariances)
     pairs = np.stack([table.view.astype(np.float64), table.table_deg])
@@ -41,7 +54,10 @@ def triangulate_observations(
             transform = corrections[int(view)] @ transform
         points[here] = transform.apply(seen.points[here])
         covariances[here] = transform.rotate_covariances(seen.covariances[here])
-    return PointCloud(points, covariances, table.view.copy(), table.trigger_id.copy())
+    surface_mm = excess_scatter_mm(points, covariances)
+    covariances += surface_mm**2 * np.eye(3)
+    cloud = PointCloud(points, covariances, table.view.copy(), table.trigger_id.copy())
+    return MeasuredCloud(cloud, replace(noise, surface_um=1e3 * surface_mm))
 
 
 def case_calibration(store: CaseStore, calibration_id: str) -> StereoCalibration:
@@ -64,5 +80,5 @@ def case_cloud(store: CaseStore) -> PointCloud:
         if scan.kind == "scan":
             table = store.observations(scan.id)
             if len(table):
-                return triangulate_observations(table, case_calibration(store, scan.calibration_id), store.corrections(scan.id))
+                return triangulate_observations(table, case_calibration(store, scan.calibration_id), store.corrections(scan.id)).cloud
     raise CaseError("E-CASE-05", path=store.path, what="points", do="scan first")

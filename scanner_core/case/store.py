@@ -236,11 +236,12 @@ class CaseStore:
     def observations(self, scan_id: int) -> ObservationTable:
         """The measured observations of a scan in the order of their trigger ids."""
         rows = self._rows(
-            "SELECT trigger_id, view, table_deg, left_x_px, left_y_px, right_x_px, right_y_px, left_u_upx, right_u_upx FROM observation "
+            "SELECT trigger_id, view, table_deg, left_x_px, left_y_px, right_x_px, right_y_px, left_u_upx, right_u_upx, "
+            "left_sx_mpx, left_sy_mpx, right_sx_mpx, right_sy_mpx FROM observation "
             "WHERE scan_id = ? AND verdict = ? ORDER BY trigger_id",
             (scan_id, self._verdicts.get(MEASURED, -1)),
         )
-        table = np.array(rows, np.float64).reshape(-1, 9)
+        table = np.array(rows, np.float64).reshape(-1, 13)
         return ObservationTable(
             trigger_id=table[:, 0].astype(np.int64),
             view=table[:, 1].astype(np.int32),
@@ -249,6 +250,8 @@ class CaseStore:
             right_px=table[:, 5:7].copy(),
             left_uncertainty_px=table[:, 7] * 1e-6,
             right_uncertainty_px=table[:, 8] * 1e-6,
+            left_sigma_px=table[:, 9:11] * 1e-3,
+            right_sigma_px=table[:, 11:13] * 1e-3,
         )
 
     # ------------------------------------------------------------------------------------------ meshes

@@ -52,7 +52,8 @@ class SpotDetectorParameters:
         (clipped at 0)
     shot_dn : 0 to 10 DN; one photoelectron, so that ``var(I) = read noise^2 + shot_dn (I - background)``: 255 DN for a
         full well of 10,000 electrons is 0.0255
-    floor_px : 0 to 1 px; what limits a centroid beside the pixels' noise, added in quadrature.  Speckle moves a centroid by
+    floor_px : 0 to 1 px; what limits a centroid beside the pixels' noise, until the scan's own residuals tell (see
+        :mod:`~scanner_core.optics.noise_model`); not part of a spot's uncertainty.  Speckle moves a centroid by
         0.65 lambda / (2 pi sin u) on the surface (Dorsch, Haeusler & Herrmann, Appl. Opt. 33, 1994), which is
         ``0.65 lambda N / (pi p)`` pixels at f-number N and pixel pitch p whatever the distance: 0.045 px rms over x and y
         at f/4 and 10 x 15.6 um, 0.15 px at 3.45 um
@@ -220,7 +221,7 @@ class SpotDetector:
         noise = max(background.sd_dn, p.read_noise_dn)
         variance = np.where(weight > 0, noise * noise + p.shot_dn * (pixels - background.mean_dn), 0.0)
         from_pixels = 0.5 * (float(variance.sum(axis=0) @ xx) + float(variance.sum(axis=1) @ yy)) / (flux * flux)
-        uncertainty = math.sqrt(from_pixels + p.floor_px * p.floor_px)
+        uncertainty = math.sqrt(from_pixels)
         if p.centroid == "border":
             around = image[top - 1 : top + height + 1, left - 1 : left + width + 1].astype(np.float64)
             cx, cy = _border_centroid(around, max(background.threshold_dn, background.mean_dn + p.border_level * (peak - background.mean_dn)))

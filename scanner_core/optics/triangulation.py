@@ -50,14 +50,19 @@ class EpipolarGate:
     floor_px: float = 0.25
 
     def limit_px(self, left_sigma_px: Array, right_sigma_px: Array) -> Array:
-        """Largest believable ``|epipolar_residual_px|`` of centroids with these standard uncertainties, (n,) each."""
-        pooled = np.sqrt(0.5 * (np.square(left_sigma_px) + np.square(right_sigma_px)))
+        """Largest believable ``|epipolar_residual_px|`` of centroids with these standard uncertainties, (n,) or (n, 2) each."""
+        pooled = np.sqrt(0.5 * (_mean_square(left_sigma_px) + _mean_square(right_sigma_px)))
         return np.asarray(np.maximum(self.sigmas * pooled, self.floor_px), np.float64)
 
     def accepts(self, residual_px: Array, left_sigma_px: Array, right_sigma_px: Array) -> NDArray[np.bool_]:
         """(n,) True where the pair passes; never for an infinite or undefined residual."""
         passed: NDArray[np.bool_] = np.abs(residual_px) <= self.limit_px(left_sigma_px, right_sigma_px)
         return passed
+
+
+def _mean_square(sigma_px: Array) -> Array:
+    square = np.square(sigma_px)
+    return np.asarray(square if square.ndim == 1 else square.mean(axis=1), np.float64)
 
 
 class Triangulator:
@@ -88,7 +93,7 @@ class Triangulator:
         Parameters
         ----------
         left_px, right_px : (n, 2) centroids, px
-        left_sigma_px, right_sigma_px : (n,) standard uncertainty of each of their coordinates, px
+        left_sigma_px, right_sigma_px : standard uncertainties, px; (n, 2) of x and y, or (n,) of each of both
 
         Notes
         -----
@@ -98,18 +103,16 @@ class Triangulator:
         n = len(left_px)
         if n == 0:
             return Triangulated(np.empty((0, 3)), np.empty(0), np.empty((0, 3, 3)))
-        seen = np.ones((5, n))  # normalized x and y of the left, of the right, and 1: long rows, so that each step is one call
-        seen[:2] = self._left.normalize(left_px).T
-        seen[2:4] = self._right.normalize(right_px).T
-        scale = np.empty((2, n))  # depth times standard uncertainty, by camera
-        scale[0], scale[1] = left_sigma_px, right_sigma_px
+        seen = self._seen(left_px, right_px)
+        scale = np.empty((2, 2, n))  # depth times standard uncertainty, by camera and coordinate
+        scale[0], scale[1] = left_sigma_px.T, right_sigma_px.T
 
         with np.errstate(all="ignore"):  # rays that do not meet are answered by NaN below
             depth = self._depths(seen)
-            scale *= depth
+            scale *= depth[:, None]
             rows = seen[:4].reshape(2, 2, 1, n) * self._p3
             rows -= self._p12
-            rows *= (self._focal / scale[:, None])[:, :, None]
+            rows *= (self._focal / scale)[:, :, None]
             rows = rows.reshape(4, 4, n)
             normal = (rows[:, :, None] * rows[:, None]).sum(axis=0)  # (4, 4, n); its last column holds the right-hand side
             inverse = _inverse_symmetric(normal)
@@ -119,6 +122,23 @@ class Triangulator:
             lost = ~((depth > 0).all(axis=0) & np.isfinite(points).all(axis=0))
             points[:, lost], inverse[:, :, lost], residual[lost] = np.nan, np.nan, np.inf
         return Triangulated(np.ascontiguousarray(points.T), residual, np.ascontiguousarray(inverse.transpose(2, 0, 1)))
+
+    def epipolar_residual(self, left_px: Array, right_px: Array) -> Array:
+        """Signed Sampson distances (n,) px of pairs (n, 2) px to the epipolar constraint."""
+        return self._sampson(self._seen(left_px, right_px)) if len(left_px) else np.empty(0)
+
+    def epipolar_sigma(self, left_px: Array, right_px: Array, left_sigma_px: Array, right_sigma_px: Array) -> Array:
+        """Standard deviations (n,) px of the epipolar residuals of pairs whose coordinates have these, (n, 2) px each."""
+        slope = (self._gradient @ self._seen(left_px, right_px))[_SLOPES, :] * self._per_px
+        sigma = np.concatenate([right_sigma_px.T, left_sigma_px.T])
+        return np.asarray(np.sqrt((np.square(slope) * np.square(sigma)).sum(axis=0) / np.square(slope).sum(axis=0)), np.float64)
+
+    def _seen(self, left_px: Array, right_px: Array) -> Array:
+        """Normalized x and y of the left, of the right, and 1, (5, n): long rows, so that each step is one call."""
+        seen = np.ones((5, len(left_px)))
+        seen[:2] = self._left.normalize(left_px).T
+        seen[2:4] = self._right.normalize(right_px).T
+        return seen
 
     def _depths(self, seen: Array) -> Array:
         """Depth in the left and right camera, (2, n) mm: the point of the left ray that the right camera sees best."""

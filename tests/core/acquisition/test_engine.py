@@ -12,7 +12,7 @@ from scanner_core.optics.spot import MissReason, Spot, SpotMiss
 from tests.core.optics.rigs import known_rig
 
 RIG = known_rig()
-ENGINE = StereoEngine(RIG, VolumeConfig(radius_mm=50.0, height_mm=60.0))
+ENGINE = StereoEngine(RIG, VolumeConfig(radius_mm=50.0, height_mm=60.0), 0.05)
 SEEN = Spot(301.0, 146.0, 1.0, 0.8, 200.0, 1500.0, 20, 0.02)
 DARK = SpotMiss(MissReason.NO_SPOT)
 LARGE = SpotMiss(MissReason.TOO_LARGE, 255.0)

@@ -93,14 +93,6 @@ def test_spot_reports_its_shape() -> None:
     assert 20 < found.area_px < 80
 
 
-def test_floor_is_added_in_quadrature() -> None:
-    frame = _frame((300.2, 150.7, 1.2, 150))
-    plain, floored = DETECTOR.detect(frame), SpotDetector(replace(PARAMETERS, floor_px=0.05)).detect(frame)
-    assert isinstance(plain, Spot)
-    assert isinstance(floored, Spot)
-    assert floored.standard_uncertainty_px == pytest.approx(np.hypot(plain.standard_uncertainty_px, 0.05))
-
-
 def _hot_pixel() -> np.ndarray:
     frame = _frame()
     frame[100, 200] = 255
