@@ -135,10 +135,10 @@ def flat_on_table(target: CharucoTarget, table_deg: float) -> RigidTransform:
     return RigidTransform.about_z(table_deg) @ laid @ face_up @ centred
 
 
-def operator_poses(preset: VirtualPreset, target: CharucoTarget, count: int = 24, seed: int = 0) -> list[RigidTransform]:
+def operator_poses(preset: VirtualPreset, target: CharucoTarget, count: int = 24, seed: int = 0, *, whole: bool = False) -> list[RigidTransform]:
     """Board poses (board to table frame) as an operator holds it: through the whole volume, tilted and turned.
 
-    Each camera sees at least half of the board's corners, at less than 62 degrees from its normal.
+    Each camera sees at least half of the board's corners (all of them if `whole`), at less than 62 degrees from its normal.
     """
     rng = np.random.default_rng([seed, 0xB0A2D])
     middle = sum((camera.centre_mm() for camera in preset.cameras), np.zeros(3)) / 2
@@ -151,7 +151,7 @@ def operator_poses(preset: VirtualPreset, target: CharucoTarget, count: int = 24
         tilt = RigidTransform.from_vector(np.radians([*rng.uniform(-32, 32, 2), rng.uniform(-40, 40)]), np.zeros(3))
         rotation = facing @ tilt.rotation
         pose = RigidTransform(rotation, place - rotation @ half)
-        if all(_visible(camera, target, pose) for camera in preset.cameras):
+        if all(_visible(camera, target, pose, 1.0 if whole else 0.5) for camera in preset.cameras):
             poses.append(pose)
     return poses
 
@@ -164,11 +164,11 @@ def _facing(place: Array, eye: Array) -> Array:
     return np.stack([x, np.cross(z, x), z], axis=1)
 
 
-def _visible(camera: CameraModel, target: CharucoTarget, pose: RigidTransform) -> bool:
+def _visible(camera: CameraModel, target: CharucoTarget, pose: RigidTransform, share: float) -> bool:
     points = pose.apply(target.object_points)
     towards = points.mean(axis=0) - camera.centre_mm()
     if pose.rotation[:, 2] @ towards < np.cos(np.radians(62)) * np.linalg.norm(towards):
         return False
     pixels, size = camera.project(points), np.array(camera.size_px)
     inside = ((pixels > 8) & (pixels < size - 9)).all(axis=1)
-    return bool(inside.mean() >= 0.5)
+    return bool(inside.mean() >= share)
