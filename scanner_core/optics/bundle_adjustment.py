@@ -122,6 +122,16 @@ def intrinsics_of(camera: CameraModel) -> Array:
     return np.r_[m[0, 0], m[1, 1], m[0, 2], m[1, 2], camera.distortion]
 
 
+def moved_cameras(left: CameraModel, right: CameraModel, step: Array) -> tuple[CameraModel, CameraModel]:
+    """Both cameras after a small step (24,) of the stereo parameters; the rig frame stays the left camera's."""
+    first, second = (
+        camera_of(intrinsics_of(camera) + step[at : at + INTRINSICS], RigidTransform.identity(), camera.size_px)
+        for camera, at in ((left, 0), (right, INTRINSICS))
+    )
+    turn = RigidTransform.from_vector(step[2 * INTRINSICS : 2 * INTRINSICS + 3], np.zeros(3)).rotation
+    return first, replace(second, rotation=turn @ right.rotation, translation=right.translation + step[2 * INTRINSICS + 3 : STEREO])
+
+
 def adjust(corners: Corners, start: BundleState, used: NDArray[np.bool_], *, with_k3: bool, sigma_px: Array | None = None) -> Bundle:
     """The best values of all unknowns.
 

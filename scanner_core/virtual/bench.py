@@ -63,6 +63,7 @@ class VirtualBench:
         self._sensors = (ImageSensor(preset, 0, seed), ImageSensor(preset, 1, seed))
         self._renderers = (BoardRenderer(preset, 0, target, faults), BoardRenderer(preset, 1, target, faults))
         self._bar_renderers: tuple[BoardRenderer, BoardRenderer] | None = None
+        self._board_lowest_mm = self._renderers[0].errors.lowest_mm()
         self._bar_shown = False
         self._shutter = Shutter(preset, seed)
         self._scene = Scene(preset, specimen)
@@ -154,7 +155,7 @@ class VirtualBench:
             pose = board
         else:
             table_deg = self._timeline.instant(time_s).table_deg
-            known, pose = table_deg, flat_on_table(self.target, table_deg)
+            known, pose = table_deg, flat_on_table(self.target, table_deg, self._board_lowest_mm)
         renderers = self._bar_renderers if self._bar_shown and self._bar_renderers is not None else self._renderers
         remembered = self._board_images.get(index)
         if remembered is None or remembered[0] != known:

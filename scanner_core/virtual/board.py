@@ -124,14 +124,14 @@ class BoardRenderer:
         return self._rays
 
 
-def flat_on_table(target: CharucoTarget, table_deg: float) -> RigidTransform:
+def flat_on_table(target: CharucoTarget, table_deg: float, lowest_mm: float = 0.0) -> RigidTransform:
     """The board's pose when it lies face up on the table, roughly centred and askew, as an operator puts it.
 
-    It is a thin print: its face is at z = 0.
+    It is a thin print that keeps its bend: the lowest point of its face is at z = 0 (see :meth:`PrintErrors.lowest_mm`).
     """
     face_up = RigidTransform(np.diag([1.0, -1.0, -1.0]), np.zeros(3))
     centred = RigidTransform(np.eye(3), -np.array([*(0.5 * np.array(target.size_mm)), 0.0]))
-    laid = RigidTransform(RigidTransform.about_z(94.0).rotation, np.array([3.4, -2.1, 0.0]))
+    laid = RigidTransform(RigidTransform.about_z(94.0).rotation, np.array([3.4, -2.1, -lowest_mm]))
     return RigidTransform.about_z(table_deg) @ laid @ face_up @ centred
 
 

@@ -80,6 +80,11 @@ class PrintErrors:
             dx, dy, bulge = dx + field[..., 0], dy + field[..., 1], bulge + field[..., 2]
         return dx, dy, bulge
 
+    def lowest_mm(self) -> float:
+        """How far the lowest point of the face stands back behind z = 0 (negative) or out of it: there it touches a table."""
+        x, y = np.meshgrid(*(np.linspace(0, size, 25, dtype=np.float32) for size in self._size))
+        return float(self.at(x, y)[2].min())
+
     def marks(self, points: Array) -> Array:
         """Where marks that should be at `points` (n, 3) mm of the board's frame really are, (n, 3) mm."""
         dx, dy, bulge = self.at(points[None, :, 0].astype(np.float32), points[None, :, 1].astype(np.float32))
