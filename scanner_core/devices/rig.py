@@ -13,11 +13,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from scanner_core.errors import UsageError
-from scanner_core.optics.calibration import StereoCalibration, TurntableAxis
+from scanner_core.optics.calibration import VALID_DAYS, ScaleReference, StereoCalibration, TurntableAxis
 from scanner_core.optics.camera_model import CameraModel
 from scanner_core.optics.spot_detection import SpotDetectorParameters
+
+Array = NDArray[np.float64]
 
 PRESETS = ("bench", "paper-2003", "workshop")
 
@@ -213,12 +216,18 @@ def _dump_calibration(calibration: StereoCalibration) -> list[str]:
         f"views = {calibration.views}",
         f"reprojection_rms_px = {calibration.reprojection_rms_px!r}",
         f"held_out_rms_um = {calibration.held_out_rms_um!r}",
+        f"valid_days = {calibration.valid_days!r}",
     ]
+    if calibration.modes is not None:
+        lines += ["modes = [", *(f"  {_value(mode)}," for mode in calibration.modes.tolist()), "]"]
     for name, camera in (("left", calibration.left), ("right", calibration.right)):
         lines += ["", f"[calibration.{name}]", f"size_px = {_value(camera.size_px)}"]
         lines += [f"{key} = {_value(getattr(camera, key).tolist())}" for key in ("matrix", "distortion", "rotation", "translation")]
     lines += ["", "[calibration.turntable]", f"origin = {_value(axis.origin.tolist())}", f"direction = {_value(axis.direction.tolist())}"]
     lines += [f"angle_rms_deg = {axis.angle_rms_deg!r}", f"position_rms_um = {axis.position_rms_um!r}"]
+    if calibration.scale is not None:
+        known = {name: getattr(calibration.scale, name) for name in calibration.scale.__dataclass_fields__}
+        lines += ["", "[calibration.scale]", *(f"{name} = {_value(value)}" for name, value in known.items() if value is not None)]
     return lines
 
 
@@ -245,10 +254,30 @@ def _calibration(tree: dict[str, Any]) -> StereoCalibration:
         views=int(tree["views"]),
         reprojection_rms_px=float(tree["reprojection_rms_px"]),
         held_out_rms_um=float(tree["held_out_rms_um"]),
+        scale=_scale(tree["scale"]) if "scale" in tree else None,
+        modes=_modes(tree["modes"]) if "modes" in tree else None,
+        valid_days=float(tree.get("valid_days", VALID_DAYS)),
     )
     if tree["id"] != calibration.identity():
         raise ValueError("the numbers of the calibration do not match its id: the file was changed by hand")
     return calibration
+
+
+def _modes(rows: list[list[float]]) -> Array:
+    modes = np.array(rows, np.float64)
+    if modes.ndim != 2 or modes.shape[1] != 30 or not np.isfinite(modes).all():
+        raise ValueError("'modes' of a calibration must be rows of 30 finite numbers")
+    return modes
+
+
+def _scale(table: dict[str, Any]) -> ScaleReference:
+    return ScaleReference(
+        source=str(table["source"]),
+        length_mm=float(table["length_mm"]),
+        uncertainty_ppm=float(table["uncertainty_ppm"]),
+        print_scale=float(table["print_scale"]),
+        held_out_ppm=_pair(table["held_out_ppm"]) if "held_out_ppm" in table else None,
+    )
 
 
 def _value(value: object) -> str:

@@ -182,6 +182,8 @@ class VirtualBench:
 class BenchOperator:
     """Shows the board on the virtual bench; see :class:`~scanner_core.optics.calibration_session.BoardOperator`."""
 
+    by_hand = False
+
     def __init__(self, bench: VirtualBench) -> None:
         self._bench = bench
         self._poses: list[RigidTransform] = []
