@@ -17,7 +17,6 @@ Array = NDArray[np.float64]
 Image = NDArray[np.float32]
 
 _GRID = (5, 6)
-_SEED = 20031
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +34,7 @@ class BoardFaults:
     uneven_um : rms of what is left of a sheet on a plate; it varies over a few squares
     scale : size of the print over its nominal size, the same in x and y
     print_um : rms of the ink's place along each axis; it varies over a few squares
+    seed : of the two irregular fields: which board it is
     """
 
     bow_mm: float = 0.3
@@ -42,6 +42,7 @@ class BoardFaults:
     uneven_um: float = 15.0
     scale: float = 1.002
     print_um: float = 8.0
+    seed: int = 20031
 
 
 TYPICAL = BoardFaults()
@@ -59,7 +60,7 @@ class PrintErrors:
     def __init__(self, target: CharucoTarget, faults: BoardFaults = TYPICAL) -> None:
         self.faults = faults
         self._size = np.array(target.size_mm)
-        coarse = np.random.default_rng(_SEED).standard_normal((*_GRID, 3))
+        coarse = np.random.default_rng(faults.seed).standard_normal((*_GRID, 3))
         coarse *= 1e-3 * np.array([faults.print_um, faults.print_um, faults.uneven_um]) / coarse.std(axis=(0, 1))
         self._step = 1.0  # mm between the nodes of the field once it is filled in
         width, height = (int(np.ceil(s / self._step)) + 1 for s in self._size)

@@ -94,3 +94,40 @@ def axis_error(found: StereoCalibration, truth: StereoCalibration) -> tuple[floa
     direction = to_truth.rotate(found.turntable.direction)
     off = np.cross(to_truth.apply(found.turntable.origin) - truth.turntable.origin, true)
     return float(np.degrees(np.arcsin(np.linalg.norm(np.cross(direction, true))))), float(1e3 * np.linalg.norm(off))
+
+
+def largest_cube_mm(truth: StereoCalibration) -> float:
+    """Half the edge of the largest cube, its sides square to the table frame and standing on the table's middle, that both
+    cameras see whole."""
+    to_rig = truth.rig_to_table().inverse()
+    unit = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (0, 2)], float)
+    low, high = 0.0, 1000.0
+    while high - low > 0.5:
+        half = 0.5 * (low + high)
+        corners = to_rig.apply(half * unit)
+        seen = all(
+            ((camera.rotation @ corners.T).T + camera.translation)[:, 2].min() > 1
+            and ((pixels := camera.project(corners)) > 0).all()
+            and (pixels < np.array(camera.size_px) - 1).all()
+            for camera in (truth.left, truth.right)
+        )
+        low, high = (half, high) if seen else (low, half)
+    return low
+
+
+def scale_error_ppm(found: StereoCalibration, truth: StereoCalibration, half_mm: float = 50.0) -> float:
+    """How much too large the calibration measures, in the mean over the volume."""
+    in_table, measured = cube_points(found, truth, half_mm)
+    about = in_table - in_table.mean(axis=0)
+    aligned = fit_rigid(measured, in_table).apply(measured)
+    return float(1e6 * ((about * (aligned - aligned.mean(axis=0))).sum() / (about**2).sum() - 1))
+
+
+def cube_points(found: StereoCalibration, truth: StereoCalibration, half_mm: float) -> tuple[np.ndarray, np.ndarray]:
+    """Points of the cube in the true table frame, and in the found one as perfect images of them are measured, (3000, 3)."""
+    rng = np.random.default_rng(0)
+    in_table = np.c_[rng.uniform(-half_mm, half_mm, (3000, 2)), rng.uniform(0, 2 * half_mm, 3000)]
+    in_rig = truth.rig_to_table().inverse().apply(in_table)
+    sigma = np.ones(len(in_rig))
+    points = Triangulator(found).triangulate(truth.left.project(in_rig), truth.right.project(in_rig), sigma, sigma).points
+    return in_table, found.rig_to_table().apply(points)
