@@ -80,6 +80,11 @@ def _parser() -> argparse.ArgumentParser:
     calibrate.add_argument("--valid-days", type=_positive, default=None, metavar="N", help="how long it may be used (default: as before, else 30)")
     calibrate.add_argument("--seed", type=int, default=0, metavar="N", help="of the virtual rig")
 
+    target = _command(commands, "target", "the calibration board as a page to print at true scale")
+    target.add_argument("--out", required=True, metavar="BOARD.pdf")
+    target.add_argument("--paper", choices=("a4", "letter", "a3"), default="a4", help="landscape (default a4)")
+    target.add_argument("--force", action="store_true", help="overwrite the output")
+
     scan = _command(commands, "scan", "acquire into a new case")
     scan.add_argument("--rig", required=True, metavar="RIG.toml", help="a rig file, or the name of a preset")
     scan.add_argument("--plan", metavar="PLAN.toml", help="views, points, object_radius_mm, object_height_mm")
