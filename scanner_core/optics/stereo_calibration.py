@@ -248,7 +248,7 @@ def _adjust_clean(corners: Corners, start: BundleState) -> tuple[Bundle, NDArray
         seen = np.zeros((2, len(start.rotations)), int)
         np.add.at(seen, (corners.camera[good], corners.view[good]), 1)
         if seen.min() < MIN_CORNERS // 2:
-            raise CalibrationError("E-CAL-01", reason="the views contradict each other: did the board or a camera move?")
+            raise CalibrationError("E-CAL-03", reason="the views contradict each other; did the board or a camera move?")
         used = good
         bundle = adjust(corners, bundle.state, used, with_k3=False)
     without, with_it = (adjust(corners, bundle.state, used, with_k3=k3, sigma_px=bundle.sigma_px).misfit for k3 in (False, True))
