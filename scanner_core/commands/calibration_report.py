@@ -57,9 +57,8 @@ def result_summary(result: CalibrationResult) -> list[str]:
     lines = [f"Accepted on {result.stereo.held_out_views} views that took no part."]
     if scale is not None and scale.held_out_ppm is not None:
         error, uncertainty = (1e-3 * scale.length_mm * ppm for ppm in scale.held_out_ppm)
-        lines.append(
-            f"The bar of {scale.length_mm:.3f} mm, where it took no part, measures {error:+.1f} um too much (standard uncertainty {uncertainty:.1f} um)."
-        )
+        words = f"measures {error:+.1f} um too much (standard uncertainty {uncertainty:.1f} um)"
+        lines.append(f"The bar of {scale.length_mm:.3f} mm, where it took no part, {words}.")
     lines += [*result.findings(), *(f"Warning: {warning}" for warning in result.warnings())]
     if result.change is not None:
         lines.append(result.change.words())

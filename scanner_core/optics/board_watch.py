@@ -32,6 +32,7 @@ NEW_VIEW = 0.02
 WANTED_TILT_DEG = 30.0
 WANTED_DISTANCE = 1.15
 """Farthest over nearest board."""
+_NO_CORNERS = np.empty(0, np.int64)
 _FEW_VIEWS = 4
 """Views before which nothing is known of tilts without an earlier calibration."""
 
@@ -153,13 +154,16 @@ def sighting(seen: BoardView | BoardMiss) -> CameraSighting:
     return CameraSighting(seen.corners, seen.reason) if isinstance(seen, BoardMiss) else CameraSighting(len(seen.ids), None)
 
 
-def judge(left: BoardView | BoardMiss, right: BoardView | BoardMiss, earlier: list[StereoView], width_px: int) -> StereoView | ViewVerdict:
-    """The view, or why it is of no use; `earlier` are the views that it must differ from."""
+def judge(
+    left: BoardView | BoardMiss, right: BoardView | BoardMiss, earlier: list[StereoView], width_px: int, needed: NDArray[np.int64] = _NO_CORNERS
+) -> StereoView | ViewVerdict:
+    """The view, or why it is of no use; `earlier` are the views that it must differ from, `needed` the corners that both must see."""
     missed = [isinstance(seen, BoardMiss) for seen in (left, right)]
     if isinstance(left, BoardMiss) or isinstance(right, BoardMiss):
         return ViewVerdict.MISSED if all(missed) else ViewVerdict.ONE_CAMERA
     view = StereoView(left, right)
-    if len(view.common()[0]) < MIN_CORNERS:
+    ids = view.common()[0]
+    if len(ids) < MIN_CORNERS or not np.isin(needed, ids).all():
         return ViewVerdict.FEW_IN_COMMON
     if any(moved_px(view, other) < NEW_VIEW * width_px for other in earlier):
         return ViewVerdict.TOO_SIMILAR
@@ -203,7 +207,8 @@ class CoverageSoFar:
             matrix, distortion = self.lens.matrix, self.lens.distortion
         elif len(self.views) >= _FEW_VIEWS:
             boards = [points[view.left.ids] for view in self.views]
-            matrix = cv2.initCameraMatrix2D(boards, [view.left.corners_px.astype(np.float32) for view in self.views], self.size_px, 0)
+            seen = [view.left.corners_px.astype(np.float32) for view in self.views]
+            matrix = np.asarray(cv2.initCameraMatrix2D(boards, seen, self.size_px, 0), np.float64)
             distortion = np.zeros(5)
         else:
             return []

@@ -119,7 +119,7 @@ def camera_of(values: Array, pose: RigidTransform, size_px: tuple[int, int]) -> 
 def intrinsics_of(camera: CameraModel) -> Array:
     """The nine intrinsic parameters of a camera."""
     m = camera.matrix
-    return np.r_[m[0, 0], m[1, 1], m[0, 2], m[1, 2], camera.distortion]
+    return np.concatenate([[m[0, 0], m[1, 1], m[0, 2], m[1, 2]], camera.distortion])
 
 
 def moved_cameras(left: CameraModel, right: CameraModel, step: Array) -> tuple[CameraModel, CameraModel]:

@@ -1,6 +1,6 @@
 """What has moved since the previous calibration, and what that does to measured points.
 
-Both calibrations triangulate the same pixels of places all over the volume, at four angles of the table, and the points
+Both calibrations triangulate the same pixels of places all over the volume that both cameras see, at four angles of the table, and the points
 are compared in the object frame.  As a whole the object may be displaced without harm (the datum of a rig is set anew by
 every calibration), so the difference after one rigid alignment of all four views together is what a user would see as a
 changed shape, or as views that no longer fit; it is compared with what both calibrations say of their own uncertainty.
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.calibration import StereoCalibration
-from scanner_core.optics.calibration_uncertainty import displacements, volume_nodes
+from scanner_core.optics.calibration_uncertainty import displacements, seen_nodes
 from scanner_core.optics.triangulation import Triangulator
 
 Array = NDArray[np.float64]
@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 SIGNIFICANT = 3.0
 """Standard uncertainties above which a change is believed."""
 _ANGLES_DEG = (0.0, 90.0, 180.0, 270.0)
-_NODES = (5, 5, 4)
+_NODES = (7, 7, 5)
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,13 +74,12 @@ class CalibrationChange:
 
 def compare_calibrations(previous: StereoCalibration, new: StereoCalibration) -> CalibrationChange:
     """What has moved from `previous` to `new`."""
-    grid = np.stack(np.meshgrid(*volume_nodes(new, _NODES), indexing="ij"), axis=-1).reshape(-1, 3)
+    grid = seen_nodes(new, _NODES)
     in_rig = new.rig_to_table().inverse().apply(grid)
     seen = new.left.project(in_rig), new.right.project(in_rig)
     ones = np.ones(len(grid))
     now, then = (c.rig_to_table().apply(Triangulator(c).triangulate(*seen, ones, ones).points) for c in (new, previous))
-    finite = np.isfinite(then).all(axis=1) & np.isfinite(now).all(axis=1)
-    shift = np.where(finite[:, None], now - then, 0.0)
+    shift = np.nan_to_num(now - then)  # a place that the previous cameras could not have seen
     views, places = _in_views(shift), _in_views(grid)
     shape = _without_rigid(views, places)
     known = [c for c in (new, previous) if c.modes is not None]

@@ -70,4 +70,4 @@ def square_root(covariance: Array) -> Array:
         return rows
     values, vectors = np.linalg.eigh(covariance[np.ix_(known, known)] / np.outer(spread[known], spread[known]))
     rows[:, known] = (vectors * np.sqrt(np.maximum(values, 0.0))).T * spread[known]
-    return rows[values > _NOTHING * values.max()]
+    return np.asarray(rows[values > _NOTHING * values.max()], np.float64)

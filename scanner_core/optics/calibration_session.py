@@ -9,8 +9,11 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
 
 from scanner_core.devices.camera import Camera
 from scanner_core.devices.motion import MotionController
@@ -18,7 +21,7 @@ from scanner_core.errors import CalibrationError
 from scanner_core.jobs.progress import Cancelled, IsCancelled, OnProgress, Progress
 from scanner_core.optics.board import CharucoTarget, LengthBar
 from scanner_core.optics.board_detection import detect_board
-from scanner_core.optics.board_watch import BoardWatch, CoverageSoFar, OnBoardWatch, Phase, ViewVerdict, judge, moved_px, sighting
+from scanner_core.optics.board_watch import BoardWatch, CameraSighting, CoverageSoFar, OnBoardWatch, Phase, ViewVerdict, judge, moved_px, sighting
 from scanner_core.optics.calibration import VALID_DAYS, ScaleReference, StereoCalibration
 from scanner_core.optics.calibration_change import compare_calibrations
 from scanner_core.optics.calibration_modes import joint_modes, stereo_steps
@@ -160,6 +163,15 @@ def run_calibration(
     return session.result(fit, scale, laid, date)
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Shown:
+    """What is before the cameras, and which of its corners both must see (none in particular when empty)."""
+
+    target: CharucoTarget
+    phase: Phase
+    needed: NDArray[np.int64] = field(default_factory=lambda: np.empty(0, np.int64))
+
+
 class _Session:
     """The steps, and what they have in common."""
 
@@ -186,7 +198,7 @@ class _Session:
         for index in range(self.settings.views):
             self._go_on(_SHOW * index / self.settings.views)
             self._operator.show(index, self.settings.views)
-            self._take(self._target, Phase.BOARD, index, self.settings.views, self._covered.views)
+            self._take(_Shown(self._target, Phase.BOARD), index, self.settings.views, self._covered.views)
         self._go_on(_SHOW)
         views = self._covered.views
         if len(views) < MIN_VIEWS and self._misses[ViewVerdict.TOO_SIMILAR.value] > self.settings.views // 2:
@@ -203,7 +215,7 @@ class _Session:
         for index in range(self.settings.bar_views):
             self._go_on(_SHOW + (_BAR - _SHOW) * index / self.settings.bar_views)
             self._operator.show_bar(index, self.settings.bar_views)
-            self._take(bar.plate, Phase.BAR, index, self.settings.bar_views, views)
+            self._take(_Shown(bar.plate, Phase.BAR, np.concatenate(bar.groups())), index, self.settings.bar_views, views)
         try:
             return scale_by_bar(fit, views, bar, self._target)
         except CalibrationError as fault:
@@ -219,7 +231,7 @@ class _Session:
             self._go_on(_FIT + (_TABLE - _FIT) * index / self.settings.table_angles)
             motion.rotate_to(began_deg + 360.0 * index / self.settings.table_angles)
             taken: list[StereoView] = []
-            self._take(self._target, Phase.TABLE, index, self.settings.table_angles, taken, patient=index == 0)
+            self._take(_Shown(self._target, Phase.TABLE), index, self.settings.table_angles, taken, patient=index == 0)
             laid += [TableView(motion.status().table_deg, view) for view in taken]
         motion.rotate_to(began_deg)
         return laid
@@ -258,49 +270,38 @@ class _Session:
         if self._tell is not None:
             self._tell(Progress("calibrate", fraction))
 
-    def _take(self, target: CharucoTarget, phase: Phase, index: int, count: int, taken: list[StereoView], *, patient: bool = True) -> None:
-        """Add a view to `taken`; a person's board is awaited, anything else is looked at once."""
+    def _take(self, what: _Shown, index: int, count: int, taken: list[StereoView], *, patient: bool = True) -> None:
+        """Add a view to `taken`; a person's board is awaited until it is new and at rest, anything else is looked at once."""
         waits = self._operator.by_hand and patient
         before: StereoView | None = None
         for _ in range(PATIENCE_LOOKS if waits else 1):
-            left, right = (detect_board(camera.grab().image, target) for camera in self._cameras)
-            view = judge(left, right, taken, self._cameras[0].size_px[0])
-            if isinstance(view, StereoView) and waits:
-                view, before = (view if before is not None and moved_px(view, before) < STILL_PX else ViewVerdict.MOVING), view
-            elif not isinstance(view, StereoView):
-                before = None
-            if isinstance(view, StereoView):
+            left, right = (detect_board(camera.grab().image, what.target) for camera in self._cameras)
+            judged = judge(left, right, taken, self._cameras[0].size_px[0], what.needed)
+            view = judged if isinstance(judged, StereoView) else None
+            verdict = ViewVerdict.TAKEN if view is not None else judged
+            if view is not None and waits and (before is None or moved_px(view, before) >= STILL_PX):
+                verdict = ViewVerdict.MOVING
+            before = view
+            if view is not None and verdict is ViewVerdict.TAKEN:
                 taken.append(view)
-            verdict = ViewVerdict.TAKEN if isinstance(view, StereoView) else view
-            if self._watch is not None:
-                tilt_deg, distance_mm = self._covered.spread()
-                self._watch(
-                    BoardWatch(
-                        phase,
-                        index,
-                        count,
-                        sighting(left),
-                        sighting(right),
-                        verdict,
-                        self._covered.grid("left"),
-                        self._covered.grid("right"),
-                        tilt_deg,
-                        distance_mm,
-                        self._covered.wishes(tilt_deg, distance_mm) if phase is Phase.BOARD else (),
-                    )
-                )
+            if self._watch is not None and isinstance(verdict, ViewVerdict):
+                self._watch(self._watched(what.phase, index, count, sighting(left), sighting(right), verdict))
             if verdict is ViewVerdict.TAKEN:
                 return
-            if waits:
-                if self._cancelled is not None and self._cancelled():
-                    raise Cancelled
-                continue
-            reasons = {seen.reason.value for seen in (sighting(left), sighting(right)) if seen.reason is not None}
-            self._misses.update(reasons)
-            if verdict is not ViewVerdict.MISSED:
-                self._misses[verdict.value] += 1
+            if waits and self._cancelled is not None and self._cancelled():
+                raise Cancelled
+            if not waits:
+                self._misses.update({seen.reason.value for seen in (sighting(left), sighting(right)) if seen.reason is not None})
+                if isinstance(verdict, ViewVerdict) and verdict is not ViewVerdict.MISSED:
+                    self._misses[verdict.value] += 1
         if waits:
-            raise CalibrationError("E-CAL-01", reason="the board was not seen at rest for a long time")
+            raise CalibrationError("E-CAL-01", reason="no new view of the board at rest for a long time")
+
+    def _watched(self, phase: Phase, index: int, count: int, left: CameraSighting, right: CameraSighting, verdict: ViewVerdict) -> BoardWatch:
+        tilt_deg, distance_mm = self._covered.spread()
+        wishes = self._covered.wishes(tilt_deg, distance_mm) if phase is Phase.BOARD else ()
+        grids = self._covered.grid("left"), self._covered.grid("right")
+        return BoardWatch(phase, index, count, left, right, verdict, *grids, tilt_deg, distance_mm, wishes)
 
     def _with_misses(self, fault: CalibrationError) -> CalibrationError:
         """The same refusal, telling also why views were not used."""

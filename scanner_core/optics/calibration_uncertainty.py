@@ -39,6 +39,17 @@ def volume_nodes(calibration: StereoCalibration, nodes: tuple[int, int, int] = _
     return np.linspace(-side, side, nodes[0]), np.linspace(-side, side, nodes[1]), np.linspace(-_BELOW * distance, _TOP * distance, nodes[2])
 
 
+def seen_nodes(calibration: StereoCalibration, nodes: tuple[int, int, int]) -> Array:
+    """The nodes (n, 3) mm, table frame, of such a grid that both cameras see: nothing is asked of images beyond their borders."""
+    grid = np.stack(np.meshgrid(*volume_nodes(calibration, nodes), indexing="ij"), axis=-1).reshape(-1, 3)
+    in_rig = calibration.rig_to_table().inverse().apply(grid)
+    seen = np.ones(len(grid), bool)
+    for camera in (calibration.left, calibration.right):
+        pixels = camera.project(in_rig)
+        seen &= ((pixels >= 0) & (pixels <= np.array(camera.size_px) - 1)).all(axis=1)
+    return np.asarray(grid[seen], np.float64)
+
+
 def moved_calibration(calibration: StereoCalibration, step: Array) -> StereoCalibration:
     """The calibration with its thirty parameters changed by `step`."""
     left, right = moved_cameras(calibration.left, calibration.right, step[:STEREO])
@@ -73,8 +84,7 @@ def displacements(calibration: StereoCalibration, steps: Array, points: Array) -
 
 def truncated_modes(calibration: StereoCalibration, modes: Array) -> Array:
     """Fewer modes (j, 30) with the same effect on the points of the volume, to :data:`KEPT` of their variance."""
-    grid = np.stack(np.meshgrid(*volume_nodes(calibration, (5, 5, 4)), indexing="ij"), axis=-1).reshape(-1, 3)
-    effect = displacements(calibration, modes, grid).reshape(len(modes), -1)
+    effect = displacements(calibration, modes, seen_nodes(calibration, (7, 7, 5))).reshape(len(modes), -1)
     turn, size, _ = np.linalg.svd(effect, full_matrices=False)
     share = np.cumsum(size**2) / (size**2).sum()
     return np.asarray(turn[:, : int(np.searchsorted(share, KEPT)) + 1].T @ modes, np.float64)

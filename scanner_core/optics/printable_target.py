@@ -63,8 +63,8 @@ def write_target(path: Path, target: CharucoTarget, paper: str = "a4") -> None:
         axes.plot([start + tick] * 2, [line, line - length], color="black", linewidth=0.15 / _MM_PER_POINT, solid_capstyle="butt")
     words = (
         f"ChArUco {target.columns} x {target.rows}, squares of {target.square_mm:g} mm. Print at 100 % (no 'fit to page'); the ruler must measure "
-        f"{RULER_MM:g} mm. Glue the page flat to a stiff plate.\nWith a caliper measure the row of {target.columns} squares, outer edge to outer edge "
-        f"({board_width:g} mm), and give it as --print-width-mm."
+        f"{RULER_MM:g} mm. Glue the page flat to a stiff plate.\n"
+        f"With a caliper measure the row of {target.columns} squares, outer edge to outer edge ({board_width:g} mm), and give it as --print-width-mm."
     )
     axes.text(0.5 * width, _EDGE_MM + 3.0, words, ha="center", va="center", fontsize=2.2 / _MM_PER_POINT, family="DejaVu Sans")
     figure.savefig(path, format="pdf", metadata={"Title": "Impronta calibration target", "CreationDate": None})

@@ -279,7 +279,8 @@ class _Turn:
     def axis(self, p: Array, marks: Array) -> Array:
         """A point of the axis and its direction, (6,); the point is level with the middle of the board's face."""
         direction, place, pose, _ = self.unpack(p)
-        return np.r_[place + float((pose.apply(marks.mean(axis=0)) - place) @ direction) * direction, direction]
+        level = place + float((pose.apply(marks.mean(axis=0)) - place) @ direction) * direction
+        return np.concatenate([level, direction])
 
     def down_to_table_mm(self, p: Array, marks: Array) -> float:
         """From there down to the table, on which the board rests with the lowest point of its border.
@@ -312,7 +313,7 @@ class _Outline:
 
     def points(self, marks: Array) -> Array:
         """(k, 3) mm, board frame."""
-        return np.c_[self._xy, self._continued @ marks[:, 2]]
+        return np.column_stack([self._xy, self._continued @ marks[:, 2]])
 
 
 def _quadratic(xy: Array, target: CharucoTarget) -> Array:

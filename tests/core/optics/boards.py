@@ -8,8 +8,8 @@ from scanner_core.geometry.fitting import fit_rigid
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.board import CharucoTarget
 from scanner_core.optics.board_detection import BoardView
-from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.optics.bundle_adjustment import STEREO
+from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.optics.stereo_calibration import StereoCalibrationFit
 from scanner_core.optics.stereo_view import StereoView
 from scanner_core.optics.triangulation import Triangulator

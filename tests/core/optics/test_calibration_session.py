@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 
 import cv2
@@ -43,7 +42,7 @@ _KNOWN: dict[tuple[int, CharucoTarget], object] = {}
 
 
 @pytest.fixture(autouse=True)
-def detected_once(monkeypatch: pytest.MonkeyPatch, recording: Recording) -> Iterator[None]:
+def detected_once(monkeypatch: pytest.MonkeyPatch, recording: Recording) -> None:
     """A recorded frame is searched for the board once for all tests."""
     recorded = {id(image) for pair in recording.frames.values() for image in pair}
 
@@ -54,7 +53,6 @@ def detected_once(monkeypatch: pytest.MonkeyPatch, recording: Recording) -> Iter
         return _KNOWN[key]
 
     monkeypatch.setattr(calibration_session, "detect_board", detect)
-    yield
 
 
 def calibrate(replay: Replay, settings: CalibrationSettings = SETTINGS, target: CharucoTarget | None = None, **more: object) -> CalibrationResult:
