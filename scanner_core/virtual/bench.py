@@ -58,10 +58,11 @@ class VirtualBench:
         faults: BoardFaults = TYPICAL,
         bar: LengthBar = DEFAULT_BAR,
     ) -> None:
-        self.preset, self.target, self.bar, self.seed = preset, target, bar, seed
+        self.preset, self.target, self.seed = preset, target, seed
         self._clock, self._timeline = clock, timeline
         self._sensors = (ImageSensor(preset, 0, seed), ImageSensor(preset, 1, seed))
         self._renderers = (BoardRenderer(preset, 0, target, faults), BoardRenderer(preset, 1, target, faults))
+        self.bar = bar
         self._bar_renderers: tuple[BoardRenderer, BoardRenderer] | None = None
         self._board_lowest_mm = self._renderers[0].errors.lowest_mm()
         self._bar_shown = False
