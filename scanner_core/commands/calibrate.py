@@ -10,7 +10,7 @@ from scanner_core.acquisition.calibrating import calibrate_rig, default_settings
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
 from scanner_core.commands.calibration_report import calibration_json, calibration_summary, result_json, result_summary
 from scanner_core.commands.console import Console
-from scanner_core.devices.rig import dump_rig, load_rig_or_preset
+from scanner_core.devices.rig import parse_rig, recalibrated, rig_text
 from scanner_core.errors import UsageError
 from scanner_core.files import check_free, replaced_when_whole
 from scanner_core.optics.board import DEFAULT_BAR, DEFAULT_TARGET, CharucoTarget
@@ -18,7 +18,8 @@ from scanner_core.optics.calibration_session import CalibrationSettings
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
-    config = load_rig_or_preset(given.rig)
+    text = rig_text(given.rig)
+    config = parse_rig(text, given.rig)
     out = None if given.out is None else Path(given.out).resolve()
     if out is not None:
         check_free(out, given.force)
@@ -32,7 +33,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
     lines = [calibration_summary(result.calibration), *result_summary(result)]
     if out is not None:
         with replaced_when_whole(out, given.force) as partial:
-            partial.write_text(dump_rig(config.with_calibration(result.calibration)), encoding="utf-8")
+            partial.write_text(recalibrated(text, result.calibration), encoding="utf-8")
         lines.append(f"Written to {out}.")
     console.result(calibration_json(result.calibration) | result_json(result) | {"rig": None if out is None else str(out)}, lines)
     return 0

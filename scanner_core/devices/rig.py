@@ -6,6 +6,7 @@ too large.  Nothing is measured with it; points come from the calibration alone.
 
 from __future__ import annotations
 
+import re
 import tomllib
 from dataclasses import dataclass, field, replace
 from importlib import resources
@@ -166,6 +167,37 @@ def dump_rig(rig: RigConfig) -> str:
     if rig.calibration is not None:
         lines += ["", *_dump_calibration(rig.calibration)]
     return "\n".join(lines) + "\n"
+
+
+def rig_text(name: str) -> str:
+    """The text of a preset by its name, or of a rig file by its path.
+
+    Raises
+    ------
+    UsageError
+        E-RIG-01.
+    """
+    if name in PRESETS:
+        return (resources.files("resources") / "rigs" / f"{name}.toml").read_text(encoding="utf-8")
+    try:
+        return Path(name).read_text(encoding="utf-8")
+    except (OSError, ValueError) as fault:
+        raise UsageError("E-RIG-01", path=name, reason=fault) from fault
+
+
+def recalibrated(text: str, calibration: StereoCalibration) -> str:
+    """A rig file's text with another calibration; all else, with its comments, stays as it was written."""
+    kept: list[str] = []
+    inside = False
+    for line in text.splitlines():
+        header = re.match(r"\s*\[+\s*([^\]\s]+)\s*\]", line)
+        if header is not None and not line.startswith("  "):  # rows of numbers are indented
+            inside = header.group(1).split(".")[0] == "calibration"
+        if not inside or line.lstrip().startswith("#"):
+            kept.append(line)
+    while kept and not kept[-1]:
+        kept.pop()
+    return "\n".join([*kept, "", *_dump_calibration(calibration)]) + "\n"
 
 
 def _rig(tree: dict[str, Any]) -> RigConfig:

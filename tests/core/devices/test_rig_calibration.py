@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from scanner_core.devices.rig import PRESETS, dump_rig, load_preset, parse_rig
+from scanner_core.devices.rig import PRESETS, dump_rig, load_preset, parse_rig, recalibrated, rig_text
 from scanner_core.errors import UsageError
 from scanner_core.optics.calibration import VALID_DAYS, ScaleReference
 from tests.core.optics.rigs import known_rig
@@ -54,6 +54,20 @@ def test_modes_of_another_shape_are_refused(rows: str) -> None:
     text = dump_rig(load_preset("bench").with_calibration(BARE)).replace("views = 20\n", f"views = 20\nmodes = {rows}\n")
     with pytest.raises(UsageError, match="modes"):
         parse_rig(text, "test")
+
+
+def test_a_new_calibration_leaves_comments_and_all_other_tables_as_they_were() -> None:
+    text = "# mine\n" + rig_text("paper-2003").replace("[volume]", "[volume]  # a cylinder")
+    text = text.replace("[calibration]\n", "# measured on a Monday\n[calibration]\n# by hand\n")
+    text += "\n[image_model]\nwithout = ['speckle']  # later table\n"
+    new = recalibrated(text, FULL)
+    for kept in ("# mine", "[volume]  # a cylinder", "# measured on a Monday", "# by hand", "# later table", "# the publication does not state it"):
+        assert new.count(kept) == 1
+    calibration = parse_rig(new, "test").calibration
+    assert calibration is not None
+    assert calibration.identity() == FULL.identity()
+    assert parse_rig(new, "test").spot == load_preset("paper-2003").spot
+    assert recalibrated(new, FULL) == new
 
 
 @pytest.mark.parametrize("name", PRESETS)
