@@ -31,6 +31,7 @@ def result_json(result: CalibrationResult) -> dict[str, object]:
     return {
         "accepted": True,
         "held_out_views": fit.held_out_views,
+        "views_left_out": fit.views_left_out,
         "coverage": round(fit.coverage, 3),
         "corners_left_out": fit.corners_left_out,
         "k3": fit.with_k3,

@@ -24,7 +24,6 @@ from numpy.typing import NDArray
 from scanner_core.errors import CalibrationError
 from scanner_core.geometry.fitting import fit_rigid
 from scanner_core.geometry.rigid import RigidTransform
-from scanner_core.jobs.progress import OnProgress, Progress
 from scanner_core.optics.board import CharucoTarget
 from scanner_core.optics.board_detection import MIN_CORNERS, BoardView
 from scanner_core.optics.bundle_adjustment import STEREO, Bundle, BundleState, Corners, adjust, intrinsics_of
@@ -51,6 +50,8 @@ MAX_SCALE_ERROR = 1e-3
 """Largest deviation of the held-out boards' size from the known one: 30 um on 30 mm."""
 MIN_MOVE_PX = 5.0
 """Views that are closer than this to each other are one view."""
+MAX_VIEWS_LEFT_OUT = 0.2
+"""A hand slips once in a while; if more than a fifth of the views contradict the others, something has moved."""
 _OUTLIER = 6.0
 _OUTLIER_PX = 0.3
 """A corner farther from its place than six times the median, and than 0.3 px, was misread."""
@@ -64,6 +65,7 @@ class StereoCalibrationFit:
     Attributes
     ----------
     views, held_out_views : used in the fit, and kept back
+    views_left_out : in which the board moved between the cameras' exposures, or nothing was read right
     reprojection_rms_px : of the fit, per coordinate
     held_out_rms_um : three-dimensional rms of held-out corners against the board as it was fitted, after rigid alignment;
         it holds the corners' own noise, so the calibration itself is better than this
@@ -81,6 +83,7 @@ class StereoCalibrationFit:
     right: CameraModel
     views: int
     held_out_views: int
+    views_left_out: int
     reprojection_rms_px: float
     held_out_rms_um: float
     held_out_scale: float
@@ -112,9 +115,7 @@ class StereoCalibrationFit:
         )
 
 
-def calibrate_stereo(
-    views: Sequence[StereoView], size_px: tuple[int, int], target: CharucoTarget, *, progress: OnProgress | None = None
-) -> StereoCalibrationFit:
+def calibrate_stereo(views: Sequence[StereoView], size_px: tuple[int, int], target: CharucoTarget) -> StereoCalibrationFit:
     """Intrinsics of both cameras and their relative pose.
 
     Parameters
@@ -142,14 +143,8 @@ def calibrate_stereo(
 
     held_out = usable[HOLD_OUT - 1 :: HOLD_OUT]
     fitted = [view for i, view in enumerate(usable) if i % HOLD_OUT != HOLD_OUT - 1]
-    tell = progress or (lambda _: None)
-    tell(Progress("calibrate", 0.0))
     try:
-        start = _start(fitted, size_px, target)
-        tell(Progress("calibrate", 0.3))
-        if (tilt_deg := _largest_tilt_deg(start.rotations)) < MIN_TILT_DEG:
-            raise CalibrationError("E-CAL-01", reason=f"the board was tilted by only {tilt_deg:.0f} degrees, at least {MIN_TILT_DEG:.0f} are needed")
-        bundle, used, with_k3 = _adjust_clean(Corners.of(fitted), start)
+        bundle, used, with_k3, left_out = _adjust_views(fitted, size_px, target)
     except (cv2.error, np.linalg.LinAlgError) as fault:
         raise CalibrationError("E-CAL-01", reason="the views contradict each other", details=str(fault)) from fault
     left, right = bundle.state.cameras(size_px)
@@ -161,18 +156,18 @@ def calibrate_stereo(
     if rms_px > MAX_REPROJECTION_PX:
         reason = f"the views contradict each other by {rms_px:.2f} px, at most {MAX_REPROJECTION_PX} px are allowed; did the board or a camera move?"
         raise CalibrationError("E-CAL-03", reason=reason)
-    rms_um, scale, pixel_um = _held_out_error(left, right, [view.common() for view in held_out], bundle.state.marks)
+    rms_um, scale, pixel_um, unread = _held_out_error(left, right, [view.common() for view in held_out], bundle.state.marks)
     if not rms_um <= MAX_HELD_OUT_PX * pixel_um:
         reason = f"corners that were not used are {rms_um:.0f} um off, at most {MAX_HELD_OUT_PX * pixel_um:.0f} um are allowed"
         raise CalibrationError("E-CAL-03", reason=reason)
     if abs(scale - 1) > MAX_SCALE_ERROR:
         raise CalibrationError("E-CAL-03", reason=f"boards that were not used measure {100 * (scale - 1):+.2f} % of their size too much")
-    tell(Progress("calibrate", 1.0))
     return StereoCalibrationFit(
         left=left,
         right=right,
-        views=len(fitted),
-        held_out_views=len(held_out),
+        views=len(fitted) - left_out,
+        held_out_views=len(held_out) - unread,
+        views_left_out=left_out + unread,
         reprojection_rms_px=rms_px,
         held_out_rms_um=rms_um,
         held_out_scale=scale,
@@ -233,8 +228,23 @@ def _calibrate_camera(views: Sequence[BoardView], size_px: tuple[int, int], targ
     return CameraModel(np.asarray(matrix, np.float64), _five(distortion), np.eye(3), np.zeros(3), size_px)
 
 
-def _adjust_clean(corners: Corners, start: BundleState) -> tuple[Bundle, NDArray[np.bool_], bool]:
-    """The joint fit without misread corners, which corners took part, and whether k3 did.
+def _adjust_views(views: Sequence[StereoView], size_px: tuple[int, int], target: CharucoTarget) -> tuple[Bundle, NDArray[np.bool_], bool, int]:
+    """The joint fit without views that contradict the others, see :func:`_adjust_clean`, and how many of them were left out."""
+    kept = list(views)
+    while True:
+        start = _start(kept, size_px, target)
+        if (tilt_deg := _largest_tilt_deg(start.rotations)) < MIN_TILT_DEG:
+            raise CalibrationError("E-CAL-01", reason=f"the board was tilted by only {tilt_deg:.0f} degrees, at least {MIN_TILT_DEG:.0f} are needed")
+        adjusted = _adjust_clean(Corners.of(kept), start)
+        if isinstance(adjusted, tuple):
+            return *adjusted, len(views) - len(kept)
+        kept = [view for index, view in enumerate(kept) if index not in adjusted]
+        if len(views) - len(kept) > MAX_VIEWS_LEFT_OUT * len(views):
+            raise CalibrationError("E-CAL-03", reason="the views contradict each other; did the board or a camera move?")
+
+
+def _adjust_clean(corners: Corners, start: BundleState) -> tuple[Bundle, NDArray[np.bool_], bool] | set[int]:
+    """The joint fit without misread corners, which corners took part, and whether k3 did; or the views that contradict the others.
 
     Every round judges all corners anew, for a misread one bends the first fit and makes its neighbours look wrong.
     """
@@ -247,8 +257,8 @@ def _adjust_clean(corners: Corners, start: BundleState) -> tuple[Bundle, NDArray
             break
         seen = np.zeros((2, len(start.rotations)), int)
         np.add.at(seen, (corners.camera[good], corners.view[good]), 1)
-        if seen.min() < MIN_CORNERS // 2:
-            raise CalibrationError("E-CAL-03", reason="the views contradict each other; did the board or a camera move?")
+        if (contradict := seen.min(axis=0) < MIN_CORNERS // 2).any():
+            return set(np.flatnonzero(contradict).tolist())
         used = good
         bundle = adjust(corners, bundle.state, used, with_k3=False)
     without, with_it = (adjust(corners, bundle.state, used, with_k3=k3, sigma_px=bundle.sigma_px).misfit for k3 in (False, True))
@@ -285,14 +295,25 @@ def _largest_tilt_deg(rotations: Array) -> float:
     return float(np.degrees(np.arccos(np.clip(normals @ normals.T, -1, 1))).max())
 
 
-def _held_out_error(left: CameraModel, right: CameraModel, held_out: Sequence[Pair], marks: Array) -> tuple[float, float, float]:
-    """Rms error in um and scale of the held-out boards, and the size of a pixel at their distance in um."""
+def _held_out_error(left: CameraModel, right: CameraModel, held_out: Sequence[Pair], marks: Array) -> tuple[float, float, float, int]:
+    """Rms error in um and scale of the held-out boards, the size of a pixel at their distance in um, and views not judged.
+
+    A single view whose two images do not belong together at all (by its epipolar residuals, which are not what is judged)
+    is left out like a misread corner.
+    """
     triangulator = Triangulator(StereoCalibration(left, right, TurntableAxis(np.zeros(3), np.array([0, -1.0, 0])), "", 0, 0.0, 0.0))
     squares, count, measured, known, depths = 0.0, 0, 0.0, 0.0, []
+    seen = []
     for ids, left_px, right_px in held_out:
         sigma = np.ones(len(ids))
         triangulated = triangulator.triangulate(left_px, right_px, sigma, sigma)
-        epipolar = np.abs(triangulated.epipolar_residual_px)
+        seen.append((ids, triangulated, np.abs(triangulated.epipolar_residual_px)))
+    typical = [float(np.median(epipolar)) for _, _, epipolar in seen]
+    limit = max(_OUTLIER * float(np.median(typical)), _OUTLIER_PX)
+    unread = [index for index, value in enumerate(typical) if value > limit]
+    for index, (ids, triangulated, epipolar) in enumerate(seen):
+        if len(unread) == 1 and index in unread:
+            continue
         read = epipolar <= max(_OUTLIER * float(np.median(epipolar)), _OUTLIER_PX)  # as a scan would reject a misread pair
         found, board = triangulated.points[read], marks[ids[read]]
         laid = fit_rigid(found, board).apply(found)
@@ -303,4 +324,4 @@ def _held_out_error(left: CameraModel, right: CameraModel, held_out: Sequence[Pa
         known += float(np.sum(about * about))
         depths.append(float(found[:, 2].mean()))
     pixel_um = 1e3 * float(np.mean(depths)) / min(left.matrix[0, 0], left.matrix[1, 1])
-    return 1e3 * float(np.sqrt(squares / count)), measured / known, pixel_um
+    return 1e3 * float(np.sqrt(squares / count)), measured / known, pixel_um, int(len(unread) == 1)

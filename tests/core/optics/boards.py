@@ -40,6 +40,7 @@ def known_fit(calibration: StereoCalibration, marks: np.ndarray = TARGET.object_
         right=calibration.right,
         views=20,
         held_out_views=5,
+        views_left_out=0,
         reprojection_rms_px=0.0,
         held_out_rms_um=0.0,
         held_out_scale=1.0,

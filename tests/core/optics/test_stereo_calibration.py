@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from scanner_core.errors import CalibrationError
-from scanner_core.jobs.progress import Progress
 from scanner_core.optics.board_detection import BoardView
 from scanner_core.optics.stereo_calibration import StereoView, calibrate_stereo
 from tests.core.optics.boards import TARGET, bent, shown, volume_error_um
@@ -49,12 +48,14 @@ def test_misread_corners_are_left_out() -> None:
     assert volume_error_um(fit.with_turntable(TRUTH.turntable, ""), TRUTH)[0] < 10
 
 
-def test_progress_runs_from_nothing_to_all() -> None:
-    told: list[Progress] = []
-    calibrate_stereo(shown(TRUTH, 10, 0.02, seed=5), SIZE, TARGET, progress=told.append)
-    fractions = [progress.fraction for progress in told]
-    assert fractions == sorted(fractions)
-    assert (fractions[0], fractions[-1]) == (0.0, 1.0)
+@pytest.mark.parametrize("slipped", [7, 14], ids=["fitted", "held out"])
+def test_a_view_in_which_the_board_slipped_is_left_out(slipped: int) -> None:
+    views = shown(TRUTH, 20, 0.02, seed=19)
+    views[slipped].right.corners_px[:] += [2.5, 3.0]
+    fit = calibrate_stereo(views, SIZE, TARGET)
+    assert fit.views_left_out == 1
+    assert fit.views + fit.held_out_views == 19
+    assert volume_error_um(fit.with_turntable(TRUTH.turntable, ""), TRUTH)[0] < 10
 
 
 def _refused(views: list[StereoView], code: str, words: str) -> None:
