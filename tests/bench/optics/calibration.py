@@ -25,11 +25,10 @@ from scanner_core.clock import SteppedClock
 from scanner_core.errors import CalibrationError
 from scanner_core.optics.board import DEFAULT_BAR, DEFAULT_TARGET, LengthBar
 from scanner_core.optics.calibration_session import CalibrationSettings, run_calibration
-from scanner_core.optics.calibration_uncertainty import systematic_covariance
 from scanner_core.virtual.bench import VirtualBench
 from scanner_core.virtual.presets import PRESETS
 from scanner_core.virtual.print_errors import BoardFaults
-from tests.core.optics.boards import axis_error, cube_points, largest_cube_mm, scale_error_ppm, volume_error_um
+from tests.core.optics.boards import axis_error, calibration_z, largest_cube_mm, scale_error_ppm, volume_error_um
 from tests.core.optics.tables import Table
 
 
@@ -53,11 +52,7 @@ def measure(preset: str, seed: int) -> dict[str, float]:
     )
     spent_s = time.process_time() - began_s
     found, truth = result.calibration, bench.truth_calibration()
-    in_table, measured = cube_points(found, truth, 50.0)
-    error = measured - in_table
-    error[:, 2] -= error[:, 2].mean()
-    predicted = systematic_covariance(found, found.rig_to_table().inverse().apply(measured))
-    z = error / np.sqrt(np.einsum("nii->ni", predicted))
+    z = calibration_z(found, truth)
     angle_deg, off_um = axis_error(found, truth)
     return {
         "cube": volume_error_um(found, truth)[0],

@@ -10,6 +10,7 @@ from scanner_core.optics.board import CharucoTarget
 from scanner_core.optics.board_detection import BoardView
 from scanner_core.optics.bundle_adjustment import STEREO
 from scanner_core.optics.calibration import StereoCalibration
+from scanner_core.optics.calibration_uncertainty import displacements
 from scanner_core.optics.stereo_calibration import StereoCalibrationFit
 from scanner_core.optics.stereo_view import StereoView
 from scanner_core.optics.triangulation import Triangulator
@@ -162,6 +163,21 @@ def scale_error_ppm(found: StereoCalibration, truth: StereoCalibration, half_mm:
     about = in_table - in_table.mean(axis=0)
     aligned = fit_rigid(measured, in_table).apply(measured)
     return float(1e6 * ((about * (aligned - aligned.mean(axis=0))).sum() / (about**2).sum() - 1))
+
+
+def calibration_z(found: StereoCalibration, truth: StereoCalibration, half_mm: float = 50.0) -> np.ndarray:
+    """Errors of every tenth point of the cube in the table frame, (300, 3), over the standard uncertainties that the
+    calibration's modes predict for them.
+
+    The height of the table, a datum that moves all points alike, is taken out of both.
+    """
+    in_table, measured = cube_points(found, truth, half_mm)
+    error = (measured - in_table)[::10]
+    assert found.modes is not None
+    moved = displacements(found, found.modes, measured[::10])
+    error[:, 2] -= error[:, 2].mean()
+    moved[:, :, 2] -= moved[:, :, 2].mean(axis=1, keepdims=True)
+    return error / np.sqrt((moved**2).sum(axis=0))
 
 
 def cube_points(found: StereoCalibration, truth: StereoCalibration, half_mm: float) -> tuple[np.ndarray, np.ndarray]:

@@ -18,7 +18,7 @@ from scanner_core.optics.calibration_uncertainty import (
 )
 from scanner_core.optics.stereo_calibration import calibrate_stereo
 from scanner_core.optics.turntable_calibration import calibrate_turntable
-from tests.core.optics.boards import TARGET, bent, cube_points, laid, shown
+from tests.core.optics.boards import TARGET, bent, calibration_z, laid, shown
 from tests.core.optics.rigs import known_rig
 
 TRUTH = known_rig()
@@ -36,14 +36,7 @@ def calibrated(seed: int, noise_px: float = 0.05) -> StereoCalibration:
 
 def test_errors_of_points_are_as_large_as_predicted() -> None:
     """Rms over four calibrations and all points of the cube; neighbours share their error, so the bounds are wide."""
-    z = []
-    for seed in range(4):
-        found = calibrated(seed)
-        in_table, measured = cube_points(found, TRUTH, 50.0)
-        error = (measured - in_table)[::10]
-        error[:, 2] -= error[:, 2].mean()  # the table's height is a datum
-        variance = np.einsum("nii->ni", systematic_covariance(found, found.rig_to_table().inverse().apply(measured[::10])))
-        z.append(error / np.sqrt(variance))
+    z = [calibration_z(calibrated(seed), TRUTH) for seed in range(4)]
     assert 0.55 < np.sqrt(np.mean(np.square(z))) < 1.6
 
 
@@ -70,7 +63,7 @@ def test_covariance_between_the_nodes_is_that_of_the_place_itself() -> None:
     assert calibration.modes is not None
     moved = displacements(calibration, calibration.modes, points)
     exact = np.einsum("kni,knj->nij", moved, moved)
-    tabulated = CalibrationUncertainty(calibration).covariances(calibration.rig_to_table().inverse().apply(points))
+    tabulated = systematic_covariance(calibration, calibration.rig_to_table().inverse().apply(points))
     assert np.linalg.norm(tabulated - exact, axis=(1, 2)).max() < 0.1 * np.linalg.norm(exact, axis=(1, 2)).mean()
     np.testing.assert_allclose(tabulated, tabulated.transpose(0, 2, 1))
     assert np.linalg.eigvalsh(tabulated).min() > -1e-12
