@@ -66,11 +66,24 @@ def _parser() -> argparse.ArgumentParser:
     demo.add_argument("--force", action="store_true", help="overwrite results that are there")
     _virtual(demo)
 
-    calibrate = _command(commands, "calibrate", "stereo and turntable axis from ChArUco views")
+    calibrate = _command(commands, "calibrate", "stereo, scale and turntable axis from ChArUco views and a known length")
     calibrate.add_argument("--rig", required=True, metavar="RIG.toml", help="a rig file, or the name of a preset")
     calibrate.add_argument("--out", metavar="RIG.toml", help="the rig with its new calibration (default: report only)")
     calibrate.add_argument("--force", action="store_true", help="overwrite a rig file that is there")
+    calibrate.add_argument("--length-mm", type=_positive, default=None, metavar="L", help="certified length of the length bar (virtual rig: 150)")
+    calibrate.add_argument("--no-length", action="store_true", help="there is no length bar: the scale stays unverified")
+    calibrate.add_argument(
+        "--print-width-mm", type=_positive, default=None, metavar="W", help="measured width of the printed row of squares; it sets the scale"
+    )
+    calibrate.add_argument("--square-mm", type=_positive, default=None, metavar="S", help="nominal size of the board's squares (default 25)")
+    calibrate.add_argument("--thickness-mm", type=_length, default=0.0, metavar="T", help="of the board, from the table to its printed face")
+    calibrate.add_argument("--valid-days", type=_positive, default=None, metavar="N", help="how long it may be used (default: as before, else 30)")
     calibrate.add_argument("--seed", type=int, default=0, metavar="N", help="of the virtual rig")
+
+    target = _command(commands, "target", "the calibration board as a page to print at true scale")
+    target.add_argument("--out", required=True, metavar="BOARD.pdf")
+    target.add_argument("--paper", choices=("a4", "letter", "a3"), default="a4", help="landscape (default a4)")
+    target.add_argument("--force", action="store_true", help="overwrite the output")
 
     scan = _command(commands, "scan", "acquire into a new case")
     scan.add_argument("--rig", required=True, metavar="RIG.toml", help="a rig file, or the name of a preset")
@@ -137,6 +150,13 @@ def _positive(text: str) -> float:
     value = float(text)
     if not 0 < value < 1e9:
         raise argparse.ArgumentTypeError("must be a positive number")
+    return value
+
+
+def _length(text: str) -> float:
+    value = float(text)
+    if not 0 <= value < 1e3:
+        raise argparse.ArgumentTypeError("must be a length in millimetres")
     return value
 
 

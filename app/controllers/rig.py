@@ -185,7 +185,7 @@ class RigController(QObject):
 
         try:
             watched = replace(rig, left=self._tapped(rig.left), right=self._tapped(rig.right))
-            calibration = calibrate_rig(watched, progress=tell, cancelled=self._cancel_calibration.is_set)
+            calibration = calibrate_rig(watched, progress=tell, cancelled=self._cancel_calibration.is_set).calibration
             rig.calibration = calibration
             rig.config = rig.config.with_calibration(calibration)
             self._background.post(partial(self._calibrated, rig.config))

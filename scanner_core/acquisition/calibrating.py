@@ -1,25 +1,42 @@
-"""Calibrate an open rig; on the virtual rig the bench shows the board, on hardware a person does."""
+"""Calibrate an open rig; on the virtual rig the bench shows board and bar, on hardware a person does."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import datetime
 
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.errors import CalibrationError
 from scanner_core.jobs.progress import IsCancelled, OnProgress
-from scanner_core.optics.board import CharucoTarget
-from scanner_core.optics.calibration import StereoCalibration
-from scanner_core.optics.calibration_session import BoardOperator, run_calibration
+from scanner_core.optics.board import DEFAULT_TARGET, CharucoTarget
+from scanner_core.optics.board_watch import OnBoardWatch
+from scanner_core.optics.calibration_result import CalibrationResult
+from scanner_core.optics.calibration_session import BoardOperator, CalibrationSettings, run_calibration
+
+
+def default_settings(rig: OpenRig) -> CalibrationSettings:
+    """The virtual rig has a certified bar, hardware only when its owner says so; the validity is the rig's own."""
+    settings = CalibrationSettings(bar=None if rig.bench is None else rig.bench.bar)
+    return settings if rig.calibration is None else replace(settings, valid_days=rig.calibration.valid_days)
 
 
 def calibrate_rig(
-    rig: OpenRig, operator: BoardOperator | None = None, *, progress: OnProgress | None = None, cancelled: IsCancelled | None = None
-) -> StereoCalibration:
-    """A fresh calibration of stereo and turntable axis; the rig itself is not changed.
+    rig: OpenRig,
+    operator: BoardOperator | None = None,
+    *,
+    target: CharucoTarget = DEFAULT_TARGET,
+    settings: CalibrationSettings | None = None,
+    progress: OnProgress | None = None,
+    watch: OnBoardWatch | None = None,
+    cancelled: IsCancelled | None = None,
+) -> CalibrationResult:
+    """A fresh calibration of stereo, scale and turntable axis; the rig itself is not changed.
 
     Parameters
     ----------
     operator : who shows the board; the virtual bench when None
+    target : the board as it was drawn
+    settings : :func:`default_settings` when None
 
     Raises
     ------
@@ -28,5 +45,16 @@ def calibrate_rig(
     shown_by = operator or (rig.bench.board_operator() if rig.bench is not None else None)
     if shown_by is None:
         raise CalibrationError("E-CAL-01", reason="nobody shows the board")
-    date = datetime.now().astimezone().isoformat(timespec="seconds")
-    return run_calibration(rig.left, rig.right, rig.motion, shown_by, CharucoTarget(), date=date, progress=progress, cancelled=cancelled)
+    return run_calibration(
+        rig.left,
+        rig.right,
+        rig.motion,
+        shown_by,
+        target,
+        settings or default_settings(rig),
+        date=datetime.now().astimezone().isoformat(timespec="seconds"),
+        previous=rig.calibration,
+        progress=progress,
+        watch=watch,
+        cancelled=cancelled,
+    )

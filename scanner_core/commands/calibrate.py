@@ -1,29 +1,58 @@
-"""``impronta calibrate``: stereo and turntable axis from ChArUco views."""
+"""``impronta calibrate``: stereo, scale and turntable axis from ChArUco views and a known length."""
 
 from __future__ import annotations
 
 import argparse
+from dataclasses import replace
 from pathlib import Path
 
-from scanner_core.acquisition.calibrating import calibrate_rig
-from scanner_core.acquisition.rig_session import open_rig
-from scanner_core.commands.calibration_report import calibration_json, calibration_summary
+from scanner_core.acquisition.calibrating import calibrate_rig, default_settings
+from scanner_core.acquisition.rig_session import OpenRig, open_rig
+from scanner_core.commands.calibration_report import calibration_json, calibration_summary, result_json, result_summary
 from scanner_core.commands.console import Console
-from scanner_core.devices.rig import dump_rig, load_rig_or_preset
+from scanner_core.devices.rig import parse_rig, recalibrated, rig_text
+from scanner_core.errors import UsageError
 from scanner_core.files import check_free, replaced_when_whole
+from scanner_core.optics.board import DEFAULT_BAR, DEFAULT_TARGET, CharucoTarget
+from scanner_core.optics.calibration_session import CalibrationSettings
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
-    config = load_rig_or_preset(given.rig)
+    text = rig_text(given.rig)
+    config = parse_rig(text, given.rig)
     out = None if given.out is None else Path(given.out).resolve()
     if out is not None:
         check_free(out, given.force)
     with open_rig(config, None, "max", given.seed) as rig:
-        calibration = calibrate_rig(rig, progress=lambda told: console.progress("calibrate", told.fraction, told.seconds_left))
-    lines = [calibration_summary(calibration)]
+        result = calibrate_rig(
+            rig,
+            target=target_given(given),
+            settings=settings_given(given, rig),
+            progress=lambda told: console.progress("calibrate", told.fraction, told.seconds_left),
+        )
+    lines = [calibration_summary(result.calibration), *result_summary(result)]
     if out is not None:
         with replaced_when_whole(out, given.force) as partial:
-            partial.write_text(dump_rig(config.with_calibration(calibration)), encoding="utf-8")
+            partial.write_text(recalibrated(text, result.calibration), encoding="utf-8")
         lines.append(f"Written to {out}.")
-    console.result(calibration_json(calibration) | {"rig": None if out is None else str(out)}, lines)
+    console.result(calibration_json(result.calibration) | result_json(result) | {"rig": None if out is None else str(out)}, lines)
     return 0
+
+
+def target_given(given: argparse.Namespace) -> CharucoTarget:
+    """The board, with the size of its squares as given."""
+    share = DEFAULT_TARGET.marker_mm / DEFAULT_TARGET.square_mm
+    square_mm = DEFAULT_TARGET.square_mm if given.square_mm is None else given.square_mm
+    return replace(DEFAULT_TARGET, square_mm=square_mm, marker_mm=share * square_mm)
+
+
+def settings_given(given: argparse.Namespace, rig: OpenRig) -> CalibrationSettings:
+    """The rig's own way, changed by what was given."""
+    if given.no_length and given.length_mm is not None:
+        raise UsageError("E-USE-01", what="--length-mm and --no-length exclude each other", do="give one of them")
+    settings = default_settings(rig)
+    if given.no_length or given.print_width_mm is not None:
+        settings = replace(settings, bar=None, measured_width_mm=given.print_width_mm)
+    if given.length_mm is not None:
+        settings = replace(settings, bar=replace(settings.bar or DEFAULT_BAR, length_mm=given.length_mm))
+    return replace(settings, valid_days=given.valid_days or settings.valid_days, board_thickness_mm=given.thickness_mm)

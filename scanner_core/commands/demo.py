@@ -66,9 +66,9 @@ def run(given: argparse.Namespace, console: Console) -> int:
 
 def _calibrate(rig: OpenRig, console: Console) -> StereoCalibration:
     """A fresh calibration from rendered boards: nothing is measured with the renderer's own numbers."""
-    calibration = calibrate_rig(rig, progress=lambda p: console.progress("calibrate", p.fraction, p.seconds_left))
+    result = calibrate_rig(rig, progress=lambda p: console.progress("calibrate", p.fraction, p.seconds_left))
     console.clear()
-    return calibration
+    return result.calibration
 
 
 def _folder(out: str | None, specimen: str, force: bool) -> Path:

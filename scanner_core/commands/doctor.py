@@ -17,6 +17,7 @@ from scanner_core.devices.camera import Camera
 from scanner_core.devices.check import Check
 from scanner_core.devices.rig import RigConfig, load_rig_or_preset
 from scanner_core.errors import ImprontaError
+from scanner_core.optics.calibration_age import AgeState, calibration_age
 from scanner_core.optics.spot import Spot
 from scanner_core.optics.spot_detection import SpotDetector
 from scanner_core.virtual.specimens import load_specimen
@@ -80,7 +81,14 @@ def calibration_check(config: RigConfig) -> Check:
     if config.calibration is None:
         return Check("calibration", "fail", "the rig has none.", "Run 'impronta calibrate' or the Rig page.")
     calibration = config.calibration
-    return Check("calibration", "pass", f"of {calibration.date}, held-out corners {calibration.held_out_rms_um:.1f} um rms.")
+    told = f"of {calibration.date}, held-out corners {calibration.held_out_rms_um:.1f} um rms."
+    try:
+        age = calibration_age(calibration)
+    except ValueError:
+        return Check("calibration", "warn", f"{told} Its date cannot be read.", "Calibrate anew ('impronta calibrate').")
+    if calibration.scale is not None and not calibration.scale.verified:
+        return Check("calibration", "warn", f"{told} {age.words()} Its scale is not verified.", "Calibrate with a length bar.")
+    return Check("calibration", "pass" if age.state is AgeState.VALID else "warn", f"{told} {age.words()}", "Calibrate anew ('impronta calibrate').")
 
 
 def camera_check(camera: Camera, cameras: list[dict[str, object]]) -> Check:

@@ -6,6 +6,7 @@ too large.  Nothing is measured with it; points come from the calibration alone.
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -14,11 +15,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from scanner_core.errors import UsageError
-from scanner_core.optics.calibration import StereoCalibration, TurntableAxis
+from scanner_core.optics.calibration import VALID_DAYS, ScaleReference, StereoCalibration, TurntableAxis
 from scanner_core.optics.camera_model import CameraModel
 from scanner_core.optics.spot_detection import SpotDetectorParameters
+
+Array = NDArray[np.float64]
 
 PRESETS = ("bench", "paper-2003", "workshop")
 
@@ -178,6 +182,37 @@ def dump_rig(rig: RigConfig) -> str:
     return "\n".join(lines) + "\n"
 
 
+def rig_text(name: str) -> str:
+    """The text of a preset by its name, or of a rig file by its path.
+
+    Raises
+    ------
+    UsageError
+        E-RIG-01.
+    """
+    if name in PRESETS:
+        return (resources.files("resources") / "rigs" / f"{name}.toml").read_text(encoding="utf-8")
+    try:
+        return Path(name).read_text(encoding="utf-8")
+    except (OSError, ValueError) as fault:
+        raise UsageError("E-RIG-01", path=name, reason=fault) from fault
+
+
+def recalibrated(text: str, calibration: StereoCalibration) -> str:
+    """A rig file's text with another calibration; all else, with its comments, stays as it was written."""
+    kept: list[str] = []
+    inside = False
+    for line in text.splitlines():
+        header = re.match(r"\s*\[+\s*([^\]\s]+)\s*\]", line)
+        if header is not None and not line.startswith("  "):  # rows of numbers are indented
+            inside = header.group(1).split(".")[0] == "calibration"
+        if not inside or line.lstrip().startswith("#"):
+            kept.append(line)
+    while kept and not kept[-1]:
+        kept.pop()
+    return "\n".join([*kept, "", *_dump_calibration(calibration)]) + "\n"
+
+
 def _rig(tree: dict[str, Any]) -> RigConfig:
     return RigConfig(
         name=str(tree["name"]),
@@ -234,12 +269,18 @@ def _dump_calibration(calibration: StereoCalibration) -> list[str]:
         f"views = {calibration.views}",
         f"reprojection_rms_px = {calibration.reprojection_rms_px!r}",
         f"held_out_rms_um = {calibration.held_out_rms_um!r}",
+        f"valid_days = {calibration.valid_days!r}",
     ]
+    if calibration.modes is not None:
+        lines += ["modes = [", *(f"  {_value(mode)}," for mode in calibration.modes.tolist()), "]"]
     for name, camera in (("left", calibration.left), ("right", calibration.right)):
         lines += ["", f"[calibration.{name}]", f"size_px = {_value(camera.size_px)}"]
         lines += [f"{key} = {_value(getattr(camera, key).tolist())}" for key in ("matrix", "distortion", "rotation", "translation")]
     lines += ["", "[calibration.turntable]", f"origin = {_value(axis.origin.tolist())}", f"direction = {_value(axis.direction.tolist())}"]
     lines += [f"angle_rms_deg = {axis.angle_rms_deg!r}", f"position_rms_um = {axis.position_rms_um!r}"]
+    if calibration.scale is not None:
+        known = {name: getattr(calibration.scale, name) for name in calibration.scale.__dataclass_fields__}
+        lines += ["", "[calibration.scale]", *(f"{name} = {_value(value)}" for name, value in known.items() if value is not None)]
     return lines
 
 
@@ -266,10 +307,30 @@ def _calibration(tree: dict[str, Any]) -> StereoCalibration:
         views=int(tree["views"]),
         reprojection_rms_px=float(tree["reprojection_rms_px"]),
         held_out_rms_um=float(tree["held_out_rms_um"]),
+        scale=_scale(tree["scale"]) if "scale" in tree else None,
+        modes=_modes(tree["modes"]) if "modes" in tree else None,
+        valid_days=float(tree.get("valid_days", VALID_DAYS)),
     )
     if tree["id"] != calibration.identity():
         raise ValueError("the numbers of the calibration do not match its id: the file was changed by hand")
     return calibration
+
+
+def _modes(rows: list[list[float]]) -> Array:
+    modes = np.array(rows, np.float64)
+    if modes.ndim != 2 or modes.shape[1] != 30 or not np.isfinite(modes).all():
+        raise ValueError("'modes' of a calibration must be rows of 30 finite numbers")
+    return modes
+
+
+def _scale(table: dict[str, Any]) -> ScaleReference:
+    return ScaleReference(
+        source=str(table["source"]),
+        length_mm=float(table["length_mm"]),
+        uncertainty_ppm=float(table["uncertainty_ppm"]),
+        print_scale=float(table["print_scale"]),
+        held_out_ppm=_pair(table["held_out_ppm"]) if "held_out_ppm" in table else None,
+    )
 
 
 def _value(value: object) -> str:

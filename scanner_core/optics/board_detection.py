@@ -43,6 +43,7 @@ class BoardMissReason(Enum):
     TOO_BRIGHT = "too_bright"
     TOO_BLURRED = "too_blurred"
     NO_BOARD = "no_board"
+    CUT = "cut"
     TOO_FEW_CORNERS = "too_few_corners"
 
 
@@ -81,11 +82,13 @@ def detect_board(image: NDArray[np.uint8], target: CharucoTarget) -> BoardView |
     rough = _project(to_pixels, points)
     inside = ((rough > _BORDER_PX) & (rough < np.array(image.shape[::-1]) - 1 - _BORDER_PX)).all(axis=1)
     ids = np.flatnonzero(inside)
+    if len(ids) < MIN_CORNERS:
+        return BoardMiss(BoardMissReason.CUT, len(ids))
     step = 0.5 * target.square_mm
     along = [(_project(to_pixels, points[ids] + d) - _project(to_pixels, points[ids] - d)) / (2 * step) for d in step * np.eye(2)]
     fit = refine_corners(image, rough[ids], along[0], along[1], target.square_mm, 0.5 * (target.square_mm - target.marker_mm))
     if np.count_nonzero(fit.accepted) < MIN_CORNERS:
-        blurred = bool(len(ids)) and float(np.median(fit.sigma_px)) > _MAX_SIGMA_PX
+        blurred = float(np.median(fit.sigma_px)) > _MAX_SIGMA_PX
         return BoardMiss(BoardMissReason.TOO_BLURRED if blurred else BoardMissReason.TOO_FEW_CORNERS, int(np.count_nonzero(fit.accepted)))
     return BoardView(ids[fit.accepted], fit.corners_px[fit.accepted])
 

@@ -1,18 +1,21 @@
 """Calibrates both cameras from views of the board, and judges the result on views that took no part.
 
-Each camera alone first, then all intrinsics and the relative pose together: fixing the intrinsics of the single fits
-makes the stereo fit two to five times worse.  fx and fy stay independent, for pixels need not be square; k3 is left out,
-for the two frames of a moderate lens cannot tell it from k2.
+Each camera alone first, then the pair by OpenCV, then all of it together with the board's own shape
+(:mod:`scanner_core.optics.bundle_adjustment`): fixing the intrinsics of the single fits makes the stereo fit two to five
+times worse, and a board that is believed to be flat puts its bend into the cameras.  fx and fy stay independent, for
+pixels need not be square.  k3 is used only where the views ask for it: two parameters (one for each camera) have to
+lower the weighted sum of squares by more than ``2 ln n`` (n residuals), the Bayesian information criterion (Schwarz,
+Ann. Stat. 6, 1978); otherwise they would follow noise and swing out towards the borders.
 
 The reprojection error of a fit says little about the fit (it stays at the corners' noise whatever their number), so
-every `HOLD_OUT`-th view is kept back: its corners are triangulated, laid over the known board by a rigid motion, and
-what remains is an error in millimetres of space that no parameter has seen.
+every `HOLD_OUT`-th view is kept back: its corners are triangulated, laid over the board by a rigid motion, and what
+remains is an error in millimetres of space that no pose has seen.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -20,11 +23,13 @@ from numpy.typing import NDArray
 
 from scanner_core.errors import CalibrationError
 from scanner_core.geometry.fitting import fit_rigid
-from scanner_core.jobs.progress import OnProgress, Progress
+from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.board import CharucoTarget
 from scanner_core.optics.board_detection import MIN_CORNERS, BoardView
+from scanner_core.optics.bundle_adjustment import STEREO, Bundle, BundleState, Corners, adjust, intrinsics_of
 from scanner_core.optics.calibration import StereoCalibration, TurntableAxis
 from scanner_core.optics.camera_model import CameraModel
+from scanner_core.optics.stereo_view import StereoView
 from scanner_core.optics.triangulation import Triangulator
 
 Array = NDArray[np.float64]
@@ -43,23 +48,14 @@ MAX_HELD_OUT_PX = 0.25
 """Largest held-out error, as a part of the size of a pixel at the board's distance: twice what corners read to 0.1 px make."""
 MAX_SCALE_ERROR = 1e-3
 """Largest deviation of the held-out boards' size from the known one: 30 um on 30 mm."""
+MIN_MOVE_PX = 5.0
+"""Views that are closer than this to each other are one view."""
+MAX_VIEWS_LEFT_OUT = 0.2
+"""A hand slips once in a while; if more than a fifth of the views contradict the others, something has moved."""
 _OUTLIER = 6.0
 _OUTLIER_PX = 0.3
 """A corner farther from its place than six times the median, and than 0.3 px, was misread."""
 _ROUNDS = 4
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class StereoView:
-    """The board in both cameras at one instant."""
-
-    left: BoardView
-    right: BoardView
-
-    def common(self) -> tuple[NDArray[np.int64], Array, Array]:
-        """Ids (n,) of the corners that both cameras see, and their pixels (n, 2) in the left and the right."""
-        ids, at_left, at_right = np.intersect1d(self.left.ids, self.right.ids, assume_unique=True, return_indices=True)
-        return ids, self.left.corners_px[at_left], self.right.corners_px[at_right]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -69,51 +65,77 @@ class StereoCalibrationFit:
     Attributes
     ----------
     views, held_out_views : used in the fit, and kept back
+    views_left_out : in which the board moved between the cameras' exposures, or nothing was read right
     reprojection_rms_px : of the fit, per coordinate
-    held_out_rms_um : three-dimensional rms of held-out corners against the known board, after rigid alignment; it holds
-        the corners' own noise, so the calibration itself is better than this
-    held_out_scale : size of the held-out boards over the known one
+    held_out_rms_um : three-dimensional rms of held-out corners against the board as it was fitted, after rigid alignment;
+        it holds the corners' own noise, so the calibration itself is better than this
+    held_out_scale : size of the held-out boards over the fitted one
     coverage : part of the image that held corners, the worse camera's
     corners_left_out : misread corners
+    marks : (m, 3) mm, the board's corners as they were found to be, in its own frame
+    board_bend_mm : from the lowest to the highest corner of the board
+    corner_sigma_px : (2, 2) noise of the corners by camera and axis
+    covariance : (24 + 3 m, 24 + 3 m) of the stereo parameters (see :mod:`scanner_core.optics.bundle_adjustment`) and the marks
+    with_k3 : whether the views asked for k3
     """
 
     left: CameraModel
     right: CameraModel
     views: int
     held_out_views: int
+    views_left_out: int
     reprojection_rms_px: float
     held_out_rms_um: float
     held_out_scale: float
     coverage: float
     corners_left_out: int
-    notes: dict[str, float] = field(default_factory=dict)
+    marks: Array
+    board_bend_mm: float
+    corner_sigma_px: Array
+    covariance: Array
+    with_k3: bool
 
     def with_turntable(self, turntable: TurntableAxis, date: str) -> StereoCalibration:
         """The whole calibration of a rig; `date` is ISO 8601."""
-        notes = {"held_out_scale": self.held_out_scale, "held_out_views": float(self.held_out_views), "coverage": self.coverage, **self.notes}
-        return StereoCalibration(self.left, self.right, turntable, date, self.views, self.reprojection_rms_px, self.held_out_rms_um, notes)
+        return StereoCalibration(self.left, self.right, turntable, date, self.views, self.reprojection_rms_px, self.held_out_rms_um)
+
+    def scaled(self, factor: float) -> StereoCalibrationFit:
+        """The same rig measured with a longer (> 1) or shorter yardstick: all lengths times `factor`, no angle changes."""
+        right = replace(self.right, translation=factor * self.right.translation)
+        stretch = np.ones(len(self.covariance))
+        stretch[STEREO - 3 :] = factor
+        covariance = stretch[:, None] * self.covariance * stretch
+        return replace(
+            self,
+            right=right,
+            marks=factor * self.marks,
+            held_out_rms_um=factor * self.held_out_rms_um,
+            board_bend_mm=factor * self.board_bend_mm,
+            covariance=covariance,
+        )
 
 
-def calibrate_stereo(
-    views: Sequence[StereoView], size_px: tuple[int, int], target: CharucoTarget, *, progress: OnProgress | None = None
-) -> StereoCalibrationFit:
+def calibrate_stereo(views: Sequence[StereoView], size_px: tuple[int, int], target: CharucoTarget) -> StereoCalibrationFit:
     """Intrinsics of both cameras and their relative pose.
 
     Parameters
     ----------
     views : of the board at different places and tilts, in any order
     size_px : width and height of both cameras' images
-    target : the board
+    target : the board as it was drawn
 
     Raises
     ------
     CalibrationError
-        E-CAL-01 when the views are too few or too alike, E-CAL-03 when the held-out error is too large.
+        E-CAL-01 when the views are too few or too alike, or the cameras are exchanged; E-CAL-03 when the held-out error
+        is too large.
     """
     usable = [view for view in views if len(view.common()[0]) >= MIN_CORNERS]
     if len(usable) < MIN_VIEWS:
         reason = f"{len(usable)} of {len(views)} views show the board to both cameras, at least {MIN_VIEWS} are needed"
         raise CalibrationError("E-CAL-01", reason=reason)
+    if (moved_px := _largest_move_px(usable)) < MIN_MOVE_PX:
+        raise CalibrationError("E-CAL-01", reason=f"the board was never moved (by {moved_px:.1f} px at most)")
     coverage = min(_coverage([getattr(view, side) for view in usable], size_px) for side in ("left", "right"))
     if coverage < MIN_COVERAGE:
         reason = f"the board covered only {100 * coverage:.0f} % of an image, at least {100 * MIN_COVERAGE:.0f} % are needed"
@@ -121,42 +143,76 @@ def calibrate_stereo(
 
     held_out = usable[HOLD_OUT - 1 :: HOLD_OUT]
     fitted = [view for i, view in enumerate(usable) if i % HOLD_OUT != HOLD_OUT - 1]
-    tell = progress or (lambda _: None)
-    tell(Progress("calibrate", 0.0))
     try:
-        starts = [_calibrate_camera([getattr(view, side) for view in fitted], size_px, target) for side in ("left", "right")]
-        tell(Progress("calibrate", 0.3))
-        fit, left_out = _calibrate_clean([view.common() for view in fitted], starts, size_px, target)
-    except cv2.error as fault:
+        bundle, used, with_k3, left_out = _adjust_views(fitted, size_px, target)
+    except (cv2.error, np.linalg.LinAlgError) as fault:
         raise CalibrationError("E-CAL-01", reason="the views contradict each other", details=str(fault)) from fault
-    if (tilt_deg := _largest_tilt_deg(fit.rotations)) < MIN_TILT_DEG:
-        raise CalibrationError("E-CAL-01", reason=f"the board was tilted by only {tilt_deg:.0f} degrees, at least {MIN_TILT_DEG:.0f} are needed")
+    left, right = bundle.state.cameras(size_px)
+    if right.centre_mm()[0] < 0:
+        reason = "the cameras are exchanged: what is called the right camera stands to the left of the other; exchange their ids in the rig file"
+        raise CalibrationError("E-CAL-01", reason=reason)
 
-    rms_px = float(np.sqrt(np.mean(np.concatenate(fit.errors_px) ** 2)))
+    rms_px = float(np.sqrt(np.mean(bundle.residuals_px[used] ** 2)))
     if rms_px > MAX_REPROJECTION_PX:
         reason = f"the views contradict each other by {rms_px:.2f} px, at most {MAX_REPROJECTION_PX} px are allowed; did the board or a camera move?"
         raise CalibrationError("E-CAL-03", reason=reason)
-    rms_um, scale, pixel_um = _held_out_error(fit, [view.common() for view in held_out], target)
+    rms_um, scale, pixel_um, unread = _held_out_error(left, right, [view.common() for view in held_out], bundle.state.marks)
     if not rms_um <= MAX_HELD_OUT_PX * pixel_um:
         reason = f"corners that were not used are {rms_um:.0f} um off, at most {MAX_HELD_OUT_PX * pixel_um:.0f} um are allowed"
         raise CalibrationError("E-CAL-03", reason=reason)
     if abs(scale - 1) > MAX_SCALE_ERROR:
         raise CalibrationError("E-CAL-03", reason=f"boards that were not used measure {100 * (scale - 1):+.2f} % of their size too much")
-    tell(Progress("calibrate", 1.0))
-    return StereoCalibrationFit(fit.left, fit.right, len(fitted), len(held_out), rms_px, rms_um, scale, coverage, left_out)
+    return StereoCalibrationFit(
+        left=left,
+        right=right,
+        views=len(fitted) - left_out,
+        held_out_views=len(held_out) - unread,
+        views_left_out=left_out + unread,
+        reprojection_rms_px=rms_px,
+        held_out_rms_um=rms_um,
+        held_out_scale=scale,
+        coverage=coverage,
+        corners_left_out=int(np.count_nonzero(~used)),
+        marks=bundle.state.marks,
+        board_bend_mm=float(np.ptp(bundle.state.marks[:, 2])),
+        corner_sigma_px=bundle.sigma_px,
+        covariance=bundle.covariance,
+        with_k3=with_k3,
+    )
 
 
 Pair = tuple[NDArray[np.int64], Array, Array]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _PairFit:
-    left: CameraModel
-    right: CameraModel
-    rotations: list[Array]
-    translations: list[Array]
-    errors_px: list[Array]
-    """By view."""
+def _start(views: Sequence[StereoView], size_px: tuple[int, int], target: CharucoTarget) -> BundleState:
+    """OpenCV's solution for a flat board: each camera alone, then the pair."""
+    points = target.object_points.astype(np.float32)
+    alone = [_calibrate_camera([getattr(view, side) for view in views], size_px, target) for side in ("left", "right")]
+    pairs = [view.common() for view in views]
+    solution = cv2.stereoCalibrateExtended(
+        [points[ids] for ids, _, _ in pairs],
+        [left.astype(np.float32) for _, left, _ in pairs],
+        [right.astype(np.float32) for _, _, right in pairs],
+        alone[0].matrix.copy(),
+        alone[0].distortion.copy(),
+        alone[1].matrix.copy(),
+        alone[1].distortion.copy(),
+        size_px,
+        np.eye(3),
+        np.zeros(3),
+        flags=cv2.CALIB_USE_INTRINSIC_GUESS | cv2.CALIB_FIX_K3,
+        criteria=(cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, 30, 1e-6),
+    )
+    _, left_matrix, left_distortion, right_matrix, right_distortion, rotation, translation, _, _, rvecs, tvecs, _ = solution
+    left = CameraModel(np.asarray(left_matrix, np.float64), _five(left_distortion), np.eye(3), np.zeros(3), size_px)
+    right = CameraModel(np.asarray(right_matrix, np.float64), _five(right_distortion), np.eye(3), np.zeros(3), size_px)
+    return BundleState(
+        np.stack([intrinsics_of(left), intrinsics_of(right)]),
+        RigidTransform(np.asarray(rotation, np.float64), np.ravel(translation).astype(np.float64)),
+        np.stack([np.asarray(cv2.Rodrigues(r)[0], np.float64) for r in rvecs]),
+        np.stack([np.ravel(t).astype(np.float64) for t in tvecs]),
+        target.object_points,
+    )
 
 
 def _calibrate_camera(views: Sequence[BoardView], size_px: tuple[int, int], target: CharucoTarget) -> CameraModel:
@@ -172,59 +228,43 @@ def _calibrate_camera(views: Sequence[BoardView], size_px: tuple[int, int], targ
     return CameraModel(np.asarray(matrix, np.float64), _five(distortion), np.eye(3), np.zeros(3), size_px)
 
 
-def _calibrate_clean(pairs: Sequence[Pair], starts: Sequence[CameraModel], size_px: tuple[int, int], target: CharucoTarget) -> tuple[_PairFit, int]:
-    """The joint fit without misread corners, and their number.
+def _adjust_views(views: Sequence[StereoView], size_px: tuple[int, int], target: CharucoTarget) -> tuple[Bundle, NDArray[np.bool_], bool, int]:
+    """The joint fit without views that contradict the others, see :func:`_adjust_clean`, and how many of them were left out."""
+    kept = list(views)
+    while True:
+        start = _start(kept, size_px, target)
+        if (tilt_deg := _largest_tilt_deg(start.rotations)) < MIN_TILT_DEG:
+            raise CalibrationError("E-CAL-01", reason=f"the board was tilted by only {tilt_deg:.0f} degrees, at least {MIN_TILT_DEG:.0f} are needed")
+        adjusted = _adjust_clean(Corners.of(kept), start)
+        if isinstance(adjusted, tuple):
+            return *adjusted, len(views) - len(kept)
+        kept = [view for index, view in enumerate(kept) if index not in adjusted]
+        if len(views) - len(kept) > MAX_VIEWS_LEFT_OUT * len(views):
+            raise CalibrationError("E-CAL-03", reason="the views contradict each other; did the board or a camera move?")
+
+
+def _adjust_clean(corners: Corners, start: BundleState) -> tuple[Bundle, NDArray[np.bool_], bool] | set[int]:
+    """The joint fit without misread corners, which corners took part, and whether k3 did; or the views that contradict the others.
 
     Every round judges all corners anew, for a misread one bends the first fit and makes its neighbours look wrong.
     """
-    fit = _calibrate_pair(pairs, starts, size_px, target)
-    left_out = 0
+    used = np.ones(len(corners), bool)
+    bundle = adjust(corners, start, used, with_k3=False)
     for _ in range(_ROUNDS):
-        views = zip(fit.rotations, fit.translations, pairs, strict=True)
-        judged = [np.abs(_errors(fit, turn, t, pair, target)).max(axis=1) for turn, t, pair in views]
-        limit = max(_OUTLIER * float(np.median(np.concatenate(judged))), _OUTLIER_PX)
-        good = [size <= limit for size in judged]
-        wrong = sum(int(np.count_nonzero(~g)) for g in good)
-        if wrong == left_out:
+        judged = np.abs(bundle.residuals_px).max(axis=1)
+        good = judged <= max(_OUTLIER * float(np.median(judged)), _OUTLIER_PX)
+        if (good == used).all():
             break
-        if min(int(np.count_nonzero(g)) for g in good) < MIN_CORNERS // 2:
-            raise CalibrationError("E-CAL-01", reason="the views contradict each other: did the board or a camera move?")
-        left_out = wrong
-        kept = [(ids[g], left[g], right[g]) for g, (ids, left, right) in zip(good, pairs, strict=True)]
-        fit = _calibrate_pair(kept, [fit.left, fit.right], size_px, target)
-    return fit, left_out
-
-
-def _calibrate_pair(pairs: Sequence[Pair], starts: Sequence[CameraModel], size_px: tuple[int, int], target: CharucoTarget) -> _PairFit:
-    points = target.object_points.astype(np.float32)
-    solution = cv2.stereoCalibrateExtended(
-        [points[ids] for ids, _, _ in pairs],
-        [left.astype(np.float32) for _, left, _ in pairs],
-        [right.astype(np.float32) for _, _, right in pairs],
-        starts[0].matrix.copy(),
-        starts[0].distortion.copy(),
-        starts[1].matrix.copy(),
-        starts[1].distortion.copy(),
-        size_px,
-        np.eye(3),
-        np.zeros(3),
-        flags=cv2.CALIB_USE_INTRINSIC_GUESS | cv2.CALIB_FIX_K3,
-        criteria=(cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, 100, 1e-9),
-    )
-    _, left_matrix, left_distortion, right_matrix, right_distortion, rotation, translation, _, _, rvecs, tvecs, _ = solution
-    left = CameraModel(np.asarray(left_matrix, np.float64), _five(left_distortion), np.eye(3), np.zeros(3), size_px)
-    right = CameraModel(np.asarray(right_matrix, np.float64), _five(right_distortion), np.asarray(rotation), np.ravel(translation), size_px)
-    rotations = [np.asarray(cv2.Rodrigues(r)[0], np.float64) for r in rvecs]
-    fit = _PairFit(left, right, rotations, [np.ravel(t) for t in tvecs], [])
-    fit.errors_px.extend(_errors(fit, turn, t, pair, target) for turn, t, pair in zip(fit.rotations, fit.translations, pairs, strict=True))
-    return fit
-
-
-def _errors(fit: _PairFit, rotation: Array, translation: Array, pair: Pair, target: CharucoTarget) -> Array:
-    """Reprojection errors of a view, (n, 4) px: left x, y, right x, y."""
-    ids, left_px, right_px = pair
-    in_rig = target.object_points[ids] @ rotation.T + translation
-    return np.hstack([fit.left.project(in_rig) - left_px, fit.right.project(in_rig) - right_px])
+        seen = np.zeros((2, len(start.rotations)), int)
+        np.add.at(seen, (corners.camera[good], corners.view[good]), 1)
+        if (contradict := seen.min(axis=0) < MIN_CORNERS // 2).any():
+            return set(np.flatnonzero(contradict).tolist())
+        used = good
+        bundle = adjust(corners, bundle.state, used, with_k3=False)
+    without, with_it = (adjust(corners, bundle.state, used, with_k3=k3, sigma_px=bundle.sigma_px).misfit for k3 in (False, True))
+    if without - with_it > 2 * np.log(2 * np.count_nonzero(used)):
+        return adjust(corners, bundle.state, used, with_k3=True), used, True
+    return bundle, used, False
 
 
 def _five(distortion: object) -> Array:
@@ -239,21 +279,43 @@ def _coverage(views: Sequence[BoardView], size_px: tuple[int, int]) -> float:
     return float(cells.mean())
 
 
-def _largest_tilt_deg(rotations: Sequence[Array]) -> float:
-    normals = np.array([rotation[:, 2] for rotation in rotations])
+def _largest_move_px(views: Sequence[StereoView]) -> float:
+    """How far a corner of any view lies from its place in the first view, at most; in views that share none it moved far."""
+    first, largest = views[0].left, 0.0
+    for view in views[1:]:
+        _, here, there = np.intersect1d(first.ids, view.left.ids, assume_unique=True, return_indices=True)
+        if not len(here):
+            return np.inf
+        largest = max(largest, float(np.abs(first.corners_px[here] - view.left.corners_px[there]).max()))
+    return largest
+
+
+def _largest_tilt_deg(rotations: Array) -> float:
+    normals = rotations[:, :, 2]
     return float(np.degrees(np.arccos(np.clip(normals @ normals.T, -1, 1))).max())
 
 
-def _held_out_error(fit: _PairFit, held_out: Sequence[Pair], target: CharucoTarget) -> tuple[float, float, float]:
-    """Rms error in um and scale of the held-out boards, and the size of a pixel at their distance in um."""
-    triangulator = Triangulator(StereoCalibration(fit.left, fit.right, TurntableAxis(np.zeros(3), np.array([0, -1.0, 0])), "", 0, 0.0, 0.0))
+def _held_out_error(left: CameraModel, right: CameraModel, held_out: Sequence[Pair], marks: Array) -> tuple[float, float, float, int]:
+    """Rms error in um and scale of the held-out boards, the size of a pixel at their distance in um, and views not judged.
+
+    A single view whose two images do not belong together at all (by its epipolar residuals, which are not what is judged)
+    is left out like a misread corner.
+    """
+    triangulator = Triangulator(StereoCalibration(left, right, TurntableAxis(np.zeros(3), np.array([0, -1.0, 0])), "", 0, 0.0, 0.0))
     squares, count, measured, known, depths = 0.0, 0, 0.0, 0.0, []
+    seen = []
     for ids, left_px, right_px in held_out:
         sigma = np.ones(len(ids))
         triangulated = triangulator.triangulate(left_px, right_px, sigma, sigma)
-        epipolar = np.abs(triangulated.epipolar_residual_px)
+        seen.append((ids, triangulated, np.abs(triangulated.epipolar_residual_px)))
+    typical = [float(np.median(epipolar)) for _, _, epipolar in seen]
+    limit = max(_OUTLIER * float(np.median(typical)), _OUTLIER_PX)
+    unread = [index for index, value in enumerate(typical) if value > limit]
+    for index, (ids, triangulated, epipolar) in enumerate(seen):
+        if len(unread) == 1 and index in unread:
+            continue
         read = epipolar <= max(_OUTLIER * float(np.median(epipolar)), _OUTLIER_PX)  # as a scan would reject a misread pair
-        found, board = triangulated.points[read], target.object_points[ids[read]]
+        found, board = triangulated.points[read], marks[ids[read]]
         laid = fit_rigid(found, board).apply(found)
         squares += float(np.sum((laid - board) ** 2))
         count += len(found)
@@ -261,5 +323,5 @@ def _held_out_error(fit: _PairFit, held_out: Sequence[Pair], target: CharucoTarg
         measured += float(np.sum(about * (laid - laid.mean(axis=0))))
         known += float(np.sum(about * about))
         depths.append(float(found[:, 2].mean()))
-    pixel_um = 1e3 * float(np.mean(depths)) / min(fit.left.matrix[0, 0], fit.left.matrix[1, 1])
-    return 1e3 * float(np.sqrt(squares / count)), measured / known, pixel_um
+    pixel_um = 1e3 * float(np.mean(depths)) / min(left.matrix[0, 0], left.matrix[1, 1])
+    return 1e3 * float(np.sqrt(squares / count)), measured / known, pixel_um, int(len(unread) == 1)

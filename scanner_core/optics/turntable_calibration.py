@@ -1,9 +1,13 @@
 """Where the turntable's axis is, from a board that lies flat on it at known angles.
 
-All corners of all angles are fitted at once by a pose of the board at 0 degrees, a direction and a place of the axis
-(ten unknowns), each corner weighted by its triangulation covariance.  The sense of rotation and the angle's scale are
-checked first against the angles that the controller reported, on the poses of the board alone: an axis can be fitted
-to a table that turns the wrong way, and every scan would then be torn.
+All corners of all angles are fitted at once by a pose of the board at 0 degrees, a direction and a place of the axis,
+and an error of the reported angle for each view, each corner weighted by its triangulation covariance.  The angles are
+free because nothing about the axis is lost by it (the views themselves tell how far the table has turned, to a
+thousandth of a degree), so that backlash and lost steps do not pull on the axis; they are stated instead.  The board is
+as bent as the stereo calibration has found it to be.
+
+The sense of rotation and the angle's scale are checked first against the angles that the controller reported, on the
+poses of the board alone: an axis can be fitted to a table that turns the wrong way, and every scan would then be torn.
 """
 
 from __future__ import annotations
@@ -20,8 +24,10 @@ from scanner_core.geometry.fitting import fit_rigid
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.board import CharucoTarget
 from scanner_core.optics.board_detection import MIN_CORNERS
-from scanner_core.optics.calibration import TurntableAxis
-from scanner_core.optics.stereo_calibration import StereoCalibrationFit, StereoView
+from scanner_core.optics.bundle_adjustment import STEREO, moved_cameras
+from scanner_core.optics.calibration import StereoCalibration, TurntableAxis
+from scanner_core.optics.stereo_calibration import StereoCalibrationFit
+from scanner_core.optics.stereo_view import StereoView
 from scanner_core.optics.triangulation import Triangulator
 
 Array = NDArray[np.float64]
@@ -35,8 +41,10 @@ MAX_BOARD_TILT_DEG = 10.0
 """A board that leans more does not lie flat."""
 _SCALE_TOLERANCE = 0.02
 """Deviation of the turned from the reported angle that is still put down to noise, 2 %."""
-_CORNER_SIGMA_PX = 0.1
-"""Only the ratio between directions matters, the fit's residuals give the scale."""
+_ANGLE_PRIOR_DEG = 1.0
+"""Of a view's error of angle: no more than what keeps board and angles from turning together."""
+_LEAST_SIGMA_PX = 1e-3
+"""Corners without noise (in tests) must not divide by zero."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -45,6 +53,25 @@ class TableView:
 
     table_deg: float
     stereo: StereoView
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TurntableFit:
+    """The axis, and how sure it is.
+
+    Attributes
+    ----------
+    axis : in the rig frame
+    table_deg, angle_errors_deg : (n,) the reported angles, and how far the table stood beyond them, less their median
+    noise_covariance : (6, 6) of the axis' origin (mm) and direction, from the scatter of the views alone
+    induced : (k, 6) how origin and direction move with each of the k steps of the stereo parameters that were asked for
+    """
+
+    axis: TurntableAxis
+    table_deg: Array
+    angle_errors_deg: Array
+    noise_covariance: Array
+    induced: Array
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -59,21 +86,23 @@ class _Measured:
 
 
 def calibrate_turntable(
-    fit: StereoCalibrationFit, views: Sequence[TableView], target: CharucoTarget, *, board_thickness_mm: float = 0.0
-) -> TurntableAxis:
+    fit: StereoCalibrationFit, views: Sequence[TableView], target: CharucoTarget, *, board_thickness_mm: float = 0.0, steps: Array | None = None
+) -> TurntableFit:
     """The axis in the rig frame, pointing up, its origin where it meets the table.
 
     Parameters
     ----------
-    fit : the calibrated cameras
+    fit : the calibrated cameras, and the board as they have found it
     views : the board flat on the table, face up, at six or more angles around the turn
+    target : the board as it was drawn; it says how far the board goes on beyond its corners, where it rests on the table
     board_thickness_mm : from the table's surface to the printed face
+    steps : (k, 24 + 3 m) changes of the stereo parameters and the board's marks whose effect on the axis is asked for
 
     Returns
     -------
-    TurntableAxis
-        Its residuals are what single views still deviate from the common axis: `angle_rms_deg` about the axis, and
-        `position_rms_um` per coordinate of the board's centre.
+    TurntableFit
+        The axis' residuals are what single views still deviate from the common axis: `angle_rms_deg` about the axis
+        (errors of the reported angle), and `position_rms_um` per coordinate of the board's centre.
 
     Raises
     ------
@@ -81,41 +110,68 @@ def calibrate_turntable(
         E-CAL-01 when the views do not determine an axis, or the table does not turn as it reports; E-CAL-03 when the
         residuals are too large.
     """
-    up_guess = np.array([0.0, -1.0, 0.0])
-    triangulator = Triangulator(fit.with_turntable(TurntableAxis(np.zeros(3), up_guess), ""))
-    measured = [_measure(triangulator, view, target) for view in views if len(view.stereo.common()[0]) >= MIN_CORNERS]
-    if len(measured) < MIN_ANGLES:
-        reason = f"{len(measured)} of {len(views)} views show the board on the table to both cameras, at least {MIN_ANGLES} are needed"
+    usable = [view for view in views if len(view.stereo.common()[0]) >= MIN_CORNERS]
+    if len(usable) < MIN_ANGLES:
+        reason = f"{len(usable)} of {len(views)} views show the board on the table to both cameras, at least {MIN_ANGLES} are needed"
         raise CalibrationError("E-CAL-01", reason=reason)
-    turned = np.sort([view.table_deg % 360 for view in measured])
+    turned = np.sort([view.table_deg % 360 for view in usable])
     gap_deg = float(np.diff(np.append(turned, turned[0] + 360)).max())
     if gap_deg > MAX_GAP_DEG:
         raise CalibrationError("E-CAL-01", reason=f"no view of the board on the table over {gap_deg:.0f} degrees of the turn")
 
+    measured = [_measure(fit, view) for view in usable]
     poses = [fit_rigid(view.board, view.points) for view in measured]
     direction = _direction(poses, measured)
     _check_sense(poses, measured, direction)
-    direction, place, pose = _refine(measured, direction, poses)
-    tilt_deg = float(np.degrees(np.arccos(np.clip(-pose.rotation[:, 2] @ direction, -1, 1))))
+    turn = _Turn(measured, direction, poses, target, board_thickness_mm)
+    found, jacobian = turn.solve()
+    axis = turn.axis(found, fit.marks)
+    pose = turn.unpack(found)[2]
+    tilt_deg = float(np.degrees(np.arccos(np.clip(-pose.rotation[:, 2] @ axis[3:], -1, 1))))
     if tilt_deg > MAX_BOARD_TILT_DEG:
         raise CalibrationError("E-CAL-01", reason=f"the board leans by {tilt_deg:.0f} degrees against the table's axis; lay it flat on the table")
-    angle_rms_deg, position_rms_um = _residuals(measured, direction, place, pose)
+    errors_deg = turn.unpack(found)[3]
+    errors_deg = errors_deg - np.median(errors_deg)
+    angle_rms_deg, position_rms_um = float(np.sqrt(np.mean(errors_deg**2))), turn.position_rms_um(found)
     if not (angle_rms_deg <= MAX_ANGLE_RMS_DEG and position_rms_um <= MAX_POSITION_RMS_UM):
-        reason = f"the table strays by {angle_rms_deg:.2f} degrees and {position_rms_um:.0f} um from turning about one axis"
+        worst = int(np.argmax(np.abs(errors_deg)))
+        reason = (
+            f"the table strays by {angle_rms_deg:.2f} degrees and {position_rms_um:.0f} um from turning about one axis, "
+            f"most at {measured[worst].table_deg:.0f} degrees by {errors_deg[worst]:+.2f} degrees"
+        )
         raise CalibrationError("E-CAL-03", reason=reason)
 
-    normal = -pose.rotation[:, 2]  # the board's z goes into it, its face looks up
-    face = pose.apply(target.object_points.mean(axis=0))
-    meets = place + direction * float(normal @ (face - place)) / float(normal @ direction)
-    return TurntableAxis(meets - board_thickness_mm * direction, direction, angle_rms_deg, position_rms_um)
+    residual = turn.residual(found)
+    corners = 3 * sum(len(view.points) for view in measured)
+    scatter = float(residual[:corners] @ residual[:corners]) / max(corners - 10, 1)
+    normal = np.linalg.inv(jacobian.T @ jacobian)
+    by_unknown = np.stack([turn.axis(found + step, fit.marks) - axis for step in 1e-4 * np.eye(len(found))]) / 1e-4
+    induced = np.zeros((0 if steps is None else len(steps), 6))
+    for row, step in enumerate(() if steps is None else steps):
+        moved = turn.moved_by(found, fit, usable, step)
+        change = -normal @ (jacobian.T @ (moved - residual))
+        marks = fit.marks + step[STEREO:].reshape(-1, 3)
+        induced[row] = turn.axis(found + change, marks) - axis
+    return TurntableFit(
+        TurntableAxis(axis[:3] - turn.down_to_table_mm(found, fit.marks) * axis[3:], axis[3:], angle_rms_deg, position_rms_um),
+        np.array([view.table_deg for view in measured]),
+        errors_deg,
+        scatter * by_unknown.T @ normal @ by_unknown,
+        induced,
+    )
 
 
-def _measure(triangulator: Triangulator, view: TableView, target: CharucoTarget) -> _Measured:
+def _triangulator(fit: StereoCalibrationFit, step: Array | None = None) -> Triangulator:
+    left, right = (fit.left, fit.right) if step is None else moved_cameras(fit.left, fit.right, step)
+    return Triangulator(StereoCalibration(left, right, TurntableAxis(np.zeros(3), np.array([0.0, -1.0, 0.0])), "", 0, 0.0, 0.0))
+
+
+def _measure(fit: StereoCalibrationFit, view: TableView) -> _Measured:
     ids, left_px, right_px = view.stereo.common()
-    sigma = np.full(len(ids), _CORNER_SIGMA_PX)
-    found = triangulator.triangulate(left_px, right_px, sigma, sigma)
+    sigma_px = np.maximum(np.sqrt((fit.corner_sigma_px**2).mean(axis=1)), _LEAST_SIGMA_PX)
+    found = _triangulator(fit).triangulate(left_px, right_px, *(np.full(len(ids), sigma) for sigma in sigma_px))
     whitening = np.linalg.inv(np.linalg.cholesky(found.covariances))
-    return _Measured(view.table_deg, found.points, whitening, target.object_points[ids])
+    return _Measured(view.table_deg, found.points, whitening, fit.marks[ids])
 
 
 def _turns(poses: Sequence[RigidTransform], measured: Sequence[_Measured]) -> tuple[Array, Array]:
@@ -162,45 +218,104 @@ def _about(direction: Array, place: Array, angle_deg: float) -> RigidTransform:
     return RigidTransform(turn.rotation, place - turn.rotation @ place)
 
 
-def _refine(measured: Sequence[_Measured], direction: Array, poses: Sequence[RigidTransform]) -> tuple[Array, Array, RigidTransform]:
-    """Direction, a point of the axis and the board's pose at 0 degrees by least squares over all corners."""
-    across = np.linalg.svd(direction[None])[2][1:]  # two unit vectors at right angles to the axis
-    # A first place: the centre that the board's centres turn about, in the plane across the axis.
-    centres = np.array([pose.apply(measured[0].board.mean(axis=0)) for pose in poses]) @ across.T
-    system = np.c_[2 * centres, np.ones(len(centres))]
-    flat = np.linalg.lstsq(system, (centres**2).sum(axis=1), rcond=None)[0][:2]
-    middle = np.mean([view.points.mean(axis=0) for view in measured], axis=0)
-    if (centres.max(axis=0) - centres.min(axis=0)).max() < 1.0:  # a board centred on the axis draws no circle
-        flat = centres.mean(axis=0)
-    place0 = flat @ across + (middle @ direction) * direction
-    back = _about(direction, place0, -measured[0].table_deg) @ poses[0]
+class _Turn:
+    """The fit of all views; unknowns are the axis' tilt (2, rad) and place (2, mm), the board's pose at 0 degrees (6), and
+    an error of every view's angle (rad)."""
 
-    def unpack(p: Array) -> tuple[Array, Array, RigidTransform]:
-        tilted = direction + p[0:2] @ across
+    def __init__(
+        self, measured: Sequence[_Measured], direction: Array, poses: Sequence[RigidTransform], target: CharucoTarget, thickness_mm: float
+    ) -> None:
+        self._outline, self._thickness_mm = _Outline(target), thickness_mm
+        self._measured, self._direction = measured, direction
+        self._across = np.linalg.svd(direction[None])[2][1:]  # two unit vectors at right angles to the axis
+        # A first place: the centre that the board's centres turn about, in the plane across the axis.
+        centres = np.array([pose.apply(measured[0].board.mean(axis=0)) for pose in poses]) @ self._across.T
+        system = np.c_[2 * centres, np.ones(len(centres))]
+        flat = np.linalg.lstsq(system, (centres**2).sum(axis=1), rcond=None)[0][:2]
+        middle = np.mean([view.points.mean(axis=0) for view in measured], axis=0)
+        if (centres.max(axis=0) - centres.min(axis=0)).max() < 1.0:  # a board centred on the axis draws no circle
+            flat = centres.mean(axis=0)
+        self._place = flat @ self._across + (middle @ direction) * direction
+        self._pose = _about(direction, self._place, -measured[0].table_deg) @ poses[0]
+
+    def unpack(self, p: Array) -> tuple[Array, Array, RigidTransform, Array]:
+        """Direction, a point of the axis, the board's pose at 0 degrees, and the angles' errors in degrees."""
+        tilted = self._direction + p[0:2] @ self._across
         step = RigidTransform.from_vector(p[4:7], p[7:10])
-        pose = RigidTransform(step.rotation @ back.rotation, back.translation + step.translation)
-        return tilted / np.linalg.norm(tilted), place0 + p[2:4] @ across, pose
+        pose = RigidTransform(step.rotation @ self._pose.rotation, self._pose.translation + step.translation)
+        return tilted / np.linalg.norm(tilted), self._place + p[2:4] @ self._across, pose, np.degrees(p[10:])
 
-    def residual(p: Array) -> Array:
-        axis, place, pose = unpack(p)
-        parts = []
-        for view in measured:
-            predicted = (_about(axis, place, view.table_deg) @ pose).apply(view.board)
-            parts.append((view.whitening @ (view.points - predicted)[..., None]).ravel())
-        return np.concatenate(parts)
+    def solve(self) -> tuple[Array, Array]:
+        """The unknowns, and the Jacobian of the residuals there."""
+        start = np.zeros(10 + len(self._measured))
+        scale = np.r_[1e-3, 1e-3, 0.1, 0.1, 1e-3, 1e-3, 1e-3, 0.1, 0.1, 0.1, np.full(len(self._measured), 1e-3)]
+        solution = least_squares(self.residual, start, x_scale=scale, loss="soft_l1", f_scale=5.0, xtol=1e-12, ftol=1e-12)
+        found = np.asarray(solution.x, np.float64)
+        columns = [(self.residual(found + step) - self.residual(found - step)) / 2e-5 for step in 1e-5 * np.eye(len(found))]
+        return found, np.stack(columns, axis=1)
 
-    scale = np.r_[1e-3, 1e-3, 0.1, 0.1, 1e-3, 1e-3, 1e-3, 0.1, 0.1, 0.1]
-    solution = least_squares(residual, np.zeros(10), x_scale=scale, loss="soft_l1", f_scale=3.0, xtol=1e-12, ftol=1e-12)
-    return unpack(solution.x)
+    def residual(self, p: Array) -> Array:
+        """Of all corners in units of their standard uncertainty, then of the angles' prior."""
+        return self._against([view.points for view in self._measured], [view.board for view in self._measured], p)
+
+    def moved_by(self, p: Array, fit: StereoCalibrationFit, views: Sequence[TableView], step: Array) -> Array:
+        """The residual of the same images with the stereo parameters and marks moved by `step`."""
+        triangulator, marks = _triangulator(fit, step[:STEREO]), fit.marks + step[STEREO:].reshape(-1, 3)
+        pairs = [view.stereo.common() for view in views]
+        counts = np.cumsum([len(ids) for ids, _, _ in pairs])[:-1]
+        ones = np.ones(sum(len(ids) for ids, _, _ in pairs))
+        left_px, right_px = (np.concatenate([pair[side] for pair in pairs]) for side in (1, 2))
+        points = triangulator.triangulate(left_px, right_px, ones, ones).points
+        return self._against(np.split(points, counts), [marks[ids] for ids, _, _ in pairs], p)
+
+    def _against(self, points: Sequence[Array], boards: Sequence[Array], p: Array) -> Array:
+        axis, place, pose, errors_deg = self.unpack(p)
+        parts = [errors_deg / _ANGLE_PRIOR_DEG]
+        for view, found, board, error_deg in zip(self._measured, points, boards, errors_deg, strict=True):
+            predicted = (_about(axis, place, view.table_deg + error_deg) @ pose).apply(board)
+            parts.append((view.whitening @ (found - predicted)[..., None]).ravel())
+        return np.concatenate([*parts[1:], parts[0]])
+
+    def axis(self, p: Array, marks: Array) -> Array:
+        """A point of the axis and its direction, (6,); the point is level with the middle of the board's face."""
+        direction, place, pose, _ = self.unpack(p)
+        level = place + float((pose.apply(marks.mean(axis=0)) - place) @ direction) * direction
+        return np.concatenate([level, direction])
+
+    def down_to_table_mm(self, p: Array, marks: Array) -> float:
+        """From there down to the table, on which the board rests with the lowest point of its border.
+
+        How well the border is known moves only the datum of all heights; it is kept out of the axis' covariance.
+        """
+        direction, _, pose, _ = self.unpack(p)
+        heights = pose.apply(np.vstack([marks.mean(axis=0), self._outline.points(marks)])) @ direction
+        return float(heights[0] - heights[1:].min()) + self._thickness_mm
+
+    def position_rms_um(self, p: Array) -> float:
+        """Rms over the views, per coordinate of the board's centre."""
+        axis, place, pose, errors_deg = self.unpack(p)
+        shifts = []
+        for view, error_deg in zip(self._measured, errors_deg, strict=True):
+            predicted = (_about(axis, place, view.table_deg + error_deg) @ pose).apply(view.board)
+            shifts.append(view.points.mean(axis=0) - predicted.mean(axis=0))
+        return 1e3 * float(np.sqrt(np.mean(np.square(shifts))))
 
 
-def _residuals(measured: Sequence[_Measured], direction: Array, place: Array, pose: RigidTransform) -> tuple[float, float]:
-    """Rms over the views of the angle about the axis in degrees, and per coordinate of the board's centre in um."""
-    angles, shifts = [], []
-    for view in measured:
-        predicted = (_about(direction, place, view.table_deg) @ pose).apply(view.board)
-        step = fit_rigid(predicted, view.points)
-        skew = step.rotation - step.rotation.T
-        angles.append(0.5 * float(np.array([skew[2, 1], skew[0, 2], skew[1, 0]]) @ direction))
-        shifts.append(view.points.mean(axis=0) - predicted.mean(axis=0))
-    return float(np.degrees(np.sqrt(np.mean(np.square(angles))))), 1e3 * float(np.sqrt(np.mean(np.square(shifts))))
+class _Outline:
+    """The border of a board whose inner corners are known, as a polynomial of degree two continues them."""
+
+    def __init__(self, target: CharucoTarget) -> None:
+        (width, height), drawn = target.size_mm, target.object_points
+        along, down = np.linspace(0, width, target.columns + 1), np.linspace(0, height, target.rows + 1)
+        border = [(x, y) for x in along for y in down if x in (0.0, width) or y in (0.0, height)]
+        self._xy = np.array(border)
+        self._continued = _quadratic(self._xy, target) @ np.linalg.pinv(_quadratic(drawn[:, :2], target))
+
+    def points(self, marks: Array) -> Array:
+        """(k, 3) mm, board frame."""
+        return np.column_stack([self._xy, self._continued @ marks[:, 2]])
+
+
+def _quadratic(xy: Array, target: CharucoTarget) -> Array:
+    u, v = (xy / target.size_mm).T
+    return np.stack([np.ones(len(u)), u, v, u * u, u * v, v * v], axis=1)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from scanner_core.clock import Clock
 from scanner_core.errors import UsageError
 from scanner_core.geometry.rigid import RigidTransform
-from scanner_core.optics.board import DEFAULT_TARGET, CharucoTarget
+from scanner_core.optics.board import DEFAULT_BAR, DEFAULT_TARGET, CharucoTarget, LengthBar
 from scanner_core.optics.calibration import StereoCalibration, TurntableAxis
 from scanner_core.optics.camera_model import CameraModel
 from scanner_core.virtual.board import BoardRenderer, flat_on_table, operator_poses
@@ -23,6 +23,7 @@ from scanner_core.virtual.image_formation import ImageSensor
 from scanner_core.virtual.mechanics import PlayTimeline, warm_up_px
 from scanner_core.virtual.motion_state import MotionTimeline
 from scanner_core.virtual.presets import VirtualPreset
+from scanner_core.virtual.print_errors import FAULTLESS, TYPICAL, BoardFaults
 from scanner_core.virtual.scene import Scene
 from scanner_core.virtual.specimens.specimen import Specimen
 
@@ -44,6 +45,8 @@ class VirtualBench:
     clock : shared with the controller
     timeline : where beam and table are
     seed : of all noise, speckle and board poses
+    target, faults : the board as it was drawn, and how the one at hand differs
+    bar : the plate of known length; it is as certified
     """
 
     def __init__(
@@ -54,11 +57,17 @@ class VirtualBench:
         timeline: MotionTimeline,
         seed: int = 0,
         target: CharucoTarget = DEFAULT_TARGET,
+        faults: BoardFaults = TYPICAL,
+        bar: LengthBar = DEFAULT_BAR,
     ) -> None:
         self.preset, self.target, self.seed = preset, target, seed
         self._clock, self._timeline = clock, PlayTimeline(timeline, preset.backlash_deg)
         self._sensors = (ImageSensor(preset, 0, seed), ImageSensor(preset, 1, seed))
-        self._renderers = (BoardRenderer(preset, 0, target), BoardRenderer(preset, 1, target))
+        self._renderers = (BoardRenderer(preset, 0, target, faults), BoardRenderer(preset, 1, target, faults))
+        self.bar = bar
+        self._bar_renderers: tuple[BoardRenderer, BoardRenderer] | None = None
+        self._board_lowest_mm = self._renderers[0].errors.lowest_mm()
+        self._bar_shown = False
         self._shutter = Shutter(preset, seed)
         self._scene = Scene(preset, specimen)
         self._lock = threading.Lock()
@@ -90,12 +99,20 @@ class VirtualBench:
     def show_board(self, pose: RigidTransform | None) -> None:
         """Hold the board before the cameras; `pose` takes its frame to the table frame, None takes it away."""
         with self._lock:
-            self._board = pose
+            self._board, self._bar_shown = pose, False
+
+    def show_bar(self, pose: RigidTransform) -> None:
+        """Hold the length bar before the cameras; `pose` takes its plate's frame to the table frame."""
+        with self._lock:
+            if self._bar_renderers is None:
+                left, right = (BoardRenderer(self.preset, index, self.bar.plate, FAULTLESS) for index in (0, 1))
+                self._bar_renderers = left, right
+            self._board, self._bar_shown = pose, True
 
     def lay_board_on_table(self) -> None:
         """Lay the board flat on the table; it turns with it."""
         with self._lock:
-            self._board = "table"
+            self._board, self._bar_shown = "table", False
 
     def remove_board(self) -> None:
         """Take the board away."""
@@ -104,6 +121,10 @@ class VirtualBench:
     def operator_poses(self, count: int = 24, seed: int | None = None) -> list[RigidTransform]:
         """How a person would hold the board, see :func:`~scanner_core.virtual.board.operator_poses`."""
         return operator_poses(self.preset, self.target, count, self.seed if seed is None else seed)
+
+    def bar_poses(self, count: int) -> list[RigidTransform]:
+        """How a person would hold the length bar: both of its ends in both images."""
+        return operator_poses(self.preset, self.bar.plate, count, self.seed + 1, whole=True)
 
     def board_operator(self) -> BenchOperator:
         """Somebody who shows the board for a calibration."""
@@ -137,10 +158,11 @@ class VirtualBench:
             pose = board
         else:
             table_deg = self._timeline.instant(time_s).table_deg
-            known, pose = table_deg, flat_on_table(self.target, table_deg)
+            known, pose = table_deg, flat_on_table(self.target, table_deg, self._board_lowest_mm)
+        renderers = self._bar_renderers if self._bar_shown and self._bar_renderers is not None else self._renderers
         remembered = self._board_images.get(index)
         if remembered is None or remembered[0] != known:
-            remembered = (known, self._renderers[index].signal(pose))
+            remembered = (known, renderers[index].signal(pose))
             self._board_images[index] = remembered
         return remembered[1]
 
@@ -172,15 +194,24 @@ class VirtualBench:
 class BenchOperator:
     """Shows the board on the virtual bench; see :class:`~scanner_core.optics.calibration_session.BoardOperator`."""
 
+    by_hand = False
+
     def __init__(self, bench: VirtualBench) -> None:
         self._bench = bench
         self._poses: list[RigidTransform] = []
+        self._bar_poses: list[RigidTransform] = []
 
     def show(self, index: int, count: int) -> None:
         """Pose `index` of a list of `count` seeded poses."""
         if len(self._poses) != count:
             self._poses = self._bench.operator_poses(count)
         self._bench.show_board(self._poses[index])
+
+    def show_bar(self, index: int, count: int) -> None:
+        """Pose `index` of a list of `count` seeded poses of the length bar."""
+        if len(self._bar_poses) != count:
+            self._bar_poses = self._bench.bar_poses(count)
+        self._bench.show_bar(self._bar_poses[index])
 
     def lay_on_table(self) -> None:
         """Lay it flat about the table's middle."""

@@ -10,7 +10,7 @@ from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.board import CharucoTarget
 from scanner_core.optics.camera_model import CameraModel
 from scanner_core.virtual.presets import TARGET, VirtualPreset
-from scanner_core.virtual.print_errors import PrintErrors
+from scanner_core.virtual.print_errors import TYPICAL, BoardFaults, PrintErrors
 from scanner_core.virtual.projection import lens_sigma_px
 
 Array = NDArray[np.float64]
@@ -38,11 +38,11 @@ class BoardRenderer:
     board's own errors; the texture is read there, blurred like the lens does and averaged over the pixel.
     """
 
-    def __init__(self, preset: VirtualPreset, index: int, target: CharucoTarget) -> None:
+    def __init__(self, preset: VirtualPreset, index: int, target: CharucoTarget, faults: BoardFaults = TYPICAL) -> None:
         self._preset, self._camera = preset, preset.cameras[index]
         self._target = target
         self._fine = 3 if self._camera.size_px[0] * self._camera.size_px[1] < _MANY_PIXELS else 2
-        self.errors = PrintErrors(target)
+        self.errors = PrintErrors(target, faults)
         self._per_mm = _TEXELS_PER_SQUARE / target.square_mm
         size = (target.columns * _TEXELS_PER_SQUARE, target.rows * _TEXELS_PER_SQUARE)
         self._margin = round(_MARGIN_MM * self._per_mm)
@@ -89,11 +89,15 @@ class BoardRenderer:
         depth[np.abs(depth) < 1e-9] = 1e-9
         board_x, board_y = (m[0, 0] * x + m[0, 1] * y + m[0, 2]) / depth, (m[1, 0] * x + m[1, 1] * y + m[1, 2]) / depth
         along_x, along_y, into = (np.float32(r[0]) * x + np.float32(r[1]) * y + np.float32(r[2]) for r in rotation.T)
-        shift_x, shift_y, bulge = self.errors.at(board_x, board_y)
-        board_x -= shift_x + bulge * along_x / into
-        board_y -= shift_y + bulge * along_y / into
+        slope_x, slope_y = along_x / into, along_y / into
+        # The errors belong to the mark that is seen, not to where its ray meets the plane: with 0.3 mm of bend the first
+        # answer is wrong by a micrometre, the second by nothing.
+        mark_x, mark_y = board_x, board_y
+        for _ in range(2):
+            shift_x, shift_y, bulge = self.errors.at(mark_x, mark_y)
+            mark_x, mark_y = board_x - (shift_x + bulge * slope_x), board_y - (shift_y + bulge * slope_y)
         scale, offset = np.float32(self._per_mm), np.float32(self._margin - 0.5)
-        return scale * board_x + offset, scale * board_y + offset
+        return scale * mark_x + offset, scale * mark_y + offset
 
     def _lamp_light(self, pose: RigidTransform) -> Image:
         """Light of the lamp on every texel, ``cos(normal, lamp) / d^2`` plus a tenth from everywhere; it varies slowly."""
@@ -120,21 +124,21 @@ class BoardRenderer:
         return self._rays
 
 
-def flat_on_table(target: CharucoTarget, table_deg: float) -> RigidTransform:
+def flat_on_table(target: CharucoTarget, table_deg: float, lowest_mm: float = 0.0) -> RigidTransform:
     """The board's pose when it lies face up on the table, roughly centred and askew, as an operator puts it.
 
-    It is a thin print: its face is at z = 0.
+    It is a thin print that keeps its bend: the lowest point of its face is at z = 0 (see :meth:`PrintErrors.lowest_mm`).
     """
     face_up = RigidTransform(np.diag([1.0, -1.0, -1.0]), np.zeros(3))
     centred = RigidTransform(np.eye(3), -np.array([*(0.5 * np.array(target.size_mm)), 0.0]))
-    laid = RigidTransform(RigidTransform.about_z(94.0).rotation, np.array([3.4, -2.1, 0.0]))
+    laid = RigidTransform(RigidTransform.about_z(94.0).rotation, np.array([3.4, -2.1, -lowest_mm]))
     return RigidTransform.about_z(table_deg) @ laid @ face_up @ centred
 
 
-def operator_poses(preset: VirtualPreset, target: CharucoTarget, count: int = 24, seed: int = 0) -> list[RigidTransform]:
+def operator_poses(preset: VirtualPreset, target: CharucoTarget, count: int = 24, seed: int = 0, *, whole: bool = False) -> list[RigidTransform]:
     """Board poses (board to table frame) as an operator holds it: through the whole volume, tilted and turned.
 
-    Each camera sees at least half of the board's corners, at less than 62 degrees from its normal.
+    Each camera sees at least half of the board's corners (all of them if `whole`), at less than 62 degrees from its normal.
     """
     rng = np.random.default_rng([seed, 0xB0A2D])
     middle = sum((camera.centre_mm() for camera in preset.cameras), np.zeros(3)) / 2
@@ -147,7 +151,7 @@ def operator_poses(preset: VirtualPreset, target: CharucoTarget, count: int = 24
         tilt = RigidTransform.from_vector(np.radians([*rng.uniform(-32, 32, 2), rng.uniform(-40, 40)]), np.zeros(3))
         rotation = facing @ tilt.rotation
         pose = RigidTransform(rotation, place - rotation @ half)
-        if all(_visible(camera, target, pose) for camera in preset.cameras):
+        if all(_visible(camera, target, pose, 1.0 if whole else 0.5) for camera in preset.cameras):
             poses.append(pose)
     return poses
 
@@ -160,11 +164,11 @@ def _facing(place: Array, eye: Array) -> Array:
     return np.stack([x, np.cross(z, x), z], axis=1)
 
 
-def _visible(camera: CameraModel, target: CharucoTarget, pose: RigidTransform) -> bool:
+def _visible(camera: CameraModel, target: CharucoTarget, pose: RigidTransform, share: float) -> bool:
     points = pose.apply(target.object_points)
     towards = points.mean(axis=0) - camera.centre_mm()
     if pose.rotation[:, 2] @ towards < np.cos(np.radians(62)) * np.linalg.norm(towards):
         return False
     pixels, size = camera.project(points), np.array(camera.size_px)
     inside = ((pixels > 8) & (pixels < size - 9)).all(axis=1)
-    return bool(inside.mean() >= 0.5)
+    return bool(inside.mean() >= share)

@@ -14,6 +14,7 @@ from scanner_core.optics.board_detection import BoardMiss, BoardMissReason, Boar
 from scanner_core.virtual.bench import VirtualBench
 from scanner_core.virtual.board import flat_on_table
 from scanner_core.virtual.presets import PRESETS
+from scanner_core.virtual.print_errors import FAULTLESS
 from tests.core.optics.tables import Table
 
 TARGET = CharucoTarget()
@@ -22,7 +23,7 @@ PRESET = PRESETS["bench"]
 
 @pytest.fixture(scope="module")
 def bench() -> VirtualBench:
-    return VirtualBench(PRESET, None, SteppedClock(), Table(), seed=3)
+    return VirtualBench(PRESET, None, SteppedClock(), Table(), seed=3, faults=FAULTLESS)
 
 
 @pytest.fixture(scope="module")
@@ -92,3 +93,27 @@ def test_why_a_frame_cannot_be_used(frame: NDArray[np.uint8]) -> None:
     assert _miss(np.clip(cv2.GaussianBlur(frame, (0, 0), 9.0) + noise, 0, 255).astype(np.uint8)) is BoardMissReason.TOO_BLURRED
     assert _miss(np.clip(120 + 20 * noise, 0, 255).astype(np.uint8)) is BoardMissReason.NO_BOARD
     assert _miss(few) is BoardMissReason.TOO_FEW_CORNERS
+
+
+def test_a_board_that_leaves_the_image_is_called_cut(frame: NDArray[np.uint8]) -> None:
+    """The image is moved until only the board's edge is in it, four markers of it still whole."""
+    view = detect_board(frame, TARGET)
+    assert isinstance(view, BoardView)
+    reasons = set()
+    for keep in range(60, 300, 20):
+        shifted = np.full_like(frame, int(np.median(frame[:8])))
+        left = max(0, int(view.corners_px[:, 0].min()) - 40)
+        shifted[:, -keep:] = frame[:, left : left + keep]
+        seen = detect_board(shifted, TARGET)
+        reasons.add(seen.reason if isinstance(seen, BoardMiss) else None)
+    assert BoardMissReason.CUT in reasons
+
+
+def test_the_length_bar_is_never_taken_for_the_board(bench: VirtualBench) -> None:
+    bench.show_bar(bench.bar_poses(1)[0])
+    image = bench.camera("left").grab().image
+    bench.remove_board()
+    assert isinstance(detect_board(image, bench.bar.plate), BoardView)
+    seen = detect_board(image, TARGET)
+    assert isinstance(seen, BoardMiss)
+    assert seen.reason is BoardMissReason.NO_BOARD

@@ -11,7 +11,7 @@ from scanner_core.optics.board_detection import BoardView, detect_board
 from scanner_core.virtual.board import BoardRenderer, flat_on_table, operator_poses
 from scanner_core.virtual.image_formation import ImageSensor
 from scanner_core.virtual.presets import PRESETS, TARGET
-from scanner_core.virtual.print_errors import PrintErrors
+from scanner_core.virtual.print_errors import FAULTLESS, BoardFaults, PrintErrors
 
 BENCH = PRESETS["bench"]
 BOARD = CharucoTarget()
@@ -81,11 +81,34 @@ def test_the_board_on_the_table_lies_face_up_at_zero_and_turns_with_it() -> None
     assert np.linalg.norm(first.apply(BOARD.object_points).mean(axis=0)) < 10
 
 
-def test_the_board_s_own_errors_are_those_of_a_good_print() -> None:
-    errors = PrintErrors(BOARD)
-    off = 1e3 * (errors.marks(BOARD.object_points) - BOARD.object_points)
+def test_the_board_is_bent_twisted_and_too_large_as_asked() -> None:
+    errors = PrintErrors(BOARD, BoardFaults(uneven_um=0.0, print_um=0.0))
+    width, height = BOARD.size_mm
+    corners = np.array([[0, 0, 0], [width, 0, 0], [width, height, 0], [0, height, 0], [0.5 * width, 0.5 * height, 0]], float)
+    off = errors.marks(corners) - corners
+    np.testing.assert_allclose(-off[:, 2], [0.12, -0.12, 0.12, -0.12, 0.3], atol=1e-5)
+    np.testing.assert_allclose(off[:4, :2], 0.001 * np.array([[-width, -height], [width, -height], [width, height], [-width, height]]), atol=1e-5)
+    assert errors.lowest_mm() == pytest.approx(-0.12, abs=1e-4)
+
+
+def test_ink_and_unevenness_are_those_of_the_board_s_seed() -> None:
+    points = BOARD.object_points
+    errors, again, other = (PrintErrors(BOARD, BoardFaults(bow_mm=0.0, twist_mm=0.0, scale=1.0, seed=seed)) for seed in (1, 1, 2))
+    off = 1e3 * (errors.marks(points) - points)
     assert 4 < np.sqrt((off[:, :2] ** 2).mean()) < 12
-    assert np.abs(off[:, :2]).max() < 30
-    assert 0 <= -off[:, 2].max() < -off[:, 2].min() <= 20
-    again = PrintErrors(BOARD)
-    np.testing.assert_array_equal(errors.marks(BOARD.object_points), again.marks(BOARD.object_points))
+    assert 5 < np.sqrt((off[:, 2] ** 2).mean()) < 25
+    np.testing.assert_array_equal(errors.marks(points), again.marks(points))
+    assert not np.array_equal(errors.marks(points), other.marks(points))
+
+
+def test_a_board_without_faults_is_its_drawing() -> None:
+    np.testing.assert_array_equal(PrintErrors(BOARD, FAULTLESS).marks(BOARD.object_points), BOARD.object_points)
+
+
+def test_a_bent_board_rests_on_the_table_with_its_lowest_point() -> None:
+    errors = PrintErrors(BOARD)
+    pose = flat_on_table(BOARD, 20.0, errors.lowest_mm())
+    x, y = np.meshgrid(np.linspace(0, BOARD.size_mm[0], 30), np.linspace(0, BOARD.size_mm[1], 30))
+    heights = pose.apply(errors.marks(np.stack([x.ravel(), y.ravel(), np.zeros(x.size)], axis=1)))[:, 2]
+    assert heights.min() == pytest.approx(0.0, abs=0.01)
+    assert heights.max() > 0.2
