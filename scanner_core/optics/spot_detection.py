@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from scanner_core.errors import UsageError
 from scanner_core.optics.spot import MissReason, Spot, SpotMiss
 from scanner_core.optics.spot_background import Background, estimate_background
-from scanner_core.optics.spot_border import border_centroid
+from scanner_core.optics.spot_border import border_centroid, pixel_lock
 from scanner_core.optics.spot_centroid import Moments, PixelNoise, PixelWeights
 from scanner_core.optics.spot_fit import PIXEL_VARIANCE_PX2, REACH_SIGMA, fit_gaussian
 
@@ -62,7 +62,7 @@ class SpotDetectorParameters:
         at f/4 and 10 x 15.6 um, 0.15 px at 3.45 um
     centroid : ``weighted``, the centre of gravity with weights matched to the noise (see `spot_centroid`): fast, within 6 %
         of the Cramer-Rao bound; ``gaussian``, the maximum-likelihood fit (see `spot_fit`): at the bound, also for
-        saturated spots; ``border``, as published (see `spot_border`): several times less certain, and it locks to the pixels
+        saturated spots, where ``weighted`` makes use of it too; ``border``, as published (see `spot_border`): several times less certain, and it locks to the pixels
         when the spot is small
     border_level : 0.05 to 0.9; height of that contour between background and peak.  The publication does not state its
         own; the higher it is, the stronger a spot smaller than a pixel locks
@@ -247,13 +247,15 @@ class SpotDetector:
 
         x, y, variance_x, variance_y = moments.x, moments.y, moments.variance_x, moments.variance_y
         xx, yy = max(moments.xx, 0.0), max(moments.yy, 0.0)
-        if p.centroid == "gaussian":
+        if p.centroid == "gaussian" or (moments.saturated_px and p.centroid == "weighted"):
             x, y, variance_x, variance_y, xx, yy = _fitted(image, moments, x0, y0, levels.weights.noise)
         elif p.centroid == "border":
             level = max(levels.extent_dn, levels.background.mean_dn + p.border_level * signal)
             middle = border_centroid(pixels.astype(np.float64), level, levels.weights.noise)
             if middle is not None:
                 x, y, variance_x, variance_y = middle
+                lock_x2, lock_y2 = pixel_lock(xx, yy, (level - levels.background.mean_dn) / signal)
+                variance_x, variance_y = variance_x + lock_x2, variance_y + lock_y2
         uncertainty = math.sqrt(0.5 * (variance_x + variance_y) + p.floor_px * p.floor_px)
         return Spot(x0 + x, y0 + y, math.sqrt(xx), math.sqrt(yy), float(peak), flux, moments.area_px, uncertainty), flux
 
