@@ -11,7 +11,10 @@ from numpy.typing import NDArray
 
 _SAMPLE_PX = 3000
 """Pixels looked at: their standard deviation is known to 1.3 %, their mean to a fiftieth of it."""
+
 _ROUNDS = 3
+_CLIP_SD, _CLIP_DN = 4.5, 2.0
+"""What is farther above the mean is left out; never closer than 2 DN, so that the rounding of a dark, noiseless frame clips nothing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,19 +26,19 @@ class Background:
 
 
 def estimate_background(image: NDArray[np.uint8]) -> Background:
-    """Background of an image (H, W) uint8: mean and deviation of a regular sample, what is bright in it left out.
-
-    Three rounds of clipping at 4 standard deviations, and never closer than 2 DN, so that the rounding of a dark,
-    noiseless frame clips nothing.
-    """
+    """Background of an image (H, W) uint8: mean and deviation of a regular sample, what is bright in it left out."""
     height, width = image.shape
     step = max(1, math.isqrt(height * width // _SAMPLE_PX))
     # An odd number of columns between neighbours: interlaced or binned columns do not fall into step with the sample.
     sample = np.ascontiguousarray(image[::step, :: step | 1])
     mean, sd = _mean_and_sd(sample, None)
-    for _ in range(_ROUNDS - 1):
-        dark = cv2.threshold(sample, math.floor(mean + max(4 * sd, 2.0)), 255, cv2.THRESH_BINARY_INV)[1]
-        mean, sd = _mean_and_sd(sample, dark)
+    brightest, limit = cv2.minMaxLoc(sample)[1], 255
+    for _ in range(_ROUNDS):
+        clip = math.floor(mean + max(_CLIP_SD * sd, _CLIP_DN))
+        if clip >= min(brightest, limit):
+            break
+        limit = clip
+        mean, sd = _mean_and_sd(sample, cv2.threshold(sample, limit, 255, cv2.THRESH_BINARY_INV)[1])
     return Background(mean, sd)
 
 

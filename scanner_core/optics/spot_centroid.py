@@ -112,19 +112,19 @@ class PixelWeights:
         """Moments of a blob, its window (h, w) uint8 and its brightest pixel given."""
         height, width = pixels.shape
         basis = _basis(height, width) if height * width <= _CACHED_PX else _monomials(height, width)
-        sums = (basis @ self._table.take(pixels.ravel(), axis=0)).tolist()
+        sums = basis.dot(self._table.take(pixels.ravel(), axis=0, mode="clip")).tolist()
         (w, q, flux, area, saturated), (wx, qx, *_), (wy, qy, *_), (wxx, qxx, *_), (wyy, qyy, *_), (wxy, *_) = sums
         if w <= 0:
             return Moments(0.5 * (width - 1), 0.5 * (height - 1), 0.0, 0.0, 0.0, math.inf, math.inf, 0.0, int(area), int(saturated))
-        x, y, per_w2, whole = wx / w, wy / w, 1 / (w * w), self._sharpening[peak_dn]
+        x, y, per_w, whole = wx / w, wy / w, 1 / w, self._sharpening[peak_dn]
         return Moments(
             x,
             y,
-            (wxx / w - x * x) * whole,
-            (wyy / w - y * y) * whole,
-            (wxy / w - x * y) * whole,
-            (qxx - 2 * x * qx + x * x * q) * per_w2,
-            (qyy - 2 * y * qy + y * y * q) * per_w2,
+            max(wxx * per_w - x * x, 0.0) * whole,
+            max(wyy * per_w - y * y, 0.0) * whole,
+            (wxy * per_w - x * y) * whole,
+            (qxx - 2 * x * qx + x * x * q) * per_w * per_w,
+            (qyy - 2 * y * qy + y * y * q) * per_w * per_w,
             flux,
             int(area),
             int(saturated),
