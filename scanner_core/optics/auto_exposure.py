@@ -27,8 +27,10 @@ HIGHEST_BACKGROUND = 0.05
 _SMALLEST_SIGNAL_DN = 6.0
 """A fainter spot may be noise: its height tells nothing but "more"."""
 _LARGEST_STEP = 8.0
-_CLIPPED_STEPS = ((0, 0.7), (4, 0.5), (12, 0.25), (60, 0.1))
-"""Above so many clipped pixels, this times the light."""
+_CLIPPED_PER_E = 9.0
+"""Clipped pixels of a spot e times as bright as full scale: 2 pi sigma^2 at a sigma of 1.2 px.  Where that is wrong the next
+reading tells."""
+_SMALLEST_CLIPPED_STEP, _LARGEST_CLIPPED_STEP = 0.7, 0.02
 _UNCHANGED = 1.001
 """A change of the light by less is none."""
 
@@ -107,7 +109,7 @@ def propose_exposure(reading: ExposureReading, limits: ExposureLimits) -> Exposu
     """The next exposure and gain after a reading, or the verdict that ends the search."""
     signal = reading.peak_dn - reading.background_dn
     if reading.saturated_px or reading.peak_dn >= FULL_SCALE_DN - 1:
-        factor = min(step for count, step in _CLIPPED_STEPS if reading.saturated_px >= count)
+        factor = min(max(AIMED_PEAK * math.exp(-reading.saturated_px / _CLIPPED_PER_E), _LARGEST_CLIPPED_STEP), _SMALLEST_CLIPPED_STEP)
     elif signal < _SMALLEST_SIGNAL_DN:
         factor = _LARGEST_STEP
     elif LOWEST_PEAK * FULL_SCALE_DN <= reading.peak_dn <= HIGHEST_PEAK * FULL_SCALE_DN:
