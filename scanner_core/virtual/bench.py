@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import threading
 from collections import OrderedDict
+from collections.abc import Iterable
+from dataclasses import replace
 from typing import Literal
 
 import numpy as np
@@ -17,10 +19,12 @@ from scanner_core.optics.calibration import StereoCalibration, TurntableAxis
 from scanner_core.optics.camera_model import CameraModel
 from scanner_core.virtual.board import BoardRenderer, flat_on_table, operator_poses
 from scanner_core.virtual.camera import VirtualCamera
+from scanner_core.virtual.disturbances import Disturbance, Disturbed, SlippingTable
 from scanner_core.virtual.exposure import Exposure, Shutter
 from scanner_core.virtual.image_formation import ImageSensor
 from scanner_core.virtual.motion_state import MotionTimeline
 from scanner_core.virtual.presets import VirtualPreset
+from scanner_core.virtual.projection import ImagePoints
 from scanner_core.virtual.scene import Scene
 from scanner_core.virtual.specimens.specimen import Specimen
 
@@ -54,7 +58,8 @@ class VirtualBench:
         target: CharucoTarget = DEFAULT_TARGET,
     ) -> None:
         self.preset, self.target, self.seed = preset, target, seed
-        self._clock, self._timeline = clock, timeline
+        self._disturbed = Disturbed(preset)
+        self._clock, self._timeline = clock, SlippingTable(timeline, self._disturbed)
         self._sensors = (ImageSensor(preset, 0, seed), ImageSensor(preset, 1, seed))
         self._renderers = (BoardRenderer(preset, 0, target), BoardRenderer(preset, 1, target))
         self._shutter = Shutter(preset, seed)
@@ -75,9 +80,13 @@ class VirtualBench:
             raise UsageError("E-USE-01", what=f"The rig has no camera '{side}'", do="choose left or right")
         index = _SIDES.index(side)
         p = self.preset
-        return VirtualCamera(side, index, p.cameras[index].size_px, p.rate_hz, p.exposure_ms, self._clock, self, transfer_frames)
+        return VirtualCamera(side, index, p.cameras[index].size_px, p.rate_hz, p.exposure_ms, self._clock, self, transfer_frames, self._disturbed)
 
     # ------------------------------------------------------------------------------------------ a person's operations
+    def disturb(self, disturbances: Iterable[Disturbance]) -> None:
+        """Let these things go wrong, at their times from now on; an empty list puts everything right again."""
+        self._disturbed.happen(disturbances, self._clock.now_s())
+
     def change_specimen(self, specimen: Specimen | None) -> None:
         """Put something else on the table, or nothing."""
         scene = Scene(self.preset, specimen)
@@ -116,7 +125,21 @@ class VirtualBench:
                 signal = self._board_signal(index, start_s + 0.5e-3 * exposure_ms)
                 return sensor.lit_frame(signal * np.float32(exposure_ms / self.preset.exposure_ms), key, gain)
             spot = self._expose(start_s, exposure_ms).spots[index]
+        dx, dy = self._disturbed.image_shift_px(index, start_s)
+        if spot is not None and (dx or dy):
+            spot = replace(spot, x_px=spot.x_px + dx, y_px=spot.y_px + dy)
+        lamp_dn = self._disturbed.ambient_dn(start_s)
+        if lamp_dn > 0:
+            return sensor.lit_frame(self._lamp_signal(sensor, spot, lamp_dn * exposure_ms / self.preset.exposure_ms), key, gain)
         return sensor.frame(spot, key, gain)
+
+    def _lamp_signal(self, sensor: ImageSensor, spot: ImagePoints | None, lamp_dn: float) -> NDArray[np.float32]:
+        """The spot on a scene that a lamp lights evenly, DN over black."""
+        width, height = sensor.camera.size_px
+        signal = np.full((height, width), lamp_dn, np.float32)
+        for left, top, light in [] if spot is None else sensor.windows(spot):
+            signal[top : top + light.shape[0], left : left + light.shape[1]] += light
+        return signal
 
     def _expose(self, start_s: float, exposure_ms: float) -> Exposure:
         instant = (start_s, exposure_ms)
