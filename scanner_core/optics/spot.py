@@ -47,7 +47,15 @@ class Spot:
 
 @dataclass(frozen=True, slots=True)
 class SpotMiss:
-    """No usable spot, and why: an expected value, not an error."""
+    """No usable spot, and why: an expected value, not an error.
+
+    Attributes
+    ----------
+    peak_dn : brightest pixel of what was rejected, 0 to 255
+    candidates : the spots among which the frame alone cannot tell, brightest first, when the reason is `AMBIGUOUS`: each
+        passed all gates, and the other camera's may decide by the epipolar residual.  Empty for any other reason
+    """
 
     reason: MissReason
     peak_dn: float = 0.0
+    candidates: tuple[Spot, ...] = ()

@@ -127,13 +127,14 @@ class SpotDetector:
     def detect(self, image: NDArray[np.uint8]) -> Spot | SpotMiss:
         """The spot in an image (H, W) uint8, or why there is none.
 
-        Several blobs pass as one if the brightest has `dominance` times the flux of the next.
+        Several blobs pass as one if the brightest has `dominance` times the flux of the next; else the miss is
+        `AMBIGUOUS` and holds them as its candidates.
         """
         spots, miss = self._candidates(image)
         if not spots:
             return miss
         if len(spots) > 1 and spots[0].flux_dn < self.parameters.dominance * spots[1].flux_dn:
-            return SpotMiss(MissReason.AMBIGUOUS, spots[0].peak_dn)
+            return SpotMiss(MissReason.AMBIGUOUS, spots[0].peak_dn, tuple(spots))
         return spots[0]
 
     def detect_all(self, image: NDArray[np.uint8]) -> tuple[Spot, ...]:

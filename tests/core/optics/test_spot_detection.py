@@ -150,6 +150,15 @@ def test_dominant_spot_wins_over_a_weak_reflection() -> None:
     assert [(round(spot.x_px), round(spot.y_px)) for spot in candidates] == [(300, 150), (400, 80), (101, 33)]
 
 
+def test_ambiguous_spots_come_with_the_miss_brightest_first() -> None:
+    frame = _frame((300, 150, 1.0, 120), (400, 80, 1.0, 150))
+    found = DETECTOR.detect(frame)
+    assert isinstance(found, SpotMiss)
+    assert found.reason is MissReason.AMBIGUOUS
+    assert [(round(spot.x_px), round(spot.y_px)) for spot in found.candidates] == [(400, 80), (300, 150)]
+    assert found.candidates == DETECTOR.detect_all(frame)
+
+
 def test_hot_pixel_does_not_hide_a_spot() -> None:
     frame = np.maximum(_hot_pixel(), _frame((300, 150, 1.0, 40)))
     found = DETECTOR.detect(frame)
