@@ -262,7 +262,8 @@ class ScanRunner:
             scan = RowScan(left, right, row, self._rig.clock.now_s(), self._cancelled, self._poll)
             try:
                 for pairs in scan.batches():
-                    observations, points = self._engine.evaluate(pairs, row.view, table_deg)
+                    seen = self._engine.evaluate(pairs, row.view, table_deg)
+                    observations, points = seen.observations, seen.points
                     if wanted is not None and measured + len(points) >= wanted:
                         observations, points = _until(observations, points, wanted - measured)
                         scan.stop()
