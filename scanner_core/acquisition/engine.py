@@ -23,12 +23,16 @@ TABLE_MM = 0.15
 
 @dataclass(frozen=True, slots=True)
 class StereoPair:
-    """What both cameras saw at a trigger id; None where the frame was dropped."""
+    """What both cameras saw at a trigger id; None where the frame was dropped.
+
+    `skew_s` is by how much later the right camera exposed, by the frames' time stamps; 0 without both.
+    """
 
     trigger_id: int
     time_s: float
     left: Spot | SpotMiss | None
     right: Spot | SpotMiss | None
+    skew_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -115,6 +115,7 @@ class RowScan:
         for trigger_id in ids:
             left, right = (pending.pop(trigger_id, None) for pending in self._pending)
             time_s = next((event.time_s for event in (left, right) if event is not None), 0.0)
-            pairs.append(StereoPair(trigger_id, time_s, None if left is None else left.seen, None if right is None else right.seen))
+            skew_s = right.time_s - left.time_s if left is not None and right is not None else 0.0
+            pairs.append(StereoPair(trigger_id, time_s, None if left is None else left.seen, None if right is None else right.seen, skew_s))
         done.update(ids)
         return pairs

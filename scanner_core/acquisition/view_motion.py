@@ -8,7 +8,7 @@ counts as unknown.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -45,7 +45,7 @@ class ViewMotion:
     radius_mm : turns are multiplied by it, so that all six unknowns are lengths
     directions : (6, k) orthonormal, the directions of motion that are known
     amounts_mm, uncertainties_mm : (k,) along them, and their standard uncertainties by the points' scatter
-    axis_information : (turn about +z of the object frame) its information, rad^-2, and the part of it that is feigned
+    information, feigned : (6, 6) mm^-2, of independent points, and the part of it that the normals' noise feigns
     points : that were compared
     residual_mm : robust standard deviation of the distances afterwards
     """
@@ -72,16 +72,20 @@ class ViewMotion:
         return self.vector_mm[3:]
 
     def significance(self, systematic_mm: float) -> float:
-        """Chi-square of the motion per known direction; `systematic_mm` is added to every uncertainty in quadrature."""
+        """Chi-square of the motion over the known directions; `systematic_mm` is added to every uncertainty in quadrature."""
         if not len(self.amounts_mm):
             return 0.0
         ratio2 = self.amounts_mm**2 / (self.uncertainties_mm**2 + systematic_mm**2)
         return float(ratio2.sum())
 
+    def _axis_motion(self) -> Array:
+        """(6,) mm per radian of a turn about the object frame's z axis."""
+        axis = np.array([0.0, 0.0, 1.0])
+        return np.concatenate([self.radius_mm * axis, np.cross(axis, self.centre)])
+
     def turn_about_z(self, systematic_mm: float) -> tuple[float, float] | None:
         """The turn about the table's axis that explains the motion best, and its standard uncertainty, rad; None when unknown."""
-        axis = np.array([0.0, 0.0, 1.0])
-        along = np.concatenate([self.radius_mm * axis, np.cross(axis, self.centre)])
+        along = self._axis_motion()
         information = float(along @ self.information @ along)
         if information <= 0 or float(along @ self.feigned @ along) > _FEIGNED * information:
             return None
@@ -91,6 +95,11 @@ class ViewMotion:
         if total <= 0 or total < 1e-2 * information:
             return None
         return float((weight * known * self.amounts_mm).sum()) / total, 1.0 / float(np.sqrt(total))
+
+    def explained_by_turn(self, turn: float, systematic_mm: float) -> float:
+        """The part of the significance that a turn about the table's axis by `turn` rad takes away."""
+        rest = replace(self, amounts_mm=self.amounts_mm - turn * (self.directions.T @ self._axis_motion()))
+        return 1.0 - rest.significance(systematic_mm) / max(self.significance(systematic_mm), 1e-12)
 
     def transform(self) -> RigidTransform:
         return _about(self.vector_mm, self.centre, self.radius_mm)

@@ -151,8 +151,10 @@ class VirtualCamera:
 
     def _frame(self, start_s: float, trigger_id: int, key: int) -> Frame:
         gain = 10 ** (self._gain_db / 20)
-        image = self._exposer.image(self._index, start_s + self._late_s(start_s), self._exposure_ms, gain, key)
-        return Frame(image, trigger_id, start_s + 0.5e-3 * self._exposure_ms, self._name)
+        late_s = self._late_s(start_s)
+        image = self._exposer.image(self._index, start_s + late_s, self._exposure_ms, gain, key)
+        stamped_s = 0.0 if self._disturbed is None or not self._disturbed.stamped(self._index, start_s) else late_s
+        return Frame(image, trigger_id, start_s + stamped_s + 0.5e-3 * self._exposure_ms, self._name)
 
     def _late_s(self, start_s: float) -> float:
         return 0.0 if self._disturbed is None else self._disturbed.late_s(self._index, start_s, 1.0 / self._rate_hz)

@@ -63,18 +63,23 @@ class FramesDropped:
 
 @dataclass(frozen=True, slots=True)
 class CameraSkew:
-    """A camera exposes later than the other from `at_s` on, and its time stamps do not show it."""
+    """A camera exposes later than the other from `at_s` on; its time stamps show it, unless the driver makes them up."""
 
     skew_ms: float = 8.3
     camera: str = "right"
+    stamped: bool = True
     at_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
 class TriggerLost:
-    """From `at_s` on a camera is one frame behind: the frame of an id shows the exposure of the id before."""
+    """A camera misses a trigger at `at_s`: from then on its frame of an id shows the exposure of the id after.
+
+    The time stamps show it, unless the driver makes them up from the ids.
+    """
 
     camera: str = "right"
+    stamped: bool = True
     at_s: float = 0.0
 
 
@@ -134,12 +139,16 @@ class Disturbed:
         return x, y
 
     def late_s(self, index: int, time_s: float, period_s: float) -> float:
-        """By how much camera `index` exposes later than asked; negative for a frame that is one behind."""
+        """By how much later than asked the exposure of camera `index` was that its next frame shows."""
         late = 0.0
         for d in self._given:
             if d.at_s <= time_s and _concerns(d, index):
-                late += 1e-3 * d.skew_ms if isinstance(d, CameraSkew) else -period_s if isinstance(d, TriggerLost) else 0.0
+                late += 1e-3 * d.skew_ms if isinstance(d, CameraSkew) else period_s if isinstance(d, TriggerLost) else 0.0
         return late
+
+    def stamped(self, index: int, time_s: float) -> bool:
+        """Whether the time stamps of camera `index` tell when it exposed."""
+        return all(d.stamped for d in self._given if isinstance(d, CameraSkew | TriggerLost) and d.at_s <= time_s and _concerns(d, index))
 
     def drops(self, index: int, time_s: float, key: int) -> bool:
         """Whether the frame with this noise key is lost."""
