@@ -113,6 +113,14 @@ def _command(commands: argparse._SubParsersAction[argparse.ArgumentParser], name
 def _virtual(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--speed", type=_speed, default="max", metavar="1, 5, max", help="of the virtual rig (default max)")
     parser.add_argument("--seed", type=int, default=0, metavar="N", help="of every random choice")
+    parser.add_argument(
+        "--fault",
+        action="append",
+        default=[],
+        metavar="NAME[@TIME]",
+        help="let something go wrong on the virtual rig, TIME seconds after the scan began: "
+        "camera_bumped, lost_steps, lamp_on, frames_dropped, camera_skew, trigger_lost; may be repeated",
+    )
 
 
 def _speed(text: str) -> float | str:

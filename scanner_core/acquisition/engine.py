@@ -53,6 +53,15 @@ class EvaluatedPairs:
     residual_px: Array
     expected_px: Array
 
+    def until(self, wanted: int) -> EvaluatedPairs:
+        """The pairs up to the one that gives the last wanted point."""
+        found = 0
+        for i, seen in enumerate(self.observations):
+            found += seen.verdict == MEASURED
+            if found == wanted:
+                return EvaluatedPairs(self.observations[: i + 1], self.points[:wanted], self.residual_px[: i + 1], self.expected_px[: i + 1])
+        return self
+
 
 class StereoEngine:
     """Evaluates pairs in micro-batches.  Stateless between batches.

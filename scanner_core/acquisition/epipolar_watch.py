@@ -105,6 +105,11 @@ class EpipolarWatch:
                     return self._alarm(side)
         return None
 
+    @property
+    def scatter(self) -> float:
+        """Standard deviation about the reference over the expected one, of what the reference has learnt from."""
+        return self._spread
+
     def spread_px(self) -> tuple[float, float, float]:
         """Mean, standard deviation and expected standard deviation of all residuals so far."""
         n = max(self.count, 1)

@@ -181,9 +181,10 @@ class SlippingTable:
             return told
         with self._lock:
             for loss in losses:
-                if time_s >= loss.at_s and loss not in self._slipped_s:
-                    if told.table_deg != self._rested_deg.setdefault(loss, told.table_deg):
-                        self._slipped_s[loss] = time_s
+                if time_s < loss.at_s or loss in self._slipped_s:
+                    continue
+                if told.table_deg != self._rested_deg.setdefault(loss, told.table_deg):
+                    self._slipped_s[loss] = time_s
             lost = sum(loss.lost_deg for loss in losses if time_s >= self._slipped_s.get(loss, float("inf")))
         return replace(told, table_deg=told.table_deg - lost)
 
