@@ -20,6 +20,7 @@ from scanner_core.acquisition.finding import Finding
 from scanner_core.acquisition.frame_watch import SIDES, FrameWatch
 from scanner_core.acquisition.plan import ScanPlan
 from scanner_core.acquisition.view_watch import Closure, ViewStep, ViewWatch
+from scanner_core.case.observation import MEASURED
 from scanner_core.optics.calibration import StereoCalibration
 
 Array = NDArray[np.float64]
@@ -79,6 +80,9 @@ class HealthMonitor:
         self._missing = (0, 0)
         self._spread = (0.0, 0.0, 0.0)
         self._phase: Phase = "locate"
+        self._first_id = self._later = 0
+        self._first: dict[int, Array] = {}
+        self._again: dict[int, Array] = {}
 
     # ------------------------------------------------------------------------------------------ from any thread
     @property
@@ -94,6 +98,11 @@ class HealthMonitor:
     def begin(self, plan: ScanPlan, phase: Phase) -> None:
         """A pass begins; while it locates, most of the volume is empty."""
         self._phase = phase
+        if phase == "closure":
+            self._later = plan.views[0].rows[0].first_id - self._first_id
+        elif plan.views[0].rows:
+            self._first_id = plan.views[0].rows[0].first_id
+            self._first.clear()
         rows = [row.count for view in plan.views for row in view.rows]
         if rows:
             self._frames.expect_light(2 * plan.planned // len(plan.views) if phase == "locate" else max(200, 4 * max(rows)))
@@ -106,6 +115,9 @@ class HealthMonitor:
         self._judge_residuals(seen, shown, table_deg)
         if self._phase == "scan":
             self._views.add(seen.points)
+        if self._phase == "closure" or view == 0:
+            ids = [o.trigger_id for o in seen.observations if o.verdict == MEASURED]
+            (self._again if self._phase == "closure" else self._first).update(zip(ids, seen.points, strict=True))
         with self._lock:
             self._spread, self._missing = self._residuals.spread_px(), self._frames.missing()
 
@@ -115,18 +127,21 @@ class HealthMonitor:
             for step in self._views.steps:
                 self._tell(_moved(step), "step", step.view)
 
-    def close_turn(self, points: Array, table_deg: float) -> None:
-        """Points (n, 3) mm, object frame, of the first view measured again."""
-        closure = self._views.close_turn(points)
+    def close_turn(self, table_deg: float) -> None:
+        """The first view has been measured again: compare what the same beams have found."""
+        shared = [i for i in self._again if i - self._later in self._first]
+        again = np.array([self._again[i] for i in shared]).reshape(-1, 3)
+        closure = self._views.close_turn(again, np.array([self._first[i - self._later] for i in shared]).reshape(-1, 3))
         with self._lock:
             self._closure = closure
         if not closure.judged:
             reason = "its shape looks the same from every side" if closure.points >= 60 else "too few points were measured again"
             self._tell(Finding("H-TAB-02", "info", {"reason": reason}, 0, table_deg), "closure")
         elif closure.lost_steps:
-            where = "" if closure.jumped_at_deg is None else f", since the view at {closure.jumped_at_deg:.1f} deg"
+            where = "" if closure.jumped_between_deg is None else _since(*closure.jumped_between_deg)
             fields: dict[str, object] = {"turn_deg": f"{closure.turn_deg:.3f}", "where": where}
             details: dict[str, object] = {"uncertainty_deg": round(closure.turn_uncertainty_deg, 4), "jumped_at_deg": closure.jumped_at_deg}
+            details["jumped_between_deg"] = None if closure.jumped_between_deg is None else list(closure.jumped_between_deg)
             step = next((step for step in self._views.steps if step.cause == "table"), None)
             key = ("closure",) if step is None else ("step", step.view)  # the same loss, now measured better
             self._tell(Finding("H-TAB-01", "warning", fields, -1, table_deg, -1, closure.turn_deg, "deg", details), *key)
@@ -172,6 +187,12 @@ def _moved(step: ViewStep) -> Finding:
         return Finding("H-TAB-01", "warning", fields, step.view, step.table_deg, -1, step.turn_deg, "deg", details)
     code = {"camera": "H-VIEW-02", "object": "H-VIEW-03"}.get(step.cause, "H-VIEW-01")
     return Finding(code, "warning", fields, step.view, step.table_deg, -1, step.shift_um, "um", details)
+
+
+def _since(earliest_deg: float, latest_deg: float) -> str:
+    if earliest_deg == latest_deg:
+        return f", since the view at {earliest_deg:.1f} deg"
+    return f", since a view between {earliest_deg:.1f} and {latest_deg:.1f} deg"
 
 
 def _direction(shift_mm: tuple[float, float, float]) -> str:

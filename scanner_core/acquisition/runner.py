@@ -239,7 +239,7 @@ class ScanRunner:
         self._tally, self._scan_id = scan.tally, scan.scan_id
         self._set_state(ScanState.SCANNING)
         self._follow(scan, left, right)
-        if len(plan.views) > 1 and not self._cancelled.is_set():
+        if len(plan.views) > 1 and plan.views[0].rows and not self._cancelled.is_set():
             self._close_turn(plan, left, right)
 
     def _close_turn(self, plan: ScanPlan, left: CaptureThread, right: CaptureThread) -> None:
@@ -248,7 +248,7 @@ class ScanRunner:
         self._follow(closing, left, right)
         self._end_pass(closing)
         if not self._cancelled.is_set():
-            self._health.close_turn(closing.cloud.since(0)[0], self._ask().table_deg)
+            self._health.close_turn(self._ask().table_deg)
 
     def _begin(self, kind: Phase, plan: ScanPlan, wanted: int | None, cloud: PointLog) -> _Pass:
         calibration = self._calibration

@@ -8,6 +8,7 @@ counts as unknown.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -120,25 +121,66 @@ def view_motion(points: Array, surface: LocalSurface) -> ViewMotion | None:
     """The motion of points (n, 3) mm onto a surface; None when fewer than :data:`MIN_POINTS` lie over it."""
     if len(points) > QUERIES:
         points = points[np.random.default_rng(len(points)).choice(len(points), QUERIES, replace=False)]
+
+    def match(moved: Array) -> _Match:
+        near = surface.distance(moved)
+        return _Match(near.valid, near.signed_mm, near.normals, 1 + near.leverage, near.slope_leverage_mm2, None)
+
+    return _fit(points, match)
+
+
+def paired_motion(points: Array, before: Array, surface: LocalSurface) -> ViewMotion | None:
+    """The motion of points (n, 3) mm onto the same places measured `before` (n, 3), across the surface that these lie on.
+
+    The same beam finds the same speckle, so most of the points' noise is the same in both.
+    """
+    near = surface.distance(before)
+    scatter = 1.4826 * float(np.median(np.abs(near.signed_mm[near.valid]))) if near.valid.any() else 0.0
+
+    def match(moved: Array) -> _Match:
+        distance = ((moved - before) * near.normals).sum(axis=1)
+        return _Match(near.valid, distance, near.normals, np.ones(len(moved)), near.slope_leverage_mm2, scatter)
+
+    return _fit(points, match)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Match:
+    """Where n points lie beside what they are compared with.
+
+    `variance` and `slope_leverage_mm2` (of the normals) are parts of a point's variance; the latter of the surface's points,
+    whose standard deviation is `scatter_mm`, or that of the distances when None.
+    """
+
+    valid: NDArray[np.bool_]
+    distance: Array
+    normals: Array
+    variance: Array
+    slope_leverage_mm2: Array
+    scatter_mm: float | None
+
+
+def _fit(points: Array, match: Callable[[Array], _Match]) -> ViewMotion | None:
+    """Reweighted least squares along the known directions; the match is made anew in every round."""
     centre, radius = points.mean(axis=0), max(float(np.sqrt(points.var(axis=0).sum())), 1e-3)
     vector = np.zeros(6)
     for _ in range(_ROUNDS):
         moved = _about(vector, centre, radius).apply(points)
-        near = surface.distance(moved)
-        over = near.valid & (np.abs(near.signed_mm) < _MAX_DISTANCE_MM)
+        found = match(moved)
+        over = found.valid & (np.abs(found.distance) < _MAX_DISTANCE_MM)
         if np.count_nonzero(over) < MIN_POINTS:
             return None
-        distance, normals = near.signed_mm[over], near.normals[over]
+        distance, normals, variance = found.distance[over], found.normals[over], found.variance[over]
         arm = (moved[over] - centre - vector[3:]) / radius
         jacobian = np.hstack([np.cross(arm, normals), normals])
-        variance = 1 + near.leverage[over]
         ratio = distance / np.sqrt(variance)
         middle = float(np.median(ratio))
-        residual = max(1.4826 * float(np.median(np.abs(ratio - middle))), 1e-5)
+        residual = max(1.4826 * float(np.median(np.abs(ratio - middle))), 5e-4)
         u = (ratio - middle) / (_TUKEY * residual)
         weight = np.where(np.abs(u) < 1, (1 - u * u) ** 2, 0.0) / (residual**2 * variance)
         information = (jacobian * weight[:, None]).T @ jacobian
-        feigned = _feigned(arm, normals, weight * residual**2 * near.slope_leverage_mm2[over])
+        scatter = residual if found.scatter_mm is None else found.scatter_mm
+        feigned = _feigned(arm, normals, weight * scatter**2 * found.slope_leverage_mm2[over])
         values, vectors = np.linalg.eigh(information)
         known = (np.einsum("ik,ij,jk->k", vectors, feigned, vectors) < _FEIGNED * values) & (values > _LEAST_KNOWN_MM**-2)
         directions = vectors[:, known]

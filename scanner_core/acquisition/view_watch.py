@@ -19,7 +19,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.acquisition.view_motion import MIN_POINTS, ViewMotion, reference_surface, view_motion
+from scanner_core.acquisition.jump import locate_jump
+from scanner_core.acquisition.view_motion import MIN_POINTS, ViewMotion, paired_motion, reference_surface, view_motion
 from scanner_core.geometry.rigid import RigidTransform
 
 Array = NDArray[np.float64]
@@ -34,6 +35,10 @@ LEAST_TURN_DEG = 0.01
 _OF_HELD_OUT = 0.5
 _BROUGHT_BACK = 0.2
 """A step is known to a fifth of itself, which later views inherit."""
+_CLOSURE_SIGMAS = 4.0
+"""Of a turn at the end: there is one in a scan."""
+_WORST_TURN_DEG = 0.2
+"""A closure that is known no better says nothing."""
 _CLOSURE_SYSTEMATIC_MM = 1e-3
 """Between two measurements of the same surface at the same table angle."""
 _EXPLAINED = 0.9
@@ -77,7 +82,8 @@ class Closure:
     turn_deg, turn_uncertainty_deg : of the object against its first reading; NaN when not judged
     shift_um : of the middle of the points
     lost_steps : the turn is significant
-    jumped_at_deg : table angle of the first view that lies beyond the jump; None when none stands out
+    jumped_at_deg : table angle of the first view beyond the jump, the likeliest; None when none stands out
+    jumped_between_deg : the first and the last angle that may be it
     """
 
     points: int
@@ -87,22 +93,15 @@ class Closure:
     shift_um: float = float("nan")
     lost_steps: bool = False
     jumped_at_deg: float | None = None
+    jumped_between_deg: tuple[float, float] | None = None
 
     def as_dict(self) -> dict[str, object]:
         """For JSON."""
         told: dict[str, object] = {"points": self.points, "judged": self.judged, "lost_steps": self.lost_steps}
         if self.judged:
             told |= {"turn_deg": round(self.turn_deg, 4), "turn_uncertainty_deg": round(self.turn_uncertainty_deg, 4)}
-        return told | {"shift_um": None if np.isnan(self.shift_um) else round(self.shift_um, 1), "jumped_at_deg": self.jumped_at_deg}
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Turn:
-    """A view's own turn about the axis against the earlier ones, rad."""
-
-    table_deg: float
-    turn: float
-    uncertainty: float
+        told |= {"shift_um": None if np.isnan(self.shift_um) else round(self.shift_um, 1), "jumped_at_deg": self.jumped_at_deg}
+        return told | {"jumped_between_deg": None if self.jumped_between_deg is None else list(self.jumped_between_deg)}
 
 
 class ViewWatch:
@@ -114,10 +113,8 @@ class ViewWatch:
         self._for_camera = 0.0
         self._points: list[Array] = []
         self._earlier: list[Array] = []
-        self._first: Array | None = None
-        self._first_deg = 0.0
         self._moves: list[_Move] = []
-        self._turns: list[_Turn] = []
+        self._views: list[tuple[float, Array]] = []
         self.steps: list[ViewStep] = []
 
     def add(self, points: Array) -> None:
@@ -131,8 +128,8 @@ class ViewWatch:
         self._points = []
         if len(points) < MIN_POINTS:
             return False
-        if self._first is None:
-            self._first, self._first_deg = points, table_deg
+        self._views.append((table_deg, points))
+        if not self._earlier:
             self._earlier.append(points)
             return False
         surface = reference_surface(np.concatenate(self._earlier))
@@ -143,9 +140,6 @@ class ViewWatch:
             return False
         changed = len(judged) == 2 and self._weigh(judged[0][1], judged[1][1])
         self._moves, motion = judged[len(judged) == 2 and self._for_camera > 0]
-        turn = motion.turn_about_z(0.0)
-        if turn is not None:
-            self._turns.append(_Turn(table_deg, *turn))
         beside = motion.significance(self._systematic_mm) > SIGNIFICANT and 1e3 * float(np.linalg.norm(motion.vector_mm)) > LEAST_SHIFT_UM
         if self._pending:
             self._pending = False
@@ -160,20 +154,24 @@ class ViewWatch:
         self._earlier.append(_moved(self._moves, points, table_deg))
         return changed
 
-    def close_turn(self, points: Array) -> Closure:
-        """Compare points (n, 3) of the first table position, measured again, with what it was at the beginning."""
-        if self._first is None or len(points) < MIN_POINTS:
+    def close_turn(self, points: Array, before: Array) -> Closure:
+        """Compare points (n, 3) of the first table position, measured again, with the same beams' points `before` (n, 3)."""
+        if not self._earlier or len(points) < MIN_POINTS:
             return Closure(len(points), False)
-        motion = view_motion(points, reference_surface(self._first))
+        motion = paired_motion(points, before, reference_surface(np.concatenate(self._earlier)))
         if motion is None:
             return Closure(len(points), False)
         shift_um = 1e3 * float(np.linalg.norm(motion.shift_mm))
         turn = motion.turn_about_z(_CLOSURE_SYSTEMATIC_MM)
-        if turn is None:
+        if turn is None or np.degrees(turn[1]) > _WORST_TURN_DEG:
             return Closure(motion.points, False, shift_um=shift_um)
         turn_deg, uncertainty_deg = -float(np.degrees(turn[0])), float(np.degrees(turn[1]))
-        lost = abs(turn_deg) > max(TURN_SIGMAS * uncertainty_deg, LEAST_TURN_DEG)
-        return Closure(motion.points, True, turn_deg, uncertainty_deg, shift_um, lost, self._jumped_at(-turn[0]) if lost else None)
+        lost = abs(turn_deg) > max(_CLOSURE_SIGMAS * uncertainty_deg, LEAST_TURN_DEG)
+        jump = locate_jump([view for _, view in self._views], -turn[0]) if lost else None
+        if jump is None:
+            return Closure(motion.points, True, turn_deg, uncertainty_deg, shift_um, lost)
+        at, earliest, latest = (self._views[i][0] for i in (jump.view, jump.earliest, jump.latest))
+        return Closure(motion.points, True, turn_deg, uncertainty_deg, shift_um, lost, at, (earliest, latest))
 
     # ------------------------------------------------------------------------------------------ inner
     def _explanations(self) -> list[list[_Move]]:
@@ -206,16 +204,6 @@ class ViewWatch:
         self.steps[-1] = replace(self._named(motion, first.view, table_deg), table_deg=first.table_deg)
         self._moves = [*self._moves, _Move(motion.transform(), table_deg, with_camera=False)]
         self._systematic_mm = float(np.hypot(self._systematic_mm, _BROUGHT_BACK * np.linalg.norm(motion.shift_mm)))
-
-    def _jumped_at(self, turn: float) -> float | None:
-        """The angle of the view whose own turn stands out most in the direction of the jump."""
-        named = [step for step in self.steps if step.cause == "table"]
-        if named:
-            return named[-1].table_deg
-        if not self._turns:
-            return None
-        best = max(self._turns, key=lambda one: -one.turn * np.sign(turn) / one.uncertainty)
-        return best.table_deg if -best.turn * np.sign(turn) > 2.5 * best.uncertainty else None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
