@@ -116,7 +116,7 @@ def _streak() -> np.ndarray:
     ("frame", "reason"),
     [
         (np.zeros(SHAPE, np.uint8), MissReason.NO_SPOT),
-        (_frame((300, 150, 3.0, 9)), MissReason.TOO_DIM),
+        (_frame((300, 150, 3.0, 6)), MissReason.TOO_DIM),
         (_hot_pixel(), MissReason.TOO_SMALL),
         (_frame((300, 150, 12.0, 120)), MissReason.TOO_LARGE),
         (_streak(), MissReason.ELONGATED),

@@ -1,0 +1,47 @@
+"""The dark level of a frame and its noise, from the frame itself."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+_SAMPLE_PX = 3000
+"""Pixels looked at: their standard deviation is known to 1.3 %, their mean to a fiftieth of it."""
+
+_ROUNDS = 3
+_CLIP_SD, _CLIP_DN = 4.5, 2.0
+"""What is farther above the mean is left out; never closer than 2 DN, so that the rounding of a dark, noiseless frame clips nothing."""
+
+
+@dataclass(frozen=True, slots=True)
+class Background:
+    """Mean and standard deviation of the dark pixels, DN; the standard deviation holds the rounding to 8 bits."""
+
+    mean_dn: float
+    sd_dn: float
+
+
+def estimate_background(image: NDArray[np.uint8]) -> Background:
+    """Background of an image (H, W) uint8: mean and deviation of a regular sample, what is bright in it left out."""
+    height, width = image.shape
+    step = max(1, math.isqrt(height * width // _SAMPLE_PX))
+    # An odd number of columns between neighbours: interlaced or binned columns do not fall into step with the sample.
+    sample = np.ascontiguousarray(image[::step, :: step | 1])
+    mean, sd = _mean_and_sd(sample, None)
+    brightest, limit = cv2.minMaxLoc(sample)[1], 255
+    for _ in range(_ROUNDS):
+        clip = math.floor(mean + max(_CLIP_SD * sd, _CLIP_DN))
+        if clip >= min(brightest, limit):
+            break
+        limit = clip
+        mean, sd = _mean_and_sd(sample, cv2.threshold(sample, limit, 255, cv2.THRESH_BINARY_INV)[1])
+    return Background(mean, sd)
+
+
+def _mean_and_sd(sample: NDArray[np.uint8], mask: cv2.typing.MatLike | None) -> tuple[float, float]:
+    mean, sd = cv2.meanStdDev(sample, mask=mask)
+    return float(mean[0, 0]), float(sd[0, 0])
