@@ -116,6 +116,10 @@ SENTENCES: dict[str, Sentence] = {
         "The object moved on the table: the views from {table_deg} deg on lie {shift_um} um beside the earlier ones.",
         "Their points are kept; fix the object to the table and scan again.",
     ),
+    "H-VIEW-04": Sentence(
+        "The turn does not close: the first view measured again lies {shift_um} um beside its first measurement.",
+        "A camera or the object moved on the way; fix both, and scan again.",
+    ),
     "H-TAB-01": Sentence(
         "The table lost steps: it stands {turn_deg} deg beside its reading{where}.",
         "The views from there on are turned; see that the table moves freely, and scan again.",

@@ -134,12 +134,15 @@ class HealthMonitor:
         closure = self._views.close_turn(again, np.array([self._first[i - self._later] for i in shared]).reshape(-1, 3))
         with self._lock:
             self._closure = closure
-        if not closure.judged:
+        if not closure.closes and not closure.lost_steps:
+            fields: dict[str, object] = {"shift_um": f"{closure.shift_um:.0f}"}
+            self._tell(Finding("H-VIEW-04", "warning", fields, -1, table_deg, -1, closure.shift_um, "um"), "closure")
+        elif not closure.judged:
             reason = "its shape looks the same from every side" if closure.points >= 60 else "too few points were measured again"
             self._tell(Finding("H-TAB-02", "info", {"reason": reason}, 0, table_deg), "closure")
         elif closure.lost_steps:
             where = "" if closure.jumped_between_deg is None else _since(*closure.jumped_between_deg)
-            fields: dict[str, object] = {"turn_deg": f"{closure.turn_deg:.3f}", "where": where}
+            fields = {"turn_deg": f"{closure.turn_deg:.3f}", "where": where}
             details: dict[str, object] = {"uncertainty_deg": round(closure.turn_uncertainty_deg, 4), "jumped_at_deg": closure.jumped_at_deg}
             details["jumped_between_deg"] = None if closure.jumped_between_deg is None else list(closure.jumped_between_deg)
             step = next((step for step in self._views.steps if step.cause == "table"), None)

@@ -42,6 +42,7 @@ _WORST_TURN_DEG = 0.2
 _CLOSURE_SYSTEMATIC_MM = 1e-3
 """Between two measurements of the same surface at the same table angle."""
 _EXPLAINED = 0.9
+_CLOSURE_EXPLAINED = 0.6
 _DECIDED = 9.0
 """Difference of chi-square between two explanations that decides."""
 
@@ -81,7 +82,8 @@ class Closure:
     judged : whether the object tells a turn about the table's axis
     turn_deg, turn_uncertainty_deg : of the object against its first reading; NaN when not judged
     shift_um : of the middle of the points
-    lost_steps : the turn is significant
+    closes : nothing has moved, as far as this object tells
+    lost_steps : it does not, and a turn of the table explains it
     jumped_at_deg : table angle of the first view beyond the jump, the likeliest; None when none stands out
     jumped_between_deg : the first and the last angle that may be it
     """
@@ -91,13 +93,14 @@ class Closure:
     turn_deg: float = float("nan")
     turn_uncertainty_deg: float = float("nan")
     shift_um: float = float("nan")
+    closes: bool = True
     lost_steps: bool = False
     jumped_at_deg: float | None = None
     jumped_between_deg: tuple[float, float] | None = None
 
     def as_dict(self) -> dict[str, object]:
         """For JSON."""
-        told: dict[str, object] = {"points": self.points, "judged": self.judged, "lost_steps": self.lost_steps}
+        told: dict[str, object] = {"points": self.points, "judged": self.judged, "closes": self.closes, "lost_steps": self.lost_steps}
         if self.judged:
             told |= {"turn_deg": round(self.turn_deg, 4), "turn_uncertainty_deg": round(self.turn_uncertainty_deg, 4)}
         told |= {"shift_um": None if np.isnan(self.shift_um) else round(self.shift_um, 1), "jumped_at_deg": self.jumped_at_deg}
@@ -162,16 +165,19 @@ class ViewWatch:
         if motion is None:
             return Closure(len(points), False)
         shift_um = 1e3 * float(np.linalg.norm(motion.shift_mm))
+        closes = motion.significance(_CLOSURE_SYSTEMATIC_MM) < SIGNIFICANT or shift_um < LEAST_SHIFT_UM
         turn = motion.turn_about_z(_CLOSURE_SYSTEMATIC_MM)
         if turn is None or np.degrees(turn[1]) > _WORST_TURN_DEG:
-            return Closure(motion.points, False, shift_um=shift_um)
+            return Closure(motion.points, False, shift_um=shift_um, closes=closes)
         turn_deg, uncertainty_deg = -float(np.degrees(turn[0])), float(np.degrees(turn[1]))
         lost = abs(turn_deg) > max(_CLOSURE_SIGMAS * uncertainty_deg, LEAST_TURN_DEG)
+        lost = lost and motion.explained_by_turn(turn[0], _CLOSURE_SYSTEMATIC_MM) > _CLOSURE_EXPLAINED
+        closes = closes and not lost
         jump = locate_jump([view for _, view in self._views], -turn[0]) if lost else None
         if jump is None:
-            return Closure(motion.points, True, turn_deg, uncertainty_deg, shift_um, lost)
+            return Closure(motion.points, True, turn_deg, uncertainty_deg, shift_um, closes, lost)
         at, earliest, latest = (self._views[i][0] for i in (jump.view, jump.earliest, jump.latest))
-        return Closure(motion.points, True, turn_deg, uncertainty_deg, shift_um, lost, at, (earliest, latest))
+        return Closure(motion.points, True, turn_deg, uncertainty_deg, shift_um, closes, lost, at, (earliest, latest))
 
     # ------------------------------------------------------------------------------------------ inner
     def _explanations(self) -> list[list[_Move]]:
