@@ -1,0 +1,76 @@
+"""Whole small scans on the virtual rig: faults are named by their cause, and a clean scan is not accused."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from scanner_core.acquisition.plan import PlanRequest
+from scanner_core.acquisition.rig_session import open_rig
+from scanner_core.acquisition.runner import ScanResult, ScanRunner
+from scanner_core.acquisition.status import FinishReason
+from scanner_core.case.store import CaseStore
+from scanner_core.devices.rig import load_preset
+from scanner_core.virtual.disturbances import CameraBumped, Disturbance, FramesDropped, LampOn, LostSteps, TriggerLost
+from scanner_core.virtual.specimens import load_specimen
+
+
+def _scan(folder: Path, specimen: str, points: int, views: int, *disturbances: Disturbance) -> ScanResult:
+    body = load_specimen(specimen)
+    request = PlanRequest(views, points, body.radius_mm, body.height_mm)
+    with CaseStore.create(folder / "case.impronta") as store, open_rig(load_preset("bench"), body, "max", 11, disturbances) as rig:
+        runner = ScanRunner(rig, request, store)
+        runner.start()
+        assert runner.join(120)
+        result = runner.result
+        assert result is not None
+        counts = result.counts
+        assert counts.planned == counts.measured + sum(counts.rejected.values()) + counts.skipped
+        assert runner.status().findings == result.health.findings
+        assert [scan.kind for scan in store.scans()] == ["locate", "scan", "closure"]
+    json.dumps(result.health.as_dict())
+    return result
+
+
+def _codes(result: ScanResult) -> set[str]:
+    return {finding.code for finding in result.health.findings}
+
+
+def test_a_clean_scan_is_not_accused(tmp_path: Path) -> None:
+    result = _scan(tmp_path, "sphere", 900, 4)
+    assert result.finish_reason is FinishReason.COMPLETED
+    assert _codes(result) == {"H-TAB-02"}  # a sphere cannot tell whether the table lost steps
+    report = result.health
+    assert report.epipolar_sd_px == pytest.approx(report.epipolar_expected_sd_px, rel=0.25)
+    assert abs(report.epipolar_mean_px) < 0.02
+    assert report.closure is not None
+    assert not report.closure.judged
+    assert report.closure.closes
+    assert report.closure.shift_um < 15
+
+
+def test_lamp_and_missing_frames_are_named(tmp_path: Path) -> None:
+    result = _scan(tmp_path, "sphere", 900, 4, LampOn(duration_s=4.0, at_s=20.0), FramesDropped(0.15, "right", at_s=25.0))
+    assert {"H-LGT-01", "H-CAM-01"} <= _codes(result) <= {"H-LGT-01", "H-CAM-01", "H-TAB-02"}
+    missing = next(finding for finding in result.health.findings if finding.code == "H-CAM-01")
+    assert missing.fields["camera"] == "right"
+    assert result.health.missing_frames[0] == 0
+    assert missing.fields["count"] == result.health.missing_frames[1]
+
+
+def test_a_bump_across_and_a_lost_trigger_are_named(tmp_path: Path) -> None:
+    result = _scan(tmp_path, "sphere", 900, 4, CameraBumped(0.2, 0.0, at_s=20.0), TriggerLost("left", at_s=45.0))
+    bump = next(finding for finding in result.health.findings if finding.code == "H-EPI-01")
+    assert bump.value == pytest.approx(0.2, abs=0.08)
+    step = next(finding for finding in result.health.findings if finding.code == "H-SYN-01")
+    assert step.fields["late"] == "left"
+
+
+def test_lost_steps_are_named_with_their_size(tmp_path: Path) -> None:
+    result = _scan(tmp_path, "arch", 2400, 8, LostSteps(0.3, at_s=60.0))
+    lost = next(finding for finding in result.health.findings if finding.code == "H-TAB-01")
+    assert lost.value == pytest.approx(-0.3, abs=0.06)
+    assert result.health.closure is not None
+    assert result.health.closure.lost_steps
