@@ -61,15 +61,18 @@ class Scanned:
 
 def scan(preset: str, specimen: str, points: int, views: int, seed: int, *disturbances: Disturbance) -> Scanned:
     body, config = load_specimen(specimen), load_preset(preset)
-    with tempfile.TemporaryDirectory() as folder, CaseStore.create(Path(folder) / "case.impronta") as store:
-        with open_rig(config, body, "max", seed, disturbances) as rig:
-            runner = ScanRunner(rig, PlanRequest(views, points, body.radius_mm, body.height_mm), store)
-            runner.start()
-            runner.join()
-            result = runner.result
-            if result is None or result.scan_id is None or rig.calibration is None:
-                raise RuntimeError(f"the scan of {specimen} failed: {None if result is None else result.error}")
-            return Scanned(preset, specimen, store.observations(result.scan_id), rig.calibration, result)
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        CaseStore.create(Path(folder) / "case.impronta") as store,
+        open_rig(config, body, "max", seed, disturbances) as rig,
+    ):
+        runner = ScanRunner(rig, PlanRequest(views, points, body.radius_mm, body.height_mm), store)
+        runner.start()
+        runner.join()
+        result = runner.result
+        if result is None or result.scan_id is None or rig.calibration is None:
+            raise RuntimeError(f"the scan of {specimen} failed: {None if result is None else result.error}")
+        return Scanned(preset, specimen, store.observations(result.scan_id), rig.calibration, result)
 
 
 def shift_px(preset: str, across_px: float, along_px: float) -> Array:
@@ -167,8 +170,8 @@ def main() -> None:
             scanned = scan(preset, specimen, given.points, given.views, given.seed)
             rng = np.random.default_rng(given.seed)
             health = scanned.result.health
-            print(f"{preset} {specimen} seed {given.seed}: {len(scanned.table)} points, residual sd {health.epipolar_sd_px:.4f} px, expected ", end="")
-            print(f"{health.epipolar_expected_sd_px:.4f} px, findings {[f.code for f in health.findings]}, closure {health.closure}")
+            print(f"{preset} {specimen} seed {given.seed}: {len(scanned.table)} points, residual sd {health.epipolar_sd_px:.4f} px", end="")
+            print(f", expected {health.epipolar_expected_sd_px:.4f} px, findings {[f.code for f in health.findings]}, closure {health.closure}")
             for bump_px in BUMPS_PX:
                 d = delays(scanned, bump_px, given.places, rng)
                 within = float(np.mean(d <= 200))
@@ -178,7 +181,8 @@ def main() -> None:
             print(f"  false alarms: {count} in {seen} points")
             for along_px in (0.0, *BUMPS_PX):
                 print(f"  along {along_px} px from view 6: {view_steps(scanned, along_px, 6)}")
-            print(f"  along 0.4 px from the middle of view 6: {view_steps(scanned, 0.4, 6, 0.5)}   [{time.process_time() - begin_s:.0f} s]", flush=True)
+            print(f"  along 0.4 px from the middle of view 6: {view_steps(scanned, 0.4, 6, 0.5)}")
+            print(f"  [{time.process_time() - begin_s:.0f} s of CPU]", flush=True)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import pytest
 
 from scanner_core.acquisition.engine import StereoPair
@@ -16,7 +18,7 @@ FLAT = SpotMiss(MissReason.SATURATED, 255.0)
 Seen = Spot | SpotMiss | None
 
 
-def _watched(frames: list[tuple[Seen, Seen]], skew_s: float = 0.0, dark_limit: int = 200) -> list[Finding]:
+def _watched(frames: Sequence[tuple[Seen, Seen]], skew_s: float = 0.0, dark_limit: int = 200) -> list[Finding]:
     watch, found = FrameWatch(60.0), []
     watch.expect_light(dark_limit)
     pairs = [StereoPair(i, i / 60, left, right, skew_s) for i, (left, right) in enumerate(frames)]
@@ -26,7 +28,9 @@ def _watched(frames: list[tuple[Seen, Seen]], skew_s: float = 0.0, dark_limit: i
 
 
 def test_a_clean_scan_finds_nothing() -> None:
-    frames: list[tuple[Seen, Seen]] = [(SEEN, SEEN)] * 500 + [(DARK, DARK)] * 150 + [(SEEN, DARK)] * 100 + [(None, SEEN)] * 3 + [(SEEN, SEEN)] * 500
+    frames: list[tuple[Seen, Seen]] = []
+    for count, pair in ((500, (SEEN, SEEN)), (150, (DARK, DARK)), (100, (SEEN, DARK)), (3, (None, SEEN)), (500, (SEEN, SEEN))):
+        frames += [pair] * count
     assert _watched(frames) == []
 
 

@@ -26,7 +26,8 @@ def _view(view: int, shape: str, rng: np.random.Generator, points: int = 500) ->
     across = np.sqrt(1 - z * z)
     normal = np.c_[across * np.cos(azimuth), across * np.sin(azimuth), z]
     if shape == "sphere":
-        return normal * (11.0 + rng.normal(0, NOISE_MM, (points, 1))) + [0.0, 0.0, 15.0]
+        ball: Array = normal * (11.0 + rng.normal(0, NOISE_MM, (points, 1))) + np.array([0.0, 0.0, 15.0])
+        return ball
     radius = 14 + 1.5 * np.cos(3 * azimuth) + 1.0 * np.sin(5 * azimuth) * across + 1.2 * z * np.cos(2 * azimuth)
     body: Array = normal * (radius + rng.normal(0, NOISE_MM, points))[:, None] * [1.0, 0.8, 1.1] + [6.0, 3.0, 18.0]
     return body
@@ -117,7 +118,7 @@ def test_the_closure_of_a_sphere_is_not_judged() -> None:
 def test_a_camera_that_moved_is_no_lost_step() -> None:
     watch, rng = clean_watch("body"), np.random.default_rng(9)
     before = _view(0, "body", rng, 200)
-    closure = watch.close_turn(before + [0.1, 0.0, -0.06], before)
+    closure = watch.close_turn(before + np.array([0.1, 0.0, -0.06]), before)
     assert not closure.closes
     assert not closure.lost_steps
 
