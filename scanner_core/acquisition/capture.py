@@ -63,10 +63,13 @@ class CaptureThread:
         self._thread = threading.Thread(target=self._run, name=f"capture-{camera.name}")
         self._thread.start()
 
-    def expose(self, trigger: Trigger) -> None:
-        """Arm the camera for a run; its events follow, closed by a :class:`RunEnd`."""
+    def arm(self, trigger: Trigger) -> None:
+        """Arm the camera for a run, which waits for :meth:`expose`: so no camera runs ahead of one that is not armed yet."""
         self._stop_run.clear()
         self.camera.start(trigger)
+
+    def expose(self, trigger: Trigger) -> None:
+        """Read the frames of the run; its events follow, closed by a :class:`RunEnd`."""
         self._runs.put(trigger)
 
     def stop_run(self) -> None:

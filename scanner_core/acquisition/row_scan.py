@@ -42,13 +42,17 @@ class RowScan:
         self._heard_s = [time.monotonic(), time.monotonic()]
         self._fault: BaseException | None = None
         trigger = Trigger(row.first_id, row.count, start_s)
-        left.expose(trigger)
+        left.arm(trigger)
         try:
-            right.expose(trigger)
+            right.arm(trigger)
         except BaseException:
+            left.stop_run()
+            left.expose(trigger)
             self._ended[1] = True
             self.finish()
             raise
+        for capture in self._captures:
+            capture.expose(trigger)
 
     def batches(self) -> Iterator[list[StereoPair]]:
         """Micro-batches of pairs; ids whose frame was dropped come with None.
