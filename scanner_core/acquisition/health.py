@@ -41,6 +41,7 @@ class HealthReport:
     findings : in the order of their first appearance
     epipolar_mean_px, epipolar_sd_px, epipolar_expected_sd_px : of `epipolar_points` residuals
     missing_frames : by camera
+    views_compared : that could be laid on the earlier ones; the first never is
     closure : None while the turn has not been closed
     """
 
@@ -50,6 +51,7 @@ class HealthReport:
     epipolar_expected_sd_px: float = 0.0
     epipolar_points: int = 0
     missing_frames: tuple[int, int] = (0, 0)
+    views_compared: int = 0
     closure: Closure | None = None
 
     def as_dict(self) -> dict[str, object]:
@@ -63,6 +65,7 @@ class HealthReport:
                 "expected_sd_px": round(self.epipolar_expected_sd_px, 5),
             },
             "missing_frames": dict(zip(SIDES, self.missing_frames, strict=True)),
+            "views_compared": self.views_compared,
             "closure": None if self.closure is None else self.closure.as_dict(),
         }
 
@@ -92,7 +95,7 @@ class HealthMonitor:
 
     def report(self) -> HealthReport:
         with self._lock:
-            return HealthReport(tuple(self._findings.values()), *self._spread, self._residuals.count, self._missing, self._closure)
+            return HealthReport(tuple(self._findings.values()), *self._spread, self._residuals.count, self._missing, self._views.compared, self._closure)
 
     # ------------------------------------------------------------------------------------------ from the scan's thread
     def begin(self, plan: ScanPlan, phase: Phase) -> None:
@@ -138,8 +141,7 @@ class HealthMonitor:
             fields: dict[str, object] = {"shift_um": f"{closure.shift_um:.0f}"}
             self._tell(Finding("H-VIEW-04", "warning", fields, -1, table_deg, -1, closure.shift_um, "um"), "closure")
         elif not closure.judged:
-            reason = "its shape looks the same from every side" if closure.points >= 60 else "too few points were measured again"
-            self._tell(Finding("H-TAB-02", "info", {"reason": reason}, 0, table_deg), "closure")
+            self._tell(Finding("H-TAB-02", "info", {"reason": closure.reason}, 0, table_deg), "closure")
         elif closure.lost_steps:
             where = "" if closure.jumped_between_deg is None else _since(*closure.jumped_between_deg)
             fields = {"turn_deg": f"{closure.turn_deg:.3f}", "where": where}

@@ -79,7 +79,7 @@ class Closure:
     Attributes
     ----------
     points : that were compared
-    judged : whether the object tells a turn about the table's axis
+    judged : whether the object tells a turn about the table's axis; `reason` says why not
     turn_deg, turn_uncertainty_deg : of the object against its first reading; NaN when not judged
     shift_um : of the middle of the points
     closes : nothing has moved, as far as this object tells
@@ -97,6 +97,7 @@ class Closure:
     lost_steps: bool = False
     jumped_at_deg: float | None = None
     jumped_between_deg: tuple[float, float] | None = None
+    reason: str = ""
 
     def as_dict(self) -> dict[str, object]:
         """For JSON."""
@@ -104,6 +105,8 @@ class Closure:
         if self.judged:
             told |= {"turn_deg": round(self.turn_deg, 4), "turn_uncertainty_deg": round(self.turn_uncertainty_deg, 4)}
         told |= {"shift_um": None if np.isnan(self.shift_um) else round(self.shift_um, 1), "jumped_at_deg": self.jumped_at_deg}
+        if self.reason:
+            told["reason"] = self.reason
         return told | {"jumped_between_deg": None if self.jumped_between_deg is None else list(self.jumped_between_deg)}
 
 
@@ -119,6 +122,8 @@ class ViewWatch:
         self._moves: list[_Move] = []
         self._views: list[tuple[float, Array]] = []
         self.steps: list[ViewStep] = []
+        self.compared = 0
+        """Views that could be compared with earlier ones."""
 
     def add(self, points: Array) -> None:
         """Measured points (n, 3) of the view that is being scanned."""
@@ -141,6 +146,7 @@ class ViewWatch:
         if not judged:
             self._earlier.append(_moved(self._moves, points, table_deg))
             return False
+        self.compared += 1
         changed = len(judged) == 2 and self._weigh(judged[0][1], judged[1][1])
         self._moves, motion = judged[len(judged) == 2 and self._for_camera > 0]
         beside = motion.significance(self._systematic_mm) > SIGNIFICANT and 1e3 * float(np.linalg.norm(motion.vector_mm)) > LEAST_SHIFT_UM
@@ -160,15 +166,18 @@ class ViewWatch:
     def close_turn(self, points: Array, before: Array) -> Closure:
         """Compare points (n, 3) of the first table position, measured again, with the same beams' points `before` (n, 3)."""
         if not self._earlier or len(points) < MIN_POINTS:
-            return Closure(len(points), False)
+            return Closure(len(points), False, reason="too few points were measured again")
         motion = paired_motion(points, before, reference_surface(np.concatenate(self._earlier)))
         if motion is None:
-            return Closure(len(points), False)
+            return Closure(len(points), False, reason="the points are too noisy for their spacing")
         shift_um = 1e3 * float(np.linalg.norm(motion.shift_mm))
         closes = motion.significance(_CLOSURE_SYSTEMATIC_MM) < SIGNIFICANT or shift_um < LEAST_SHIFT_UM
         turn = motion.turn_about_z(_CLOSURE_SYSTEMATIC_MM)
-        if turn is None or np.degrees(turn[1]) > _WORST_TURN_DEG:
-            return Closure(motion.points, False, shift_um=shift_um, closes=closes)
+        if turn is None:
+            return Closure(motion.points, False, shift_um=shift_um, closes=closes, reason="its shape looks the same from every side")
+        if np.degrees(turn[1]) > _WORST_TURN_DEG:
+            known = f"its shape tells a turn to {np.degrees(turn[1]):.1f} deg only"
+            return Closure(motion.points, False, shift_um=shift_um, closes=closes, reason=known)
         turn_deg, uncertainty_deg = -float(np.degrees(turn[0])), float(np.degrees(turn[1]))
         lost = abs(turn_deg) > max(_CLOSURE_SIGMAS * uncertainty_deg, LEAST_TURN_DEG)
         lost = lost and motion.explained_by_turn(turn[0], _CLOSURE_SYSTEMATIC_MM) > _CLOSURE_EXPLAINED
