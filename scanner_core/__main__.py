@@ -128,6 +128,14 @@ def _virtual(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--seed", type=int, default=0, metavar="N", help="of every random choice")
     without = "terms of the virtual rig's image model to switch off, to see what limits it: speckle, surface, shot_noise, ..."
     parser.add_argument("--without", type=lambda text: text.split(","), default=[], metavar="TERM,...", help=without)
+    parser.add_argument(
+        "--fault",
+        action="append",
+        default=[],
+        metavar="NAME[@TIME]",
+        help="let something go wrong on the virtual rig, TIME seconds after the scan began: "
+        "camera_bumped, lost_steps, lamp_on, frames_dropped, camera_skew, trigger_lost; may be repeated",
+    )
 
 
 def _speed(text: str) -> float | str:

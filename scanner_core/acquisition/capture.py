@@ -18,6 +18,7 @@ from scanner_core.devices.camera import Camera, Trigger
 from scanner_core.errors import DeviceError, ImprontaError
 from scanner_core.optics.spot import Spot, SpotMiss
 from scanner_core.optics.spot_detection import SpotDetector
+from scanner_core.optics.spot_tracking import SpotTracker
 
 QUEUE_LENGTH = 256
 _PATIENCE_S = 5.0
@@ -54,7 +55,7 @@ class CaptureThread:
     def __init__(self, camera: Camera, detector: SpotDetector, preview: LatestSlot[Preview]) -> None:
         self.camera = camera
         self.events: queue.Queue[CaptureEvent] = queue.Queue(QUEUE_LENGTH)
-        self._detector = detector
+        self._tracker = SpotTracker(detector)
         self._preview = preview
         self._runs: queue.SimpleQueue[Trigger | None] = queue.SimpleQueue()
         self._stop_run = threading.Event()
@@ -62,10 +63,13 @@ class CaptureThread:
         self._thread = threading.Thread(target=self._run, name=f"capture-{camera.name}")
         self._thread.start()
 
-    def expose(self, trigger: Trigger) -> None:
-        """Arm the camera for a run; its events follow, closed by a :class:`RunEnd`."""
+    def arm(self, trigger: Trigger) -> None:
+        """Arm the camera for a run, which waits for :meth:`expose`: so no camera runs ahead of one that is not armed yet."""
         self._stop_run.clear()
         self.camera.start(trigger)
+
+    def expose(self, trigger: Trigger) -> None:
+        """Read the frames of the run; its events follow, closed by a :class:`RunEnd`."""
         self._runs.put(trigger)
 
     def stop_run(self) -> None:
@@ -97,8 +101,9 @@ class CaptureThread:
 
     def _follow(self, trigger: Trigger) -> None:
         shown_s = 0.0
+        self._tracker.forget()  # a row begins elsewhere
         for frame in self.camera.frames(self._stop_run):
-            seen = self._detector.detect(frame.image)
+            seen = self._tracker.detect(frame.image)
             now_s = time.monotonic()
             if now_s - shown_s > _PREVIEW_PERIOD_S:
                 self._preview.put(Preview(frame, seen))

@@ -9,7 +9,7 @@ the time left are honest.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +18,8 @@ from scanner_core.acquisition.aiming import beam_angles, cylinder_outline, row_r
 from scanner_core.acquisition.plan import COARSE_TO_FINE, PlanRequest, Row, ScanPlan, ViewPlan
 from scanner_core.devices.rig import RigConfig
 
+CLOSING_POINTS = 250
+"""Points of the first view that are measured again after the turn; coarse to fine, so they lie all over it."""
 _SPARE = 1.06
 """Planned over wanted points, beside the uncertainty of the located area, so that the quotas are reached."""
 
@@ -77,6 +79,15 @@ def scan_plan(rig: RigConfig, request: PlanRequest, rate_hz: float, located: Sca
             next_id += count
         views.append(ViewPlan(table_deg, tuple(rows), int(quotas[view])))
     return ScanPlan(tuple(views), step * rate_hz)
+
+
+def closing_plan(plan: ScanPlan, first_id: int) -> ScanPlan:
+    """The rows of the first view once more, a full turn later: whether the turn closes."""
+    first, rows = plan.views[0], []
+    for row in first.rows:
+        rows.append(replace(row, first_id=first_id))
+        first_id += row.count
+    return ScanPlan((ViewPlan(first.table_deg + 360.0, tuple(rows), CLOSING_POINTS),), plan.sweep_speed_deg_s)
 
 
 # ------------------------------------------------------------------------------------------ inner

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -15,6 +15,7 @@ from scanner_core.devices.rig import RigConfig
 from scanner_core.errors import ImprontaError, UsageError
 from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.virtual.bench import VirtualBench
+from scanner_core.virtual.disturbances import Disturbance
 from scanner_core.virtual.firmware import Firmware
 from scanner_core.virtual.firmware_registry import register_firmware, unregister_firmware
 from scanner_core.virtual.motion_state import MotionTimeline
@@ -60,7 +61,9 @@ class OpenRig:
         self.close()
 
 
-def open_rig(config: RigConfig, specimen: Specimen | None = None, speed: Speed = "max", seed: int = 0) -> OpenRig:
+def open_rig(
+    config: RigConfig, specimen: Specimen | None = None, speed: Speed = "max", seed: int = 0, disturbances: Iterable[Disturbance] = ()
+) -> OpenRig:
     """Open the devices of a rig.
 
     Parameters
@@ -68,11 +71,19 @@ def open_rig(config: RigConfig, specimen: Specimen | None = None, speed: Speed =
     specimen : what stands on the virtual rig's table
     speed : of the virtual rig: 1, 5, or ``"max"``; hardware and a firmware model in its own process keep their own time
     seed : of the virtual rig's noise
+    disturbances : what goes wrong on the virtual rig, at times that count from now
 
     Raises
     ------
     DeviceError, UsageError
     """
+    rig = _open(config, specimen, speed, seed)
+    if rig.bench is not None:
+        rig.bench.disturb(disturbances)
+    return rig
+
+
+def _open(config: RigConfig, specimen: Specimen | None, speed: Speed, seed: int) -> OpenRig:
     if config.virtual is None:
         raise UsageError("E-RIG-01", path=config.name, reason=f"there is no driver for cameras of the kind '{config.left.driver}'")
     if config.virtual not in PRESETS:

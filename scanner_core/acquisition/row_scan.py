@@ -42,13 +42,17 @@ class RowScan:
         self._heard_s = [time.monotonic(), time.monotonic()]
         self._fault: BaseException | None = None
         trigger = Trigger(row.first_id, row.count, start_s)
-        left.expose(trigger)
+        left.arm(trigger)
         try:
-            right.expose(trigger)
+            right.arm(trigger)
         except BaseException:
+            left.stop_run()
+            left.expose(trigger)
             self._ended[1] = True
             self.finish()
             raise
+        for capture in self._captures:
+            capture.expose(trigger)
 
     def batches(self) -> Iterator[list[StereoPair]]:
         """Micro-batches of pairs; ids whose frame was dropped come with None.
@@ -115,6 +119,7 @@ class RowScan:
         for trigger_id in ids:
             left, right = (pending.pop(trigger_id, None) for pending in self._pending)
             time_s = next((event.time_s for event in (left, right) if event is not None), 0.0)
-            pairs.append(StereoPair(trigger_id, time_s, None if left is None else left.seen, None if right is None else right.seen))
+            skew_s = right.time_s - left.time_s if left is not None and right is not None else 0.0
+            pairs.append(StereoPair(trigger_id, time_s, None if left is None else left.seen, None if right is None else right.seen, skew_s))
         done.update(ids)
         return pairs

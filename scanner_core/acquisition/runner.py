@@ -6,7 +6,7 @@
                  |           |          |           ^
                  +-----------+----------+-> FAULT --+
 
-PREPARING locates the object and makes the plan; SCANNING follows it; FINISHING registers the views.  The scan's thread
+PREPARING locates the object and makes the plan; SCANNING follows it and closes the turn; FINISHING registers the views.  The scan's thread
 owns the controller: nobody else talks to it, but ``cancel`` stops it from any thread (laser off first).  Every end goes
 through FINISHING and sets the finish reason exactly once, with counts that balance over the plan's trigger ids; a
 teardown that fails cannot lose the end.
@@ -14,26 +14,25 @@ teardown that fails cannot lose the end.
 
 from __future__ import annotations
 
+import json
 import threading
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
-import numpy as np
-from numpy.typing import NDArray
-
 from scanner_core.acquisition.capture import CaptureThread
-from scanner_core.acquisition.engine import StereoEngine
+from scanner_core.acquisition.engine import EvaluatedPairs, StereoEngine
 from scanner_core.acquisition.handover import LatestSlot, PointLog, Preview
+from scanner_core.acquisition.health import HealthMonitor, HealthReport, Phase
+from scanner_core.acquisition.keeping import Keeper
 from scanner_core.acquisition.plan import PlanRequest, Row, ScanPlan, ViewPlan
-from scanner_core.acquisition.planning import locating_plan, scan_plan
+from scanner_core.acquisition.planning import closing_plan, locating_plan, scan_plan
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.acquisition.row_scan import RowScan
 from scanner_core.acquisition.status import FinishReason, ScanCounts, ScanState, ScanStatus
 from scanner_core.acquisition.tally import Tally
 from scanner_core.acquisition.views import RegisteredViews, register_case
-from scanner_core.case.observation import MEASURED, StereoObservation
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.motion import MotionStatus
 from scanner_core.devices.rig import dump_rig
@@ -41,8 +40,6 @@ from scanner_core.errors import AcquisitionError, CalibrationError, ImprontaErro
 from scanner_core.optics.spot_detection import SpotDetector
 
 _STATUS_PERIOD_S = 0.2
-_KEEP_PERIOD_S = 0.5
-_KEEP_COUNT = 500
 _MOVE_DEADLINE_S = 30.0
 
 
@@ -56,6 +53,7 @@ class ScanResult:
     exposures : trigger ids that were exposed, of both passes
     wall_s, rig_s : duration on the wall and on the rig's clock, both passes, without the registration
     views : the registered cloud and its residuals, None when there was nothing to register
+    health : what was noticed on the way
     """
 
     finish_reason: FinishReason
@@ -67,7 +65,18 @@ class ScanResult:
     rig_s: float
     scan_id: int | None
     views: RegisteredViews | None
+    health: HealthReport
     error: ImprontaError | None
+
+
+@dataclass(frozen=True, slots=True)
+class _Pass:
+    """One plan that is being followed: its record in the case, its counts, and where its points go."""
+
+    scan_id: int
+    plan: ScanPlan
+    tally: Tally
+    cloud: PointLog
 
 
 class ScanRunner:
@@ -96,8 +105,8 @@ class ScanRunner:
         self._begin_s = self._end_s = rig.clock.now_s()
         self._exposures = 0
         self._scan_id: int | None = None
-        self._unkept: list[StereoObservation] = []
-        self._kept_s = time.monotonic()
+        self._keeper = Keeper(store)
+        self._health = HealthMonitor(rig.calibration, rig.left.rate_hz)
         self._ended = threading.Event()
         self._thread = threading.Thread(target=self._run, name="scan")
 
@@ -149,6 +158,7 @@ class ScanRunner:
             seconds_left=tally.seconds_left(now_s) if state is ScanState.SCANNING else None,
             table_deg=motion.table_deg,
             laser_on=motion.laser_power > 0,
+            findings=self._health.findings,
             finish_reason=None if result is None else result.finish_reason,
             error=None if result is None else result.error,
         )
@@ -166,7 +176,7 @@ class ScanRunner:
         except BaseException as fault:
             error = self._as_error(fault)
         steps: list[Callable[[], None]] = [capture.close for capture in captures]
-        steps += [partial(self._rest, error is not None), self._keep]
+        steps += [partial(self._rest, error is not None), self._keeper.keep]
         for step in steps:
             try:
                 step()
@@ -180,6 +190,8 @@ class ScanRunner:
         try:
             if self._scan_id is not None:
                 self._store.end_scan(self._scan_id, reason, self._tally.counts())
+                for finding in self._health.findings:
+                    self._store.audit(f"health {finding.code}", json.dumps(finding.as_dict()))
                 if self._tally.measured and not isinstance(error, OSError):
                     views = register_case(self._store, self._scan_id, self._calibration)
         except BaseException as fault:
@@ -195,6 +207,7 @@ class ScanRunner:
             rig_s=self._end_s - self._begin_s,
             scan_id=self._scan_id,
             views=views,
+            health=self._health.report(),
             error=error,
         )
         with self._lock:
@@ -209,13 +222,12 @@ class ScanRunner:
     def _scan(self, left: CaptureThread, right: CaptureThread) -> None:
         rate_hz = self._rig.left.rate_hz
         located = locating_plan(self._rig.config, self._request, rate_hz, self._store.next_trigger_id())
-        self._tally = Tally(located.planned, None, self._rig.clock.now_s())
-        locate_id = self._begin("locate", located)
-        self._follow(located, locate_id, left, right)
+        locate = self._begin("locate", located, None, self.live_cloud)
+        self._tally = locate.tally
+        self._follow(locate, left, right)
         self._located = self._tally.counts()
-        finished = FinishReason.CANCELLED if self._cancelled.is_set() else FinishReason.COMPLETED
-        self._store.end_scan(locate_id, finished, self._located)
-        hits = self._store.observations(locate_id).trigger_id
+        self._end_pass(locate)
+        hits = self._store.observations(locate.scan_id).trigger_id
         if not len(hits) and not self._cancelled.is_set():
             reasons = ", ".join(f"{name} {count}" for name, count in self._located.rejected.items())
             raise AcquisitionError("E-SCAN-01", planned=located.planned, reasons=reasons)
@@ -223,51 +235,68 @@ class ScanRunner:
             self._tally = Tally(0, None, self._rig.clock.now_s())
             return
         plan = scan_plan(self._rig.config, self._request, rate_hz, located, hits, self._store.next_trigger_id())
-        self._tally = Tally(plan.planned, self._request.points, self._rig.clock.now_s())
-        self._scan_id = self._begin("scan", plan)
+        scan = self._begin("scan", plan, self._request.points, self.live_cloud)
+        self._tally, self._scan_id = scan.tally, scan.scan_id
         self._set_state(ScanState.SCANNING)
-        self._follow(plan, self._scan_id, left, right)
+        self._follow(scan, left, right)
+        if len(plan.views) > 1 and plan.views[0].rows and not self._cancelled.is_set():
+            self._close_turn(plan, left, right)
 
-    def _begin(self, kind: str, plan: ScanPlan) -> int:
+    def _close_turn(self, plan: ScanPlan, left: CaptureThread, right: CaptureThread) -> None:
+        """Measure some of the first view again, beside the counts of the scan."""
+        closing = self._begin("closure", closing_plan(plan, self._store.next_trigger_id()), None, PointLog())
+        self._follow(closing, left, right)
+        self._end_pass(closing)
+        if not self._cancelled.is_set():
+            self._health.close_turn(self._ask().table_deg)
+
+    def _begin(self, kind: Phase, plan: ScanPlan, wanted: int | None, cloud: PointLog) -> _Pass:
         calibration = self._calibration
         toml = dump_rig(self._rig.config.with_calibration(calibration))
         bare = dump_rig(self._rig.config.with_calibration(None))
-        return self._store.begin_scan(kind, bare, calibration.identity(), toml, plan.as_dict())
+        scan_id = self._store.begin_scan(kind, bare, calibration.identity(), toml, plan.as_dict())
+        self._health.begin(plan, kind)
+        return _Pass(scan_id, plan, Tally(plan.planned, wanted, self._rig.clock.now_s()), cloud)
 
-    def _follow(self, plan: ScanPlan, scan_id: int, left: CaptureThread, right: CaptureThread) -> None:
+    def _end_pass(self, run: _Pass) -> None:
+        self._keeper.keep()
+        finished = FinishReason.CANCELLED if self._cancelled.is_set() else FinishReason.COMPLETED
+        self._store.end_scan(run.scan_id, finished, run.tally.counts())
+
+    def _follow(self, run: _Pass, left: CaptureThread, right: CaptureThread) -> None:
         """Scan every view of a plan; a quota that a view could not fill is carried to the next."""
         owed = 0
-        for number, view in enumerate(plan.views):
+        for number, view in enumerate(run.plan.views):
             if self._cancelled.is_set():
                 break
-            self._view = number
+            self._view = view.rows[0].view if view.rows else number
             self._rig.motion.rotate_to(view.table_deg)
             table_deg = self._ask().table_deg
-            self._store.put_view(scan_id, number, table_deg)
+            self._store.put_view(run.scan_id, number, table_deg)
             wanted = None if view.quota is None else view.quota + owed
-            measured = self._scan_view(view, plan.sweep_speed_deg_s, table_deg, scan_id, wanted, left, right)
+            measured = self._scan_view(run, view, table_deg, wanted, left, right)
             owed = 0 if wanted is None else wanted - measured
-        self._keep()
+            self._health.end_view(number, table_deg)
+        self._keeper.keep()
 
-    def _scan_view(
-        self, view: ViewPlan, speed_deg_s: float, table_deg: float, scan_id: int, wanted: int | None, left: CaptureThread, right: CaptureThread
-    ) -> int:
+    def _scan_view(self, run: _Pass, view: ViewPlan, table_deg: float, wanted: int | None, left: CaptureThread, right: CaptureThread) -> int:
         measured = 0
         for row in view.rows:
             self._rest_while_paused()
             if self._cancelled.is_set() or (wanted is not None and measured >= wanted):
                 break
             self._rig.motion.aim(row.x_from_deg, row.y_deg)
-            self._rig.motion.sweep(row.x_to_deg, row.y_deg, speed_deg_s)
+            self._rig.motion.sweep(row.x_to_deg, row.y_deg, run.plan.sweep_speed_deg_s)
             scan = RowScan(left, right, row, self._rig.clock.now_s(), self._cancelled, self._poll)
             try:
                 for pairs in scan.batches():
-                    observations, points = self._engine.evaluate(pairs, row.view, table_deg)
-                    if wanted is not None and measured + len(points) >= wanted:
-                        observations, points = _until(observations, points, wanted - measured)
+                    seen = self._engine.evaluate(pairs, row.view, table_deg)
+                    if wanted is not None and measured + len(seen.points) >= wanted:
+                        seen = seen.until(wanted - measured)
                         scan.stop()
-                    measured += len(points)
-                    self._record(scan_id, row, observations, points)
+                    measured += len(seen.points)
+                    self._record(run, row, seen)
+                    self._health.add(pairs, seen, row.view, table_deg)
                     if wanted is not None and measured >= wanted:
                         break
             finally:
@@ -275,28 +304,18 @@ class ScanRunner:
             self._rig.motion.wait_idle(_MOVE_DEADLINE_S)
         return measured
 
-    def _record(self, scan_id: int, row: Row, observations: list[StereoObservation], points: NDArray[np.float64]) -> None:
-        self._exposures += len(observations)
-        self.live_cloud.append(points, row.view)
-        self._unkept += observations
-        self._tally.add((seen.verdict for seen in observations), self._rig.clock.now_s())
-        self._keep_id = scan_id
-        if len(self._unkept) >= _KEEP_COUNT or time.monotonic() - self._kept_s > _KEEP_PERIOD_S:
-            self._keep()
-
-    def _keep(self) -> None:
-        """Write to the case what it does not hold yet."""
-        if self._unkept:
-            self._store.append(self._keep_id, self._unkept)
-            self._unkept = []
-        self._kept_s = time.monotonic()
+    def _record(self, run: _Pass, row: Row, seen: EvaluatedPairs) -> None:
+        self._exposures += len(seen.observations)
+        run.cloud.append(seen.points, row.view)
+        run.tally.add((observation.verdict for observation in seen.observations), self._rig.clock.now_s())
+        self._keeper.add(run.scan_id, seen.observations)
 
     def _rest_while_paused(self) -> None:
         if not self._paused.is_set() or self._cancelled.is_set():
             return
         self._rig.motion.laser(False)
         before = self._state
-        self._keep()
+        self._keeper.keep()
         self._set_state(ScanState.PAUSED)
         while not self._go_on.wait(_STATUS_PERIOD_S):
             self._poll()
@@ -333,13 +352,3 @@ class ScanRunner:
     def _set_state(self, state: ScanState) -> None:
         with self._lock:
             self._state = state
-
-
-def _until(observations: list[StereoObservation], points: NDArray[np.float64], wanted: int) -> tuple[list[StereoObservation], NDArray[np.float64]]:
-    """The observations up to the one that gives the last wanted point."""
-    found = 0
-    for i, seen in enumerate(observations):
-        found += seen.verdict == MEASURED
-        if found == wanted:
-            return observations[: i + 1], points[:wanted]
-    return observations, points

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from enum import Enum
 
+from scanner_core.acquisition.finding import Finding
 from scanner_core.errors import ImprontaError
 
 
@@ -53,6 +54,7 @@ class ScanStatus:
     rate_hz : points a second over the last two seconds
     seconds, seconds_left : on the rig's clock; `seconds_left` is None until the first row is done
     table_deg, laser_on : from the controller's own status reports
+    findings : what the health monitor has noticed so far, in the order of its first appearance
     finish_reason, error : set once the scan has ended
     """
 
@@ -65,5 +67,6 @@ class ScanStatus:
     seconds_left: float | None = None
     table_deg: float = 0.0
     laser_on: bool = False
+    findings: tuple[Finding, ...] = ()
     finish_reason: FinishReason | None = None
     error: ImprontaError | None = None

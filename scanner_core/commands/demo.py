@@ -14,7 +14,7 @@ from scanner_core.case.store import CaseStore, Order
 from scanner_core.commands.calibration_report import calibration_json, calibration_summary
 from scanner_core.commands.console import Console
 from scanner_core.commands.reconstructing import reconstruction_summary, run_reconstruction
-from scanner_core.commands.scanning import run_scan, scan_json, scan_summary, sized_for, specimen_on_table, without_terms
+from scanner_core.commands.scanning import faults, run_scan, scan_json, scan_summary, sized_for, specimen_on_table, without_terms
 from scanner_core.devices.rig import load_preset
 from scanner_core.errors import StorageError, UsageError
 from scanner_core.mesh_io import write_mesh
@@ -32,9 +32,12 @@ def run(given: argparse.Namespace, console: Console) -> int:
     specimen = specimen_on_table(given, config)
     asked = {name: getattr(given, name) for name in ("views", "points") if getattr(given, name) is not None}
     request = sized_for(PlanRequest(**asked), specimen)
+    disturbances = faults(given)
     folder = _folder(given.out, specimen.name, given.force)
     with open_rig(config, specimen, given.speed, given.seed) as rig:
         rig.calibration = _calibrate(rig, console)
+        if rig.bench is not None:
+            rig.bench.disturb(disturbances)
         with CaseStore.create(folder / CASE) as store:
             store.put_order(Order(number="demo", type=specimen.name))
             scan = run_scan(console, rig, request, store)

@@ -10,9 +10,9 @@ from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.acquisition.status import FinishReason
 from scanner_core.case.store import CaseStore, Order
 from scanner_core.commands.console import Console
-from scanner_core.commands.scanning import run_scan, scan_json, scan_summary, sized_for, specimen_on_table, without_terms
+from scanner_core.commands.scanning import faults, run_scan, scan_json, scan_summary, sized_for, specimen_on_table, without_terms
 from scanner_core.devices.rig import load_rig_or_preset
-from scanner_core.errors import CalibrationError
+from scanner_core.errors import CalibrationError, UsageError
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
@@ -21,6 +21,9 @@ def run(given: argparse.Namespace, console: Console) -> int:
     specimen = specimen_on_table(given, config) if config.virtual else None
     if config.calibration is None:
         raise CalibrationError("E-CAL-02")
+    disturbances = faults(given)
+    if disturbances and not config.virtual:
+        raise UsageError("E-USE-01", what="Faults happen on the virtual rig only", do="leave --fault away")
     path = Path(given.out).resolve()
     if given.force and path.exists():
         CaseStore.open(path).close()  # refused while another program has it open, or when it is no case
@@ -28,7 +31,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
     with CaseStore.create(path) as store:
         if specimen is not None:
             store.put_order(Order(type=specimen.name))
-        with open_rig(config, specimen, given.speed, given.seed) as rig:
+        with open_rig(config, specimen, given.speed, given.seed, disturbances) as rig:
             result = run_scan(console, rig, sized_for(request, specimen), store)
             values = scan_json(result, rig.left.rate_hz, str(path))
     console.result(values, [*scan_summary(result), f"Kept in {path}."])

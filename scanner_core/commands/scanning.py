@@ -14,6 +14,7 @@ from scanner_core.case.store import CaseStore
 from scanner_core.commands.console import Console
 from scanner_core.devices.rig import RigConfig
 from scanner_core.errors import UsageError
+from scanner_core.virtual.disturbances import Disturbance, parse_fault
 from scanner_core.virtual.presets import GEOMETRIC_TERMS
 from scanner_core.virtual.specimens import Specimen, check_fits, load_specimen
 
@@ -31,6 +32,11 @@ def specimen_on_table(given: argparse.Namespace, rig: RigConfig) -> Specimen:
     specimen = load_specimen(given.specimen, treated=getattr(given, "treated", False))
     check_fits(specimen, rig.volume)
     return specimen
+
+
+def faults(given: argparse.Namespace) -> list[Disturbance]:
+    """What ``--fault`` lets go wrong on the virtual rig."""
+    return [parse_fault(text) for text in given.fault]
 
 
 def sized_for(request: PlanRequest, specimen: Specimen | None) -> PlanRequest:
@@ -82,6 +88,7 @@ def scan_json(result: ScanResult, rate_hz: float, case: str) -> dict[str, object
         "realtime_factor": round(result.exposures / result.wall_s / rate_hz, 2),
         "case": case,
         "registration": None if registration is None else registration.as_dict(),
+        "health": result.health.as_dict(),
     }
     if result.error is not None:
         values["error"] = {"code": result.error.code, "sentence": str(result.error)}
@@ -99,6 +106,7 @@ def scan_summary(result: ScanResult) -> list[str]:
     if result.views is not None:
         said = result.views.registration
         lines.append(f"Views registered: residual {said.residual_before_um:.1f} um before, {said.residual_after_um:.1f} um after the refinement.")
+    lines += [f"{'Warning' if found.severity == 'warning' else 'Note'}: {found.sentence} [{found.code}]" for found in result.health.findings]
     return lines
 
 

@@ -34,31 +34,37 @@ class SurfaceDistance:
     signed_mm : (m,) along `normals`
     normals : (m, 3) unit normals of the surface, of arbitrary sign
     leverage : (m,) variance of the surface's height as a part of a point's variance
+    slope_leverage_mm2 : (m,) variance of each of its two slopes as a part of a point's variance, 1/mm^2
     valid : (m,) False where the places are not over the view's surface
     """
 
     signed_mm: Array
     normals: Array
     leverage: Array
+    slope_leverage_mm2: Array
     valid: NDArray[np.bool_]
 
 
 class LocalSurface:
-    """The surface under one view's points (n, 3) mm; n may be small, then nothing is valid."""
+    """The surface under one view's points (n, 3) mm; n may be small, then nothing is valid.
 
-    def __init__(self, points: Array) -> None:
+    More `neighbours` bridge noise that is as large as the spacing of the points.
+    """
+
+    def __init__(self, points: Array, neighbours: int = NEIGHBOURS) -> None:
         self.points = points
-        self._tree = cKDTree(points) if len(points) > NEIGHBOURS else None
+        self._neighbours = neighbours
+        self._tree = cKDTree(points) if len(points) > neighbours else None
         if self._tree is not None:
-            reach = self._tree.query(points, NEIGHBOURS)[0][:, -1]
+            reach = self._tree.query(points, neighbours)[0][:, -1]
             self._max_reach = 2.0 * float(np.median(reach))
 
     def distance(self, places: Array) -> SurfaceDistance:
         """Distance of places (m, 3) mm to the surface."""
         m = len(places)
         if self._tree is None or m == 0:
-            return SurfaceDistance(np.zeros(m), np.zeros((m, 3)), np.ones(m), np.zeros(m, bool))
-        far, index = self._tree.query(places, NEIGHBOURS)
+            return SurfaceDistance(np.zeros(m), np.zeros((m, 3)), np.ones(m), np.ones(m), np.zeros(m, bool))
+        far, index = self._tree.query(places, self._neighbours)
         reach = far[:, -1]
         about = self.points[index] - places[:, None]  # (m, k, 3)
         weight = np.exp(-2.0 * (far / reach[:, None]) ** 2)
@@ -79,6 +85,7 @@ class LocalSurface:
         tilted = normal - (along @ np.stack([slope_x, slope_y], axis=-1)[..., None])[..., 0] / reach[:, None]
         length = np.linalg.norm(tilted, axis=1)
         leverage = (weights_of_height[:, 0] ** 2).sum(axis=1)
+        slope_leverage = 0.5 * (weights_of_height[:, 1:] ** 2).sum(axis=(1, 2)) / reach**2
 
         off_centre = np.linalg.norm(middle - (middle * normal).sum(axis=1)[:, None] * normal, axis=1)
         valid = (
@@ -87,4 +94,4 @@ class LocalSurface:
             & (principal[:, 0] < _MAX_FLATNESS**2 * principal[:, 1])
             & (leverage < _MAX_LEVERAGE)
         )
-        return SurfaceDistance(-level / length, tilted / length[:, None], leverage, valid)
+        return SurfaceDistance(-level / length, tilted / length[:, None], leverage, slope_leverage, valid)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import threading
 from collections import OrderedDict
+from collections.abc import Iterable
+from dataclasses import replace
 from typing import Literal
 
 import cv2
@@ -18,6 +20,7 @@ from scanner_core.optics.calibration import StereoCalibration, TurntableAxis
 from scanner_core.optics.camera_model import CameraModel
 from scanner_core.virtual.board import BoardRenderer, flat_on_table, operator_poses
 from scanner_core.virtual.camera import VirtualCamera
+from scanner_core.virtual.disturbances import Disturbance, Disturbed, SlippingTable
 from scanner_core.virtual.exposure import Exposure, Shutter
 from scanner_core.virtual.image_formation import ImageSensor
 from scanner_core.virtual.mechanics import PlayTimeline, warm_up_px
@@ -61,7 +64,9 @@ class VirtualBench:
         bar: LengthBar = DEFAULT_BAR,
     ) -> None:
         self.preset, self.target, self.seed = preset, target, seed
-        self._clock, self._timeline = clock, PlayTimeline(timeline, preset.backlash_deg)
+        self._disturbed = Disturbed(preset)
+        self._clock = clock
+        self._timeline = SlippingTable(PlayTimeline(timeline, preset.backlash_deg), self._disturbed)
         self._sensors = (ImageSensor(preset, 0, seed), ImageSensor(preset, 1, seed))
         self._renderers = (BoardRenderer(preset, 0, target, faults), BoardRenderer(preset, 1, target, faults))
         self.bar = bar
@@ -86,9 +91,13 @@ class VirtualBench:
             raise UsageError("E-USE-01", what=f"The rig has no camera '{side}'", do="choose left or right")
         index = _SIDES.index(side)
         p = self.preset
-        return VirtualCamera(side, index, p.cameras[index].size_px, p.rate_hz, p.exposure_ms, self._clock, self, transfer_frames)
+        return VirtualCamera(side, index, p.cameras[index].size_px, p.rate_hz, p.exposure_ms, self._clock, self, transfer_frames, self._disturbed)
 
     # ------------------------------------------------------------------------------------------ a person's operations
+    def disturb(self, disturbances: Iterable[Disturbance]) -> None:
+        """Let these things go wrong, at their times from now on; an empty list puts everything right again."""
+        self._disturbed.happen(disturbances, self._clock.now_s())
+
     def change_specimen(self, specimen: Specimen | None) -> None:
         """Put something else on the table, or nothing."""
         scene = Scene(self.preset, specimen)
@@ -139,7 +148,11 @@ class VirtualBench:
                 signal = self._drifted(self._board_signal(index, start_s + 0.5e-3 * exposure_ms), index, start_s)
                 return sensor.lit_frame(signal * np.float32(exposure_ms / self.preset.exposure_ms), key, gain)
             spot = self._expose(start_s, exposure_ms).spots[index]
-        return sensor.frame(spot, key, gain, self.preset.ambient_dn * exposure_ms / self.preset.exposure_ms)
+        dx, dy = self._disturbed.image_shift_px(index, start_s)
+        if spot is not None and (dx or dy):
+            spot = replace(spot, x_px=spot.x_px + dx, y_px=spot.y_px + dy)
+        room_dn = self.preset.ambient_dn + self._disturbed.ambient_dn(start_s)
+        return sensor.frame(spot, key, gain, room_dn * exposure_ms / self.preset.exposure_ms)
 
     def _expose(self, start_s: float, exposure_ms: float) -> Exposure:
         instant = (start_s, exposure_ms)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from scanner_core.clock import Clock, Pacer
 from scanner_core.devices.camera import Frame, Trigger
 from scanner_core.errors import DeviceClosedError
+from scanner_core.virtual.disturbances import Disturbed
 
 BUFFER_FRAMES = 16
 """Exposures that the camera holds for a slow reader; older ones are lost."""
@@ -42,11 +43,13 @@ class VirtualCamera:
         clock: Clock,
         exposer: Exposer,
         transfer_frames: int = 1,
+        disturbed: Disturbed | None = None,
     ) -> None:
         self._name, self._index, self._size_px, self._rate_hz = name, index, size_px, rate_hz
         self._exposure_ms, self._gain_db = exposure_ms, 0.0
         self._clock, self._exposer = clock, exposer
         self._transfer_frames = transfer_frames
+        self._disturbed = disturbed
         self._lock = threading.Lock()
         self._run: tuple[Trigger, Pacer, int] | None = None
         self._runs = 0
@@ -105,7 +108,8 @@ class VirtualCamera:
                 start_s = trigger.start_s + k / self._rate_hz
                 if k >= there:
                     there = min(k + self._transfer_frames, trigger.count)
-                    pacer.wait_until(trigger.start_s + (there - 1) / self._rate_hz + exposure_s, stop)
+                    last_s = trigger.start_s + (there - 1) / self._rate_hz
+                    pacer.wait_until(last_s + exposure_s + max(0.0, self._late_s(last_s)), stop)
                 if stop.is_set() or self._closed.is_set():
                     break
                 behind = int((self._clock.now_s() - start_s - exposure_s) * self._rate_hz + 1e-6)
@@ -115,8 +119,12 @@ class VirtualCamera:
                     self.dropped += lost
                     k += lost
                     continue
-                yield self._frame(start_s, trigger.first_id + k, (number << 40) + trigger.first_id + k)
+                trigger_id, key = trigger.first_id + k, (number << 40) + trigger.first_id + k
                 k += 1
+                if self._disturbed is not None and self._disturbed.drops(self._index, start_s, key):
+                    self.dropped += 1
+                    continue
+                yield self._frame(start_s, trigger_id, key)
         finally:
             with self._lock:
                 if self._run is run:
@@ -143,8 +151,13 @@ class VirtualCamera:
 
     def _frame(self, start_s: float, trigger_id: int, key: int) -> Frame:
         gain = 10 ** (self._gain_db / 20)
-        image = self._exposer.image(self._index, start_s, self._exposure_ms, gain, key)
-        return Frame(image, trigger_id, start_s + 0.5e-3 * self._exposure_ms, self._name)
+        late_s = self._late_s(start_s)
+        image = self._exposer.image(self._index, start_s + late_s, self._exposure_ms, gain, key)
+        stamped_s = 0.0 if self._disturbed is None or not self._disturbed.stamped(self._index, start_s) else late_s
+        return Frame(image, trigger_id, start_s + stamped_s + 0.5e-3 * self._exposure_ms, self._name)
+
+    def _late_s(self, start_s: float) -> float:
+        return 0.0 if self._disturbed is None else self._disturbed.late_s(self._index, start_s, 1.0 / self._rate_hz)
 
     def _end_run(self) -> None:
         """With the lock held."""
