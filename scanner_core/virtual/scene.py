@@ -64,6 +64,7 @@ class Scene:
         self._weights = weights.tolist()
         d = preset.laser_target_mm - preset.laser_position_mm
         self._azimuth, self._elevation = atan2(d[1], d[0]), atan2(d[2], hypot(d[0], d[1]))
+        self._standing: tuple[MotionInstant, Footprint | None] | None = None
         self._at: tuple[float, tuple[Array, Array, Array]] = (nan, (np.eye(3), np.zeros(3), self._eyes_table))
 
     def beam(self, x_deg: float, y_deg: float) -> Array:
@@ -87,12 +88,14 @@ class Scene:
         return self._at[1]
 
     def light(self, instant: MotionInstant) -> Footprint | None:
-        """The footprint of the beam, or None when it is dark or hits nothing."""
+        """The footprint of the beam, or None when it is dark or hits nothing; that of a standing beam is cast once."""
         if instant.laser_power <= 0:
             return None
-        turn, origin, eyes = self._turned(instant.table_deg)
-        beam = self.beam(instant.x_deg, instant.y_deg) @ turn.T
-        return self._footprint(origin + self._offsets @ beam[1:], beam[0], eyes)
+        if self._standing is None or self._standing[0] != instant:
+            turn, origin, eyes = self._turned(instant.table_deg)
+            beam = self.beam(instant.x_deg, instant.y_deg) @ turn.T
+            self._standing = instant, self._footprint(origin + self._offsets @ beam[1:], beam[0], eyes)
+        return self._standing[1]
 
     def _footprint(self, starts: Array, direction: Array, eyes: Array) -> Footprint | None:
         points, normals, shares = [], [], []
