@@ -92,8 +92,8 @@ class BarMeasurement:
 
 
 def bar_positions(volume: VolumeConfig, spacing_mm: float, radius_mm: float) -> list[BarPosition]:
-    """Seven placements in the volume's cylinder: two horizontal, low and high and square to each other; one upright beside
-    the axis; four tilted, one in each quarter, through the middle.
+    """Seven placements in the volume's cylinder: two horizontal, low and high and square to each other; one as upright as
+    the volume allows, beside the axis; four tilted, one in each quarter, through the middle.
 
     Raises
     ------
@@ -103,19 +103,20 @@ def bar_positions(volume: VolumeConfig, spacing_mm: float, radius_mm: float) -> 
     reach = volume.radius_mm - radius_mm - _MARGIN_MM
     low, high = radius_mm + _MARGIN_MM, volume.height_mm - radius_mm - _MARGIN_MM
     half = 0.5 * spacing_mm
-    if half > reach or spacing_mm > high - low:
+    if half > reach or high < low:
         raise UsageError(
             "E-USE-01",
             what=f"A ball bar of {spacing_mm:g} mm with spheres of {2 * radius_mm:g} mm does not fit into the rig's volume",
             do="take a shorter one",
         )
     beside = float(np.sqrt(reach**2 - half**2))
-    tilt = float(np.degrees(np.arcsin(min((high - low) / spacing_mm, np.sin(np.radians(40.0))))))
+    steepest = float(np.degrees(np.arcsin(min((high - low) / spacing_mm, 1.0))))
+    tilt = min(steepest, 40.0)
     middle = 0.5 * (low + high)
     positions = [
         BarPosition("horizontal, low, along y in front of the axis", (0.7 * beside, 0.0, low), 90.0, 0.0),
         BarPosition("horizontal, high, along x beside the axis", (0.0, 0.7 * beside, high), 0.0, 0.0),
-        BarPosition("upright beside the axis", (-0.5 * reach, -0.5 * reach, middle), 0.0, 90.0),
+        BarPosition("upright beside the axis", (-0.5 * reach, -0.5 * reach, middle), 45.0, steepest),
     ]
     positions += [BarPosition(f"tilted, towards {azimuth:.0f} deg", (0.0, 0.0, middle), azimuth, tilt) for azimuth in (45.0, 135.0, 225.0, 315.0)]
     return positions
