@@ -155,7 +155,7 @@ class AcceptanceTest:
     ) -> None:
         """`points` and `views` are of each position."""
         self._rig, self._radius, self._spacing = rig, radius, spacing
-        self._request = PlanRequest(views, points, smallest_part_mm=2 * radius.value_mm)
+        self._views, self._points = views, points
         self.positions = bar_positions(rig.config.volume, spacing.value_mm, radius.value_mm)
         self._operator = operator_for(rig, operator)
         self.done: list[BarMeasurement] = []
@@ -175,7 +175,9 @@ class AcceptanceTest:
         radius, spacing = self._radius.value_mm, self._spacing.value_mm
         for index, position in enumerate(self.positions[:count]):
             self._operator.put_bar(position.centres(spacing), radius)
-            cloud, _ = scan_artefact(self._rig, self._request, lambda share: told((index + share) / count))  # noqa: B023
+            region = position.region_mm(spacing, radius, self._rig.config.volume)
+            request = PlanRequest(self._views, self._points, *region, smallest_part_mm=2 * radius)
+            cloud, _ = scan_artefact(self._rig, request, lambda share: told((index + share) / count))  # noqa: B023
             self.done.append(measure_bar(cloud, position, index + 1, spacing, radius))
             told((index + 1) / count)
         return self.result()

@@ -17,6 +17,8 @@ from scanner_core.metrology.sphere_search import LEAST_POINTS, find_spheres
 
 Array = NDArray[np.float64]
 
+MISPLACED_MM = 8.0
+"""The bar may stand so far from its planned place."""
 _MARGIN_MM = 1.5
 """Between the spheres and the end of the volume."""
 _ROD_CONE_DEG = 25.0
@@ -49,6 +51,13 @@ class BarPosition:
         a, t = np.radians(self.azimuth_deg), np.radians(self.tilt_deg)
         along = np.array([np.cos(t) * np.cos(a), np.cos(t) * np.sin(a), np.sin(t)])
         return np.array([self.middle_mm - 0.5 * spacing_mm * along, self.middle_mm + 0.5 * spacing_mm * along])
+
+    def region_mm(self, spacing_mm: float, radius_mm: float, volume: VolumeConfig) -> tuple[float, float]:
+        """Radius and height of the cylinder on the table that holds the bar, with what a person may miss the place by."""
+        centres = self.centres(spacing_mm)
+        reach = float(np.hypot(centres[:, 0], centres[:, 1]).max()) + radius_mm + MISPLACED_MM
+        top = float(centres[:, 2].max()) + radius_mm + MISPLACED_MM
+        return min(reach, volume.radius_mm), min(top, volume.height_mm)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
