@@ -66,10 +66,13 @@ def find_sphere(points: Array, radius_mm: float) -> FoundSphere | None:
     centres, radii = _trial_spheres(some, radius_mm, rng)
     if not len(radii):
         return None
-    counts = np.array([np.count_nonzero(np.abs(np.linalg.norm(some - c, axis=1) - r) < _NEAR * radius_mm) for c, r in zip(centres, radii, strict=True)])
-    best = int(counts.argmax())
-    members = np.abs(np.linalg.norm(points - centres[best], axis=1) - radii[best]) < _NEAR * radius_mm
-    return settle(points, members, radius_mm)
+    counts = [np.count_nonzero(_close(some, centre, radius, radius_mm)) for centre, radius in zip(centres, radii, strict=True)]
+    best = int(np.argmax(counts))
+    return settle(points, _close(points, centres[best], float(radii[best]), radius_mm), radius_mm)
+
+
+def _close(points: Array, centre: Array, radius: float, radius_mm: float) -> Mask:
+    return np.asarray(np.abs(np.linalg.norm(points - centre, axis=1) - radius) < _NEAR * radius_mm, bool)
 
 
 def settle(points: Array, members: Mask, radius_mm: float) -> FoundSphere | None:
