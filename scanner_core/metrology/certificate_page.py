@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -14,6 +15,7 @@ from scanner_core.metrology.decision import Verdict
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.ft2font import FT2Font
 
 WIDTH_MM, HEIGHT_MM, MARGIN_MM = 210.0, 297.0, 18.0
 INK, GREY, LINE = "#1b1f24", "#5b6570", "#c9cfd6"
@@ -191,13 +193,17 @@ def wrapped(words: str, width_mm: float, size: float) -> list[str]:
 
 def text_width_mm(words: str, size: float) -> float:
     """Width of a line in the page's font."""
-    from matplotlib.font_manager import FontProperties
-    from matplotlib.textpath import TextPath
+    font = _font()
+    font.set_size(size, 72)
+    font.set_text(words, 0.0)
+    return float(font.get_width_height()[0]) / 64 * 25.4 / 72
 
-    if not words.strip():
-        return 0.0
-    extent = TextPath((0, 0), words, size=size, prop=FontProperties(family="DejaVu Sans"), usetex=False).get_extents()
-    return float(extent.x1) * 25.4 / 72
+
+@cache
+def _font() -> FT2Font:
+    from matplotlib.font_manager import FontProperties, findfont, get_font
+
+    return get_font(findfont(FontProperties(family="DejaVu Sans")))
 
 
 def _shortened(words: str, width_mm: float, size: float) -> str:

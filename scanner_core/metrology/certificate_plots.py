@@ -77,7 +77,7 @@ def sphere_plots(page: Page, result: SphereResult, history: Sequence[HistoryEntr
     polar, azimuth = spherical_angles_deg(np.concatenate([a.directions for a in acquisitions]))
     limit = 2.5 * float(np.std(residuals)) + 1e-9
 
-    chart = page.axes(*frames[0], "Residuals over the sphere (mean of 5° cells)", "azimuth / deg", "angle from the top / deg")
+    chart = page.axes(*frames[0], "Residuals / µm (mean of 5° cells)", "azimuth / deg", "angle from the top / deg")
     _map(page, chart, azimuth, polar, residuals, limit)
     chart.axhline(REQUIRED_COVERAGE_DEG, color=INK, linewidth=0.8, linestyle=(0, (4, 3)))
 
@@ -95,7 +95,7 @@ def sphere_plots(page: Page, result: SphereResult, history: Sequence[HistoryEntr
     spread.text(half, 0.97, " D95", fontsize=6.5, color=ORANGE, transform=spread.get_xaxis_transform(), va="top")
     spread.set(xlim=(-reach, reach), ylim=(0, None))
 
-    radii = page.axes(*frames[3], "Radius error by acquisition (U of the fit, k = 2)", "acquisition", "error / µm")
+    radii = page.axes(*frames[3], "Radius error by acquisition (U, k = 2)", "acquisition", "error / µm")
     errors = [1e3 * (a.radius_mm - result.reference.value_mm) for a in acquisitions]
     bars = [2e3 * a.radius_uncertainty_mm for a in acquisitions]
     numbers = np.arange(1, len(errors) + 1)
@@ -187,7 +187,7 @@ def _map(page: Page, axes: Axes, azimuth: Array, polar: Array, residuals: Array,
     counts, sums = _cells(azimuth, polar), _cells(azimuth, polar, residuals)
     mean = np.divide(sums, counts, out=np.full_like(sums, np.nan), where=counts > 0)
     image = axes.imshow(mean, cmap="RdBu_r", vmin=-limit, vmax=limit, extent=(0, 360, 180, 0), aspect="auto", interpolation="nearest")
-    _bar(page, axes, image, "µm")
+    _bar(page, axes, image)
     axes.set_xticks([0, 90, 180, 270, 360])
     axes.set_yticks([0, 45, 90, 135, 180])
 
@@ -199,7 +199,7 @@ def _density(page: Page, axes: Axes, azimuth: Array, polar: Array) -> None:
     shown = np.where(counts > 0, per_square_degree, np.nan)
     brightest = float(np.nanpercentile(shown, 98))
     image = axes.imshow(shown, cmap="viridis", vmin=0, vmax=brightest, extent=(0, 360, 180, 0), aspect="auto", interpolation="nearest")
-    _bar(page, axes, image, "")
+    _bar(page, axes, image)
     axes.set_xticks([0, 90, 180, 270, 360])
     axes.set_yticks([0, 45, 90, 135, 180])
 
@@ -209,14 +209,14 @@ def _cells(azimuth: Array, polar: Array, weights: Array | None = None) -> Array:
     return np.asarray(np.histogram2d(polar, azimuth, bins=(36, 72), range=((0, 180), (0, 360)), weights=weights)[0], np.float64)
 
 
-def _bar(page: Page, axes: Axes, image: Any, words: str) -> None:
+def _bar(page: Page, axes: Axes, image: Any) -> None:
+    """A scale of the colours beside the axes, which make room for it."""
     place = axes.get_position()
     axes.set_position((place.x0, place.y0, place.width - 9.5 / WIDTH_MM, place.height))
     beside = page.figure.add_axes((place.x1 - 8.5 / WIDTH_MM, place.y0, 2.2 / WIDTH_MM, place.height))
     bar = page.figure.colorbar(image, cax=beside)
     bar.ax.tick_params(labelsize=6, length=1.5, width=0.4, pad=1.2)
-    bar.outline.set_linewidth(0.4)  # type: ignore[operator]
-    bar.ax.set_title(words, fontsize=6, pad=2.5)
+    bar.outline.set_linewidth(0.4)
 
 
 def _places(page: Page, frame: tuple[float, float, float, float], result: AcceptanceResult) -> None:
@@ -238,7 +238,7 @@ def _places(page: Page, frame: tuple[float, float, float, float], result: Accept
             axes.plot(ends[1, across], ends[1, up], "o", markersize=4, color=ORANGE)
     reach = 1.08 * radius
     above.set(ylim=(-reach, reach), aspect="equal", adjustable="datalim")
-    beside.set(xlim=(-reach, reach), aspect="equal", adjustable="datalim")
+    beside.set(aspect="equal", adjustable="datalim")
 
 
 def _limits(axes: Axes, limit: float) -> None:
@@ -296,7 +296,7 @@ def _dates(axes: Axes, history: Sequence[HistoryEntry]) -> None:
     margin = 0.06 * span if span > timedelta(0) else timedelta(hours=12)
     axes.set_xlim(min(moments) - margin, max(moments) + margin)  # type: ignore[arg-type]
     if span == timedelta(0):
-        axes.set_xticks([moments[0]], [moments[0].strftime("%Y-%m-%d")])  # type: ignore[list-item]
+        axes.set_xticks([moments[0]], [moments[0].strftime("%Y-%m-%d")])  # type: ignore[arg-type]
         return
     locator = AutoDateLocator(minticks=2, maxticks=5)  # type: ignore[no-untyped-call]
     axes.xaxis.set_major_locator(locator)

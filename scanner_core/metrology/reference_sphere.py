@@ -2,7 +2,8 @@
 
 A calibrated sphere stands in the middle of the table; it is acquired several times, taken away and put down anew in
 between, each time from all views, registered, and fitted by least squares.  Stem and table are told from the sphere by
-the sphere's shape alone (:mod:`scanner_core.metrology.sphere_search`); how many points were left out is stated.
+the sphere's shape (:mod:`scanner_core.metrology.sphere_search`), and a cone of 40 degrees below the centre, where the stem
+is, is left out; how many points were left out is stated.
 
 Size
     The mean radius over the acquisitions against the calibrated one.  Its expanded uncertainty (k = 2) holds the standard
@@ -32,7 +33,7 @@ from scanner_core.metrology.artefact_scan import OnFraction, scan_artefact
 from scanner_core.metrology.coverage import Coverage, sphere_coverage
 from scanner_core.metrology.decision import Characteristic, Verdict, overall
 from scanner_core.metrology.placing import ArtefactOperator, operator_for
-from scanner_core.metrology.sphere_search import LEAST_POINTS, FoundSphere, find_sphere
+from scanner_core.metrology.sphere_search import LEAST_POINTS, FoundSphere, find_sphere, settle
 from scanner_core.virtual.specimens import Specimen
 
 Array = NDArray[np.float64]
@@ -40,6 +41,8 @@ Array = NDArray[np.float64]
 REQUIRED_COVERAGE_DEG = 90.0
 _REGION_RADIUS, _REGION_HEIGHT = 1.6, 2.6
 """The sphere is looked for in a cylinder on the table of so many of its radii."""
+STEM_CONE_DEG = 40.0
+"""Points so close to straight below the centre may be the stem's and are left out."""
 _ALONE = 0.8
 """Less of the points on the sphere: what stands there is no sphere, or not alone."""
 _SECOND = 0.3
@@ -245,7 +248,12 @@ def evaluate_acquisition(cloud: PointCloud, radius_mm: float, registration_rms_u
         if second is not None and second.members.sum() > _SECOND * sphere.members.sum() and share > 1 / 3:
             raise AcquisitionError("E-MET-04", first=int(sphere.members.sum()), second=int(second.members.sum()))
         raise AcquisitionError("E-MET-03", radius_mm=f"{radius_mm:g}", points=len(points), share=round(100 * share))
-    return _acquisition(points, sphere, registration_rms_um)
+    away = points - sphere.fit.centre
+    above = away[:, 2] > -np.cos(np.radians(STEM_CONE_DEG)) * np.linalg.norm(away, axis=1)
+    alone = settle(points[above], sphere.members[above], radius_mm)
+    if alone is None:
+        raise AcquisitionError("E-MET-05", points=int(above.sum()), least=LEAST_POINTS)
+    return _acquisition(points[above], alone, int(np.count_nonzero(~above)), registration_rms_um)
 
 
 def shell_width(residuals: Array, share: float = 0.95) -> float:
@@ -255,14 +263,14 @@ def shell_width(residuals: Array, share: float = 0.95) -> float:
     return float((ordered[count - 1 :] - ordered[: len(ordered) - count + 1]).min())
 
 
-def _acquisition(points: Array, sphere: FoundSphere, registration_rms_um: float) -> Acquisition:
+def _acquisition(points: Array, sphere: FoundSphere, below: int, registration_rms_um: float) -> Acquisition:
     fit = sphere.fit
     directions = points[sphere.members] - fit.centre
     residuals = 1e3 * fit.residuals_mm
     return Acquisition(
         points=int(sphere.members.sum()),
         rejected=sphere.rejected,
-        foreign=int(np.count_nonzero(~sphere.near & ~sphere.members)),
+        foreign=below + int(np.count_nonzero(~sphere.near & ~sphere.members)),
         radius_mm=fit.radius_mm,
         radius_uncertainty_mm=fit.radius_uncertainty_mm,
         centre_mm=fit.centre,

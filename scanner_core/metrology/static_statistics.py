@@ -30,8 +30,9 @@ Array = NDArray[np.float64]
 
 AXES = ("x", "y", "z")
 LEAST_PER_STAY = 3
-_MEANS = 8
-"""Means per place from which the drift is taken, at least: stays are divided where there are fewer."""
+_PARTS = 8
+"""Into which a single stay is divided to see the drift; of several stays in a place each gives one mean, because the parts
+of a stay share what the mover missed the place by."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -197,8 +198,7 @@ def _drift(points: Array, place: NDArray[np.int64], time_s: Array, stays: list[N
     """Means (m, 3) from their place's own, their times (m,), the shared slopes (3,) a second and their uncertainty."""
     means, whens, times, slopes, weights = [], [], [], [], []
     for own in _by_place(place, stays):
-        parts = -(-_MEANS // len(own))
-        blocks = [block for members in own for block in np.array_split(members, min(parts, len(members))) if len(block)]
+        blocks = own if len(own) > 1 else np.array_split(own[0], min(_PARTS, len(own[0])))
         t = np.array([time_s[block].mean() for block in blocks])
         v = np.array([points[block].mean(axis=0) for block in blocks])
         i, j = np.triu_indices(len(blocks), 1)
