@@ -23,8 +23,8 @@ LEAST_POINTS = 50
 REJECT_SIGMAS = 5.0
 """Points farther from the sphere than so many robust standard deviations do not count as its own: of clean normal noise
 less than one in a million."""
-_TRIALS = 4000
-_LOOKED_AT = 1500
+_TRIALS = 2000
+_LOOKED_AT = 600
 _NEAR = 0.05
 """A trial sphere is scored by the points within this share of its radius."""
 _RADIUS_RANGE = 0.25

@@ -31,7 +31,7 @@ def ball(rng: np.random.Generator, centre: Array, radius_mm: float, sigma_mm: fl
     return np.asarray(centre + (radius_mm + rng.normal(0, sigma_mm, count))[:, None] * cap(rng, count, lowest_deg), np.float64)
 
 
-def sphere_result(rig: RigConfig, radius_mm: float = R, sigma_mm: float = 0.025, acquisitions: int = 10, lowest_deg: float = 115.0) -> SphereResult:
+def sphere_result(rig: RigConfig, radius_mm: float = R, sigma_mm: float = 0.025, acquisitions: int = 3, lowest_deg: float = 115.0) -> SphereResult:
     rng = np.random.default_rng(1)
     clouds = [PointCloud(ball(rng, np.array([0, 0, 13.0]), radius_mm, sigma_mm, 3500, lowest_deg)) for _ in range(acquisitions)]
     return SphereResult(tuple(evaluate_acquisition(cloud, R) for cloud in clouds), Reference(R, 0.001), rig.acceptance)
@@ -56,7 +56,8 @@ def static_result(places: int = 32) -> StaticResult:
     points = rng.normal(0, 1, (len(place), 3)) * (13.9, 11.5, 10.6)
     spots = np.c_[rng.normal(300, 0.02, (len(place), 4)), np.full((len(place), 4), 0.8), np.full((len(place), 2), 200.0)]
     time_s = np.arange(len(place)) / 60
-    return evaluate_static(points, place, stay, time_s, spots, np.array([0.9, 1.4, 0.9, 1.4]), 671.75, len(place) + 7, {"hidden_left": 4, "no_spot": 3})
+    rejected = {"hidden_left": 4, "no_spot": 3}
+    return evaluate_static(points, place, stay, time_s, spots, np.array([0.9, 1.4, 0.9, 1.4]), 671.75, len(place) + 7, rejected)
 
 
 def occasion(test: str, figures: dict[str, float], earlier: int, parameters: tuple[tuple[str, str], ...] = ()) -> Occasion:

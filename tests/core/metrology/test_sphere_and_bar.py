@@ -96,7 +96,7 @@ def test_a_missing_sphere_and_a_wrong_bar_are_named() -> None:
     position = bar_positions(RIG.volume, SPACING, R)[0]
     first, second = position.centres(SPACING)
     alone = PointCloud(ball(rng, first, R, 0.02))
-    longer = PointCloud(np.concatenate([ball(rng, first, R, 0.02), ball(rng, second + (0, 9, 0), R, 0.02)]))
+    longer = PointCloud(np.concatenate([ball(rng, first, R, 0.02), ball(rng, second + np.array([0, 9, 0]), R, 0.02)]))
     with pytest.raises(AcquisitionError) as missing:
         measure_bar(alone, position, 1, SPACING, R)
     with pytest.raises(AcquisitionError) as wrong:
