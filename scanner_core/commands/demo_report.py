@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from scanner_core import __version__
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
-from scanner_core.metrology.certificate_page import BLUE, GREY, HEIGHT_MM, INK, MARGIN_MM, ORANGE, WIDTH_MM, Page, page_style
+from scanner_core.metrology.certificate_page import BLUE, GREY, HEIGHT_MM, MARGIN_MM, ORANGE, WIDTH_MM, Page, page_style
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -70,7 +70,7 @@ def demo_page(values: Mapping[str, Any], cloud: PointCloud, mesh: TriangleMesh) 
             ("Supported", f"{100 * surface['supported_area_fraction']:.1f} % of the surface by data"),
             ("Residual", f"{surface['residual_rms_um']:.1f} µm rms, points to mesh"),
             ("Expected error", f"{surface['expected_error_rms_um']:.1f} µm rms"),
-            ("Duration", ", ".join(f"{phase['name']} {phase['seconds']:.1f} s" for phase in surface["phases"])),
+            ("Duration", f"{sum(phase['seconds'] for phase in surface['phases']):.1f} s in {len(surface['phases'])} phases"),
             ("Outliers", f"{surface['outliers_rejected']:,} points left out"),
         )
     )
@@ -96,7 +96,7 @@ def _registration(registration: Mapping[str, Any]) -> str:
     if not registration:
         return "none"
     if not registration["applied"]:
-        return f"by the table alone, {registration['residual_before_um']:.1f} µm between views"
+        return f"table alone, {registration['residual_before_um']:.1f} µm between views"
     return f"{registration['residual_before_um']:.1f} µm before, {registration['residual_after_um']:.1f} µm after"
 
 
@@ -128,9 +128,9 @@ def _plots(page: Page, values: Mapping[str, Any], cloud: PointCloud, mesh: Trian
 
 
 def _picture(page: Page, x_mm: float, y_mm: float, width_mm: float, height_mm: float, title: str) -> Axes:
-    axes = page.axes(x_mm, y_mm, width_mm, height_mm, title, "", "")
+    page.text(x_mm, y_mm - 1.5, title, 8, bold=True)
+    axes = page.axes(x_mm, y_mm, width_mm, height_mm, "", "", "")
     axes.set_axis_off()
-    axes.set_title(title, fontsize=8, loc="left", pad=3.5, fontweight="bold", color=INK)
     return axes
 
 
@@ -153,7 +153,7 @@ def draw_mesh(axes: Axes, mesh: TriangleMesh, azimuth_deg: float, colours: Array
     normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-30)[:, None]
     seen = np.flatnonzero(normals[:, 2] > 0)
     seen = seen[np.argsort(corners[seen, :, 2].mean(axis=1))]
-    light = 0.25 + 0.75 * np.clip(normals[seen] @ (_LIGHT / np.linalg.norm(_LIGHT)), 0, 1)
+    light = 0.35 + 0.65 * np.clip(normals[seen] @ (_LIGHT / np.linalg.norm(_LIGHT)), 0, 1)
     painted = np.clip(colours[seen] * light[:, None], 0, 1)
     axes.add_collection(PolyCollection(corners[seen][:, :, :2], facecolors=painted, edgecolors=painted, linewidths=0.15, rasterized=True))
     low, high = corners[:, :, :2].min(axis=(0, 1)), corners[:, :, :2].max(axis=(0, 1))

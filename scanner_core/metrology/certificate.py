@@ -93,7 +93,7 @@ def static_page(result: StaticResult, on: Occasion) -> Page:
             ("In the image", f"{sd_px:.4f} px, 1/{result.diagonal_px / sd_px:,.0f} of the diagonal" if sd_px > 0 else "no scatter"),
             ("Repeatability", f"{result.repeatability_um:.1f} µm (4 s, mean of the directions)"),
             ("Drift", f"{result.drift_length_um:.2f} µm over the run of {result.duration_s:.0f} s"),
-            ("Spot sigma", f"{sigma[0]:.2f} × {sigma[1]:.2f} px left, {sigma[2]:.2f} × {sigma[3]:.2f} px right"),
+            ("Spot sigma", f"{sigma[0]:.2f} × {sigma[1]:.2f} and {sigma[2]:.2f} × {sigma[3]:.2f} px"),
             ("Peak", f"{result.peak_dn[0]:.0f} and {result.peak_dn[1]:.0f} of 255"),
             ("Repeats", f"{result.repeats} of {result.planned}"),
             ("Rejected", rejected),
@@ -179,7 +179,7 @@ def _facts(page: Page, on: Occasion) -> None:
     calibration = f"{on.calibration.identity()}, {on.calibration.date[:10]}"
     if age is not None:
         calibration += f" ({age:.0f} days)" if age >= 1 else " (today)"
-    kind = f"virtual rig '{on.rig.virtual}': simulated light" if on.rig.virtual else "hardware"
+    kind = f"virtual ({on.rig.virtual}): simulated light" if on.rig.virtual else "hardware"
     page.facts(
         (
             ("Rig", on.rig.name),

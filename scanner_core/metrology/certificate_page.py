@@ -99,7 +99,7 @@ class Page:
         for i, (label, value) in enumerate(rows):
             x = MARGIN_MM + (i % columns) * width
             self.text(x, self.y_mm, label, 7.5, colour=GREY)
-            self.text(x + 27, self.y_mm, _shortened(value, width - 29, 8), 8)
+            self.text(x + 24, self.y_mm, _shortened(value, width - 25.5, 8), 8)
             if i % columns == columns - 1 or i == len(rows) - 1:
                 self.y_mm += 4.3
         self.y_mm += 1.2

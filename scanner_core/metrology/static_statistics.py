@@ -92,6 +92,7 @@ class StaticResult:
     def as_dict(self) -> dict[str, object]:
         """For JSON."""
         sd_px = float(np.sqrt(np.mean(self.centroid_sd_px**2)))
+        quartiles = np.percentile(self.place_sd_um, (0, 25, 50, 75, 100), axis=0)
         return {
             "repeats": self.repeats,
             "planned": self.planned,
@@ -100,7 +101,7 @@ class StaticResult:
             "sd_um": _by_axis(self.sd_um),
             "sd_without_drift_um": _by_axis(self.sd_without_drift_um),
             "sd_uncertainty_um": _by_axis(self.sd_uncertainty_um),
-            "place_sd_range_um": {axis: [round(float(f(self.place_sd_um[:, i])), 2) for f in (np.min, np.max)] for i, axis in enumerate(AXES)},
+            "place_sd_quartiles_um": {axis: np.round(quartiles[:, i], 2).tolist() for i, axis in enumerate(AXES)},
             "resolution_um": round(self.resolution_um, 3),
             "repeatability_um": round(self.repeatability_um, 3),
             "drift_um": round(self.drift_length_um, 3),
