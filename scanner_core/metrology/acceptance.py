@@ -174,6 +174,7 @@ class AcceptanceTest:
             raise UsageError("E-USE-01", what=f"The test has {len(self.positions)} positions, not {count}", do="ask for fewer")
         radius, spacing = self._radius.value_mm, self._spacing.value_mm
         for index, position in enumerate(self.positions[:count]):
+            self._rig.motion.rotate_to(0.0)  # the plan's directions are the table's at 0 degrees
             self._operator.put_bar(position.centres(spacing), radius)
             region = position.region_mm(spacing, radius, self._rig.config.volume)
             request = PlanRequest(self._views, self._points, *region, smallest_part_mm=2 * radius)

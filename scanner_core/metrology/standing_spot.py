@@ -80,6 +80,7 @@ class StandingSpot:
         self._stay = -1
         self._never = threading.Event()
         self.table_deg = rig.motion.status().table_deg
+        """Where the table stands; to be set anew by who turns it."""
 
     def observe(self, record: SpotRecord, place: int, x_deg: float, y_deg: float, count: int, told: OnPairs) -> None:
         """Point the beam and add `count` pairs to the record; the laser is off afterwards, also when it was interrupted."""

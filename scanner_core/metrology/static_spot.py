@@ -55,7 +55,8 @@ class StaticTest:
             calibration = self._rig.calibration
             if calibration is None:
                 raise RuntimeError("a standing spot without a calibration")
-            self._table_deg = spot.table_deg
+            self._rig.motion.rotate_to(0.0)
+            self._table_deg = spot.table_deg = self._rig.motion.status().table_deg
             target = np.array(self._rig.config.laser.target_mm)
             depth, _, _ = measuring_directions(calibration, target)
             self._operator.put_plate(target, depth)
