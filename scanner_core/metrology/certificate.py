@@ -120,7 +120,7 @@ def sphere_page(result: SphereResult, on: Occasion) -> Page:
         f"The sphere was acquired {len(each)} times, taken away and put down anew in between, from all views, registered, and fitted by least "
         "squares. Points farther from the sphere than five robust standard deviations were left out "
         f"({sum(a.rejected for a in each)} of {sum(a.points + a.rejected for a in each)}), points of stem and table likewise "
-        f"({sum(a.foreign for a in each)}). {_RULE}"
+        f"({sum(a.foreign for a in each)}). U holds the standard error of the mean and the sphere's calibration. {_RULE}"
     )
     page.section("Results")
     _characteristics(page, result.characteristics())
@@ -155,7 +155,8 @@ def acceptance_page(result: AcceptanceResult, on: Occasion) -> Page:
     page.paragraph(
         f"A ball bar was scanned in {len(result.bars)} positions of the volume from all views and registered: {len(result.spheres)} places of a "
         f"sphere, {len(result.bars)} distances. Spheres by least squares; {discarded} of {sum(s.points + s.discarded for s in result.spheres)} "
-        f"points discarded (0.3 % permitted). The worst value of each kind is stated. {_RULE}"
+        f"points discarded (0.3 % permitted). The worst value of each kind is stated. U holds the artefact's calibration and form and, for size "
+        f"and spacing, the random uncertainty of the fits. {_RULE}"
     )
     for note in result.notes():
         page.paragraph(note, 7.5)
@@ -190,6 +191,8 @@ def _facts(page: Page, on: Occasion) -> None:
             ("Its residual", f"{on.calibration.held_out_rms_um:.1f} µm on held-out corners"),
             ("Program", f"Impronta {__version__}"),
             ("Seed", str(on.seed)),
+            ("Temperature", "not recorded"),
+            ("Expansion", "not corrected"),
             *on.parameters,
         )
     )
