@@ -61,10 +61,11 @@ class LimitsConfig:
 
 @dataclass(frozen=True, slots=True)
 class LaserConfig:
-    """Nominal place of the beam's pivot in the table frame, and the point that it hits at X0 Y0 (both (3,) mm)."""
+    """Nominal place of the beam's pivot in the table frame, the point that it hits at X0 Y0 (both (3,) mm), and its 1/e^2 diameter."""
 
     position_mm: tuple[float, float, float]
     target_mm: tuple[float, float, float]
+    spot_diameter_mm: float = 0.6
 
 
 @dataclass(frozen=True, slots=True)
@@ -198,7 +199,7 @@ def _rig(tree: dict[str, Any]) -> RigConfig:
         right=_camera("right", tree["camera"]["right"]),
         controller=ControllerConfig(**tree["controller"]),
         limits=_limits(tree["limits"]),
-        laser=LaserConfig(position_mm=_triple(tree["laser"]["position_mm"]), target_mm=_triple(tree["laser"]["target_mm"])),
+        laser=_laser(tree["laser"]),
         volume=VolumeConfig(radius_mm=float(tree["volume"]["radius_mm"]), height_mm=float(tree["volume"]["height_mm"])),
         virtual=None if tree.get("virtual") is None else str(tree["virtual"]),
         calibration=_calibration(tree["calibration"]) if "calibration" in tree else None,
@@ -219,6 +220,13 @@ def _limits(table: dict[str, Any]) -> LimitsConfig:
         travel_speed_deg_s=float(table["travel_speed_deg_s"]),
         table_speed_deg_s=float(table["table_speed_deg_s"]),
     )
+
+
+def _laser(table: dict[str, Any]) -> LaserConfig:
+    diameter_mm = float(table.get("spot_diameter_mm", 0.6))
+    if not 0 < diameter_mm < 20:
+        raise ValueError(f"the laser's spot of {diameter_mm} mm is no spot")
+    return LaserConfig(_triple(table["position_mm"]), _triple(table["target_mm"]), diameter_mm)
 
 
 def _pair(values: list[float]) -> tuple[float, float]:
