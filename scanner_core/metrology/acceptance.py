@@ -16,7 +16,8 @@ sphere spacing error SD
 The bar is at least 0.3 of the volume's diagonal long and its spheres between 0.1 and 0.2 of it, where the rig's volume
 allows; what deviates is noted.  The expanded uncertainty (k = 2) of a value holds the artefact's calibration, its form,
 and for PS and SD the fit's random uncertainty; what the instrument itself adds beyond that is what is tested.  At least
-half of each sphere's surface must be covered, or the verdict is undecided.
+half of each sphere's surface must be covered, or the verdict is undecided.  Nothing is corrected: the instrument is tested
+as it measures, with what the size of its spot does to a curved surface.
 """
 
 from __future__ import annotations
@@ -178,8 +179,8 @@ class AcceptanceTest:
             self._operator.put_bar(position.centres(spacing), radius)
             region = position.region_mm(spacing, radius, self._rig.config.volume)
             request = PlanRequest(self._views, self._points, *region, smallest_part_mm=2 * radius)
-            cloud, _ = scan_artefact(self._rig, request, lambda share: told((index + share) / count))  # noqa: B023
-            self.done.append(measure_bar(cloud, position, index + 1, spacing, radius))
+            scan = scan_artefact(self._rig, request, lambda share: told((index + share) / count))  # noqa: B023
+            self.done.append(measure_bar(scan.cloud, position, index + 1, spacing, radius))
             told((index + 1) / count)
         return self.result()
 

@@ -4,28 +4,47 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
 
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import OpenRig
-from scanner_core.acquisition.runner import ScanResult, ScanRunner
+from scanner_core.acquisition.runner import ScanRunner
 from scanner_core.acquisition.status import FinishReason, ScanState
 from scanner_core.case.store import CaseStore
 from scanner_core.errors import AcquisitionError
 from scanner_core.geometry.point_cloud import PointCloud
 
+Array = NDArray[np.float64]
 OnFraction = Callable[[float], None]
 """Told which share of the scan is done, 0 to 1."""
 
 
-def scan_artefact(rig: OpenRig, request: PlanRequest, told: OnFraction) -> tuple[PointCloud, ScanResult]:
+@dataclass(frozen=True, slots=True, eq=False)
+class ArtefactScan:
+    """What a scan of an artefact gave.
+
+    Attributes
+    ----------
+    cloud : registered, object frame
+    table_deg : (n,) where the table stood when each point was measured
+    sweep_deg_s : speed of the beam's direction
+    residual_um : between overlapping views after the registration
+    """
+
+    cloud: PointCloud
+    table_deg: Array
+    sweep_deg_s: float
+    residual_um: float
+
+
+def scan_artefact(rig: OpenRig, request: PlanRequest, told: OnFraction) -> ArtefactScan:
     """Scan what stands on the table.
 
     An interrupt switches the laser off, ends the scan and goes on as an interrupt.
-
-    Returns
-    -------
-    The registered cloud in the object frame, and how the scan went.
 
     Raises
     ------
@@ -42,15 +61,18 @@ def scan_artefact(rig: OpenRig, request: PlanRequest, told: OnFraction) -> tuple
             runner.cancel()
             runner.join()
             raise
-    result = runner.result
-    if result is None:
-        raise RuntimeError("a scan ended without a result")
-    if result.error is not None:
-        raise result.error
-    if result.finish_reason is not FinishReason.COMPLETED or result.views is None:
-        reasons = ", ".join(f"{name} {count}" for name, count in result.counts.rejected.items()) or "none"
-        raise AcquisitionError("E-SCAN-01", planned=result.counts.planned, reasons=reasons)
-    return result.views.cloud, result
+        result = runner.result
+        if result is None:
+            raise RuntimeError("a scan ended without a result")
+        if result.error is not None:
+            raise result.error
+        if result.finish_reason is not FinishReason.COMPLETED or result.views is None or result.scan_id is None:
+            reasons = ", ".join(f"{name} {count}" for name, count in result.counts.rejected.items()) or "none"
+            raise AcquisitionError("E-SCAN-01", planned=result.counts.planned, reasons=reasons)
+        plan = next(scan.plan for scan in store.scans() if scan.id == result.scan_id)
+        table_deg = store.observations(result.scan_id).table_deg
+    views = result.views
+    return ArtefactScan(views.cloud, table_deg, float(str(plan["sweep_speed_deg_s"])), views.registration.residual_after_um)
 
 
 def _fraction(runner: ScanRunner) -> float:

@@ -120,7 +120,8 @@ def sphere_page(result: SphereResult, on: Occasion) -> Page:
         f"The sphere was acquired {len(each)} times, taken away and put down anew in between, from all views, registered, and fitted by least "
         "squares. Points farther from the sphere than five robust standard deviations were left out "
         f"({sum(a.rejected for a in each)} of {sum(a.points + a.rejected for a in each)}), points of stem and table likewise "
-        f"({sum(a.foreign for a in each)}). U holds the standard error of the mean and the sphere's calibration. {_RULE}"
+        f"({sum(a.foreign for a in each)}). U holds the standard error of the mean, the sphere's calibration and a fifth "
+        f"of the correction for the size of the spot. {_RULE}"
     )
     page.section("Results")
     _characteristics(page, result.characteristics())
@@ -133,6 +134,7 @@ def sphere_page(result: SphereResult, on: Occasion) -> Page:
             ("Radius, s", "one acquisition" if sd is None else f"{1e3 * sd:.1f} µm between acquisitions"),
             ("Coverage", f"to {result.coverage_deg:.0f}° from the top; {REQUIRED_COVERAGE_DEG:.0f}° required"),
             ("Points", f"{min(a.points for a in each)} to {max(a.points for a in each)} per acquisition"),
+            ("Spot size", f"{_signed(result.spot_correction_um, 1)} µm added to the radius"),
         )
     )
     plots.sphere_plots(page, result, on.history)

@@ -9,6 +9,9 @@ Size
     The mean radius over the acquisitions against the calibrated one.  Its expanded uncertainty (k = 2) holds the standard
     error of the mean (from the scatter between the acquisitions, never below what the fits state) and the calibration of
     the sphere.
+    A spot of finite size makes a curved surface look smaller by a known amount
+    (:mod:`scanner_core.metrology.spot_bias`); every point is corrected for it before the fit.  The correction is stated, with
+    a standard uncertainty of a fifth of it: the beam's diameter is known to a tenth, and its square counts.
 Dispersion
     The width of the smallest concentric shell that holds 95 % of the points (ISO 10360-13, "probing dispersion"), mean
     over the acquisitions; its uncertainty is the standard error of that mean.
@@ -19,7 +22,9 @@ Coverage
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,13 +32,14 @@ from numpy.typing import NDArray
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.devices.rig import AcceptanceLimits
-from scanner_core.errors import AcquisitionError, UsageError
+from scanner_core.errors import AcquisitionError, CalibrationError, UsageError
 from scanner_core.geometry.point_cloud import PointCloud
-from scanner_core.metrology.artefact_scan import OnFraction, scan_artefact
+from scanner_core.metrology.artefact_scan import ArtefactScan, OnFraction, scan_artefact
 from scanner_core.metrology.coverage import Coverage, sphere_coverage
 from scanner_core.metrology.decision import Characteristic, Verdict, overall
 from scanner_core.metrology.placing import ArtefactOperator, operator_for
 from scanner_core.metrology.sphere_search import LEAST_POINTS, FoundSphere, find_sphere, settle
+from scanner_core.metrology.spot_bias import SpotOnSphere, radial_bias_mm
 from scanner_core.virtual.specimens import Specimen
 
 Array = NDArray[np.float64]
@@ -41,6 +47,10 @@ Array = NDArray[np.float64]
 REQUIRED_COVERAGE_DEG = 90.0
 _REGION_RADIUS, _REGION_HEIGHT = 1.6, 2.6
 """The sphere is looked for in a cylinder on the table of so many of its radii."""
+CORRECTION_SHARE = 0.2
+"""Standard uncertainty of the correction for the spot's size, as a share of it."""
+SpotBias = Callable[[Array, float], Array]
+"""From a sphere's centre (3,) mm and radius mm to the expected radial errors (n,) mm of a cloud's points on it."""
 STEM_CONE_DEG = 40.0
 """Points so close to straight below the centre may be the stem's and are left out."""
 _ALONE = 0.8
@@ -71,6 +81,7 @@ class Acquisition:
 
     Attributes
     ----------
+    spot_correction_um : mean of what was added to the points' distance from the centre
     points : that count as the sphere's; `rejected` lie near it but farther than five robust standard deviations, `foreign`
         on stem, table or elsewhere
     radius_mm, radius_uncertainty_mm : least squares; standard uncertainty from the residuals
@@ -88,6 +99,7 @@ class Acquisition:
     dispersion_um: float
     coverage: Coverage
     registration_rms_um: float
+    spot_correction_um: float
     residuals_um: Array
     directions: Array
 
@@ -104,6 +116,7 @@ class Acquisition:
             "coverage_deg": round(self.coverage.polar_deg, 2),
             "coverage_fraction": round(self.coverage.surface_fraction, 4),
             "registration_residual_um": round(self.registration_rms_um, 3),
+            "spot_correction_um": round(self.spot_correction_um, 3),
         }
 
 
@@ -142,6 +155,11 @@ class SphereResult:
         return float(np.mean([a.dispersion_um for a in self.acquisitions]))
 
     @property
+    def spot_correction_um(self) -> float:
+        """Mean over the acquisitions."""
+        return float(np.mean([a.spot_correction_um for a in self.acquisitions]))
+
+    @property
     def coverage_deg(self) -> float:
         """The worst of the acquisitions."""
         return min(a.coverage.polar_deg for a in self.acquisitions)
@@ -150,7 +168,8 @@ class SphereResult:
         """Size (of the radius, against half the limit of the diameter) and dispersion."""
         n = len(self.acquisitions)
         size_um = 1e3 * (self.mean_radius_mm - self.reference.value_mm)
-        size_u = 2e3 * float(np.hypot(self.mean_radius_uncertainty_mm, self.reference.uncertainty_mm))
+        parts_mm = (self.mean_radius_uncertainty_mm, self.reference.uncertainty_mm, 1e-3 * CORRECTION_SHARE * self.spot_correction_um)
+        size_u = 2e3 * float(np.linalg.norm(parts_mm))
         widths = np.array([a.dispersion_um for a in self.acquisitions])
         points = float(np.mean([a.points for a in self.acquisitions]))
         # A single acquisition: the width of a normal 95 % interval from n points has about this relative uncertainty.
@@ -179,6 +198,7 @@ class SphereResult:
             "radius_sd_mm": None if sd is None else round(sd, 6),
             "residual_rms_um": round(self.residual_rms_um, 3),
             "d95_um": round(self.dispersion_um, 3),
+            "spot_correction_um": round(self.spot_correction_um, 3),
             "reference_radius_mm": self.reference.value_mm,
             "reference_uncertainty_mm": self.reference.uncertainty_mm,
             "coverage_deg": round(self.coverage_deg, 2),
@@ -201,7 +221,9 @@ class SphereTest:
         specimen: Specimen | None = None,
     ) -> None:
         """`specimen` is what the virtual bench puts down, the reference sphere when None."""
-        self._rig, self._reference = rig, reference
+        if rig.calibration is None:
+            raise CalibrationError("E-CAL-02")
+        self._rig, self._reference, self._calibration = rig, reference, rig.calibration
         radius = reference.value_mm
         self._request = PlanRequest(views, points, _REGION_RADIUS * radius, _REGION_HEIGHT * radius)
         self._operator = operator_for(rig, operator, specimen)
@@ -217,19 +239,29 @@ class SphereTest:
         """
         for index in range(count):
             self._operator.put_sphere(index)
-            cloud, scan = scan_artefact(self._rig, self._request, lambda share: told((index + share) / count))  # noqa: B023
-            residual = scan.views.registration.residual_after_um if scan.views is not None else 0.0
-            self.done.append(evaluate_acquisition(cloud, self._reference.value_mm, residual))
+            scan = scan_artefact(self._rig, self._request, lambda share: told((index + share) / count))  # noqa: B023
+            bias = partial(self._spot_bias, scan)
+            self.done.append(evaluate_acquisition(scan.cloud, self._reference.value_mm, scan.residual_um, bias))
             told((index + 1) / count)
         return self.result()
+
+    def _spot_bias(self, scan: ArtefactScan, centre: Array, radius_mm: float) -> Array:
+        """Expected radial error of every point of the scan, (n,) mm, by the size and the motion of the spot."""
+        laser, exposure_s = self._rig.config.laser, 1e-3 * self._rig.config.left.exposure_ms
+        spot = SpotOnSphere(laser.position_mm, 0.25 * laser.spot_diameter_mm, float(np.radians(scan.sweep_deg_s)) * exposure_s)
+        return radial_bias_mm(scan.cloud.points, scan.table_deg, centre, radius_mm, spot, self._calibration)
 
     def result(self) -> SphereResult:
         """Of the acquisitions that are finished, at least one."""
         return SphereResult(tuple(self.done), self._reference, self._rig.config.acceptance)
 
 
-def evaluate_acquisition(cloud: PointCloud, radius_mm: float, registration_rms_um: float = 0.0) -> Acquisition:
+def evaluate_acquisition(cloud: PointCloud, radius_mm: float, registration_rms_um: float = 0.0, bias: SpotBias | None = None) -> Acquisition:
     """The sphere in a cloud in the object frame.
+
+    Parameters
+    ----------
+    bias : the points' expected radial errors, taken off before the fit; None = none
 
     Raises
     ------
@@ -250,10 +282,13 @@ def evaluate_acquisition(cloud: PointCloud, radius_mm: float, registration_rms_u
         raise AcquisitionError("E-MET-03", radius_mm=f"{radius_mm:g}", points=len(points), share=round(100 * share))
     away = points - sphere.fit.centre
     above = away[:, 2] > -np.cos(np.radians(STEM_CONE_DEG)) * np.linalg.norm(away, axis=1)
+    correction = np.zeros(len(points)) if bias is None else -bias(sphere.fit.centre, sphere.fit.radius_mm)
+    points = points + (correction / np.linalg.norm(away, axis=1))[:, None] * away
     alone = settle(points[above], sphere.members[above], radius_mm)
     if alone is None:
         raise AcquisitionError("E-MET-05", points=int(above.sum()), least=LEAST_POINTS)
-    return _acquisition(points[above], alone, int(np.count_nonzero(~above)), registration_rms_um)
+    corrected_um = 1e3 * float(correction[above][alone.members].mean())
+    return _acquisition(points[above], alone, int(np.count_nonzero(~above)), registration_rms_um, corrected_um)
 
 
 def shell_width(residuals: Array, share: float = 0.95) -> float:
@@ -263,7 +298,7 @@ def shell_width(residuals: Array, share: float = 0.95) -> float:
     return float((ordered[count - 1 :] - ordered[: len(ordered) - count + 1]).min())
 
 
-def _acquisition(points: Array, sphere: FoundSphere, below: int, registration_rms_um: float) -> Acquisition:
+def _acquisition(points: Array, sphere: FoundSphere, below: int, registration_rms_um: float, spot_correction_um: float) -> Acquisition:
     fit = sphere.fit
     directions = points[sphere.members] - fit.centre
     residuals = 1e3 * fit.residuals_mm
@@ -278,6 +313,7 @@ def _acquisition(points: Array, sphere: FoundSphere, below: int, registration_rm
         dispersion_um=shell_width(residuals),
         coverage=sphere_coverage(directions),
         registration_rms_um=registration_rms_um,
+        spot_correction_um=spot_correction_um,
         residuals_um=residuals,
         directions=directions / np.linalg.norm(directions, axis=1)[:, None],
     )

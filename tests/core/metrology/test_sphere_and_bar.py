@@ -12,7 +12,7 @@ from scanner_core.errors import AcquisitionError, UsageError
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.metrology.ball_bar import bar_positions, measure_bar
 from scanner_core.metrology.decision import Verdict
-from scanner_core.metrology.reference_sphere import Reference
+from scanner_core.metrology.reference_sphere import Reference, SphereResult, evaluate_acquisition
 from tests.core.metrology.artefacts import SPACING, R, acceptance_result, ball, sphere_result
 
 RIG = replace(load_preset("bench"), acceptance=AcceptanceLimits(form_um=250, dispersion_um=120, size_um=20, spacing_um=20))
@@ -39,6 +39,18 @@ def test_the_standard_error_of_the_mean_radius_is_right() -> None:
     u = results[0].mean_radius_uncertainty_mm
     # from the fit alone: sigma / sqrt(n) times the factor of a cap to 115 degrees, about 1.2, over 4 acquisitions
     assert 0.0002 < u < 0.0008
+
+
+def test_the_correction_for_the_spot_is_taken_off_stated_and_uncertain() -> None:
+    rng = np.random.default_rng(8)
+    cloud = PointCloud(ball(rng, np.array([0.0, 0, 13]), R - 0.009, 0.02, 3000))
+    plain = evaluate_acquisition(cloud, R)
+    corrected = evaluate_acquisition(cloud, R, bias=lambda centre, radius_mm: np.full(len(cloud), -0.009))
+    assert corrected.radius_mm - plain.radius_mm == pytest.approx(0.009, abs=1e-5)
+    assert corrected.spot_correction_um == pytest.approx(9.0)
+    sizes = [SphereResult((one,), Reference(R, 0.001), RIG.acceptance).characteristics()[0] for one in (plain, corrected)]
+    grown = np.sqrt(sizes[1].expanded_uncertainty_um ** 2 - sizes[0].expanded_uncertainty_um ** 2)
+    assert grown == pytest.approx(2 * 0.2 * 9.0, rel=0.05)
 
 
 def test_a_cap_proves_nothing() -> None:
