@@ -36,7 +36,7 @@ def static_plots(page: Page, result: StaticResult, history: Sequence[HistoryEntr
     scatter = page.axes(*frames[0], "Scatter about the mean of the stay", "lateral z / µm", "depth x / µm")
     reach = 5 * float(result.sd_um.max())
     scatter.plot(shown[:, 2], shown[:, 0], ".", markersize=2, color=BLUE, alpha=0.35, markeredgewidth=0, rasterized=True)
-    scatter.set(ylim=(-reach, reach), aspect="equal", adjustable="datalim")
+    _equal(scatter, frames[0][2:], (0.0, 0.0), (reach, reach))
 
     histogram = page.axes(*frames[1], "Distribution", "deviation / µm", "share per µm")
     edges = np.linspace(-reach, reach, 81)
@@ -236,9 +236,15 @@ def _places(page: Page, frame: tuple[float, float, float, float], result: Accept
             axes.plot(ends[:, across], ends[:, up], color=LINE, linewidth=1.0, zorder=1)
             axes.plot(ends[0, across], ends[0, up], "o", markersize=4, color=BLUE)
             axes.plot(ends[1, across], ends[1, up], "o", markersize=4, color=ORANGE)
-    reach = 1.08 * radius
-    above.set(ylim=(-reach, reach), aspect="equal", adjustable="datalim")
-    beside.set(aspect="equal", adjustable="datalim")
+    _equal(above, (half, height), (0.0, 0.0), (1.08 * radius, 1.08 * radius))
+    _equal(beside, (half, height), (0.0, 0.5 * top), (1.08 * radius, 0.6 * top))
+
+
+def _equal(axes: Axes, size_mm: tuple[float, float], middle: tuple[float, float], half: tuple[float, float]) -> None:
+    """Limits that show at least `half` on both sides of the middle, with the same scale across and up."""
+    width, height = size_mm
+    scale = max(half[0] / width, half[1] / height)
+    axes.set(xlim=(middle[0] - scale * width, middle[0] + scale * width), ylim=(middle[1] - scale * height, middle[1] + scale * height))
 
 
 def _limits(axes: Axes, limit: float) -> None:
