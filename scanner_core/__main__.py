@@ -112,9 +112,42 @@ def _parser() -> argparse.ArgumentParser:
     export.add_argument("--out", required=True, metavar="FILE", help=".stl .ply .obj .3mf for the mesh, .xyz for the points")
     export.add_argument("--force", action="store_true", help="overwrite the output")
 
+    _verify(commands)
+
     doctor = _command(commands, "doctor", "check the rig and the machine")
     doctor.add_argument("--rig", default="bench", metavar="RIG.toml", help="a rig file, or the name of a preset")
     return parser
+
+
+def _verify(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    verify = _command(commands, "verify", "the metrological tests of a rig, with a certificate")
+    tests = verify.add_subparsers(dest="test", required=True, metavar="TEST")
+
+    static = tests.add_parser("static", help="the scatter of a spot at rest on a plate")
+    static.add_argument("--repeats", type=_count, default=32_000, metavar="N", help="pairs of frames (default 32000)")
+    static.add_argument("--places", type=_count, default=256, metavar="K", help="of the spot, among which they are spread (default 256)")
+
+    sphere = tests.add_parser("sphere", help="size and dispersion of a calibrated sphere")
+    sphere.add_argument("--acquisitions", type=_count, default=10, metavar="N", help="the sphere is put down anew for each (default 10)")
+    sphere.add_argument("--points", type=_count, default=3500, metavar="N", help="of each acquisition (default 3500)")
+    sphere.add_argument("--views", type=_count, default=8, metavar="N", help="table positions of each acquisition (default 8)")
+    sphere.add_argument("--specimen", default="sphere", metavar="NAME or FILE", help=f"virtual rig only: {_SPECIMENS}")
+
+    acceptance = tests.add_parser("acceptance", help="form, size and spacing with a ball bar, after VDI/VDE 2634 part 3")
+    acceptance.add_argument("--positions", type=_count, default=7, metavar="N", help="of the bar; fewer than 7 prove nothing (default 7)")
+    acceptance.add_argument("--points", type=_count, default=1600, metavar="N", help="of each position (default 1600)")
+    acceptance.add_argument("--views", type=_count, default=6, metavar="N", help="table positions of each position of the bar (default 6)")
+    acceptance.add_argument("--spacing-mm", type=_positive, default=80.0, metavar="MM", help="calibrated distance of the centres (default 80)")
+    acceptance.add_argument("--spacing-uncertainty-mm", type=_positive, default=0.001, metavar="MM", help="k = 1 (default 0.001)")
+    for test in (sphere, acceptance):
+        test.add_argument("--reference-mm", type=_positive, default=11.133, metavar="MM", help="calibrated radius (default 11.133)")
+        test.add_argument("--reference-uncertainty-mm", type=_positive, default=0.001, metavar="MM", help="of the radius, k = 1 (default 0.001)")
+    for test in (static, sphere, acceptance):
+        test.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON object")
+        test.add_argument("--rig", required=True, metavar="RIG.toml", help="a rig file, or the name of a preset")
+        test.add_argument("--out", metavar="DIR", help="folder of certificate.pdf and result.json (default: report only)")
+        test.add_argument("--force", action="store_true", help="overwrite results that are there")
+        _virtual(test)
 
 
 def _command(commands: argparse._SubParsersAction[argparse.ArgumentParser], name: str, text: str) -> argparse.ArgumentParser:

@@ -156,6 +156,31 @@ SENTENCES: dict[str, Sentence] = {
         "The cameras do not expose together: camera {late} is {skew_ms} ms late.",
         "The points are shifted along the sweep; trigger both cameras from one source.",
     ),
+    # ------------------------------------------------------------------------------------------ metrology
+    "E-MET-01": Sentence("Nobody can place the artefacts of the test.", "Nothing was measured; run it where a person or the virtual bench can."),
+    "E-MET-02": Sentence(
+        "The standing spot was seen by both cameras in {seen} of {exposed} exposures only ({reasons}).",
+        "The laser is off; put the matt white plate into the middle of the volume, facing the cameras, and keep the lamps away.",
+    ),
+    "E-MET-03": Sentence(
+        "No sphere of {radius_mm} mm radius was found: {points} points were measured, {share} % of them lie on the best candidate.",
+        "The laser is off; put the reference sphere alone into the middle of the table, and check --reference-mm.",
+    ),
+    "E-MET-04": Sentence(
+        "Two spheres stand on the table: {first} points lie on the one, {second} on the other.",
+        "The laser is off; take all but one away and start the test again.",
+    ),
+    "E-MET-05": Sentence(
+        "{points} points are too few for a sphere; at least {least} are needed.", "The laser is off; ask for more points, or more views."
+    ),
+    "E-MET-06": Sentence(
+        "The ball bar was not found in position {position}: {found} of its two spheres was seen.",
+        "The laser is off; place the bar as the plan of the test says, and check --reference-mm.",
+    ),
+    "E-MET-07": Sentence(
+        "The spheres in position {position} stand {measured_mm} mm apart, not {reference_mm} mm.",
+        "The laser is off; check --spacing-mm and that nothing else of the spheres' size stands in the volume.",
+    ),
     # ------------------------------------------------------------------------------------------ case and disk
     "E-CASE-01": Sentence("{path} is no Impronta case: {reason}.", "The file was not touched; choose another file."),
     "E-CASE-02": Sentence("{path} is open in another window or program.", "Nothing was changed; close it there, or choose another case."),

@@ -27,6 +27,22 @@ class TappedCamera:
     def rate_hz(self) -> float:
         return self._camera.rate_hz
 
+    @property
+    def exposure_ms(self) -> float:
+        return self._camera.exposure_ms
+
+    @exposure_ms.setter
+    def exposure_ms(self, value: float) -> None:
+        self._camera.exposure_ms = value
+
+    @property
+    def gain_db(self) -> float:
+        return self._camera.gain_db
+
+    @gain_db.setter
+    def gain_db(self, value: float) -> None:
+        self._camera.gain_db = value
+
     def start(self, trigger: Trigger) -> None:
         self._camera.start(trigger)
 

@@ -70,12 +70,15 @@ class PlanRequest:
     views : table positions, evenly spread over the turn
     points : wanted number of points over all views
     object_radius_mm, object_height_mm : a cylinder on the table that holds the object; None = the rig's whole volume
+    smallest_part_mm : a part of this size that stands by itself in the cylinder is not missed by the coarse pass; None = the
+        object is one body
     """
 
     views: int = 16
     points: int = 20_000
     object_radius_mm: float | None = None
     object_height_mm: float | None = None
+    smallest_part_mm: float | None = None
 
     def __post_init__(self) -> None:
         if not 1 <= self.views <= 360:

@@ -99,7 +99,12 @@ def _coarse_raster(rig: RigConfig, request: PlanRequest, rate_hz: float) -> _Ras
     width = float(np.ptp(angles[:, 0]))
     # About a twelfth of the wanted points, at least enough that no tooth falls between two rows.
     wanted = float(np.clip(request.points / request.views / 12, 80, 400))
-    step = max(np.sqrt(width * (top - bottom) / wanted), 1e-3)
+    step = np.sqrt(width * (top - bottom) / wanted)
+    if request.smallest_part_mm is not None:
+        # Half of it: a disc holds at least one node of a square raster when its diameter is sqrt(2) steps.
+        distance = float(np.linalg.norm(np.subtract(rig.laser.position_mm, rig.laser.target_mm)))
+        step = min(step, np.degrees(0.5 * request.smallest_part_mm / distance))
+    step = max(step, 1e-3)
     rows = max(8, int(np.ceil((top - bottom) / step)))
     y_deg = bottom + (np.arange(rows) + 0.5) * (top - bottom) / rows
     half = (top - bottom) / rows

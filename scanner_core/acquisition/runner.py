@@ -87,7 +87,7 @@ class ScanRunner:
         if rig.calibration is None:
             raise CalibrationError("E-CAL-02")
         self._rig, self._request, self._store, self._on_end = rig, request, store, on_end
-        self._calibration = rig.calibration
+        self.calibration = rig.calibration
         self._engine = StereoEngine(rig.calibration, rig.config.volume, rig.config.spot.floor_px)
         self.live_cloud = PointLog()
         self.previews: dict[str, LatestSlot[Preview]] = {"left": LatestSlot(), "right": LatestSlot()}
@@ -193,7 +193,7 @@ class ScanRunner:
                 for finding in self._health.findings:
                     self._store.audit(f"health {finding.code}", json.dumps(finding.as_dict()))
                 if self._tally.measured and not isinstance(error, OSError):
-                    views = register_case(self._store, self._scan_id, self._calibration)
+                    views = register_case(self._store, self._scan_id, self.calibration)
         except BaseException as fault:
             error = error or self._as_error(fault)
             reason = FinishReason.FAILED
@@ -251,7 +251,7 @@ class ScanRunner:
             self._health.close_turn(self._ask().table_deg)
 
     def _begin(self, kind: Phase, plan: ScanPlan, wanted: int | None, cloud: PointLog) -> _Pass:
-        calibration = self._calibration
+        calibration = self.calibration
         toml = dump_rig(self._rig.config.with_calibration(calibration))
         bare = dump_rig(self._rig.config.with_calibration(None))
         scan_id = self._store.begin_scan(kind, bare, calibration.identity(), toml, plan.as_dict())

@@ -13,16 +13,18 @@ from scanner_core.acquisition.status import FinishReason
 from scanner_core.case.store import CaseStore, Order
 from scanner_core.commands.calibration_report import calibration_json, calibration_summary
 from scanner_core.commands.console import Console
+from scanner_core.commands.demo_report import write_demo_report
 from scanner_core.commands.reconstructing import reconstruction_summary, run_reconstruction
 from scanner_core.commands.scanning import faults, run_scan, scan_json, scan_summary, sized_for, specimen_on_table, without_terms
 from scanner_core.devices.rig import load_preset
 from scanner_core.errors import StorageError, UsageError
+from scanner_core.files import replaced_when_whole
 from scanner_core.mesh_io import write_mesh
 from scanner_core.metrology.truth_error import truth_error
 from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 
-CASE, MESHES = "case.impronta", ("mesh.stl", "mesh.ply")
+CASE, MESHES, REPORT = "case.impronta", ("mesh.stl", "mesh.ply"), "report.pdf"
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
@@ -58,12 +60,14 @@ def run(given: argparse.Namespace, console: Console) -> int:
                 write_mesh(folder / name, surface.mesh, force=given.force)
             error = truth_error(specimen, scan.views.cloud, surface.mesh, given.seed).as_dict()
             values |= {"reconstruct": report, "error_vs_truth_um": error}
+            with replaced_when_whole(folder / REPORT, given.force) as partial:
+                write_demo_report(partial, values, scan.views.cloud, surface.mesh)
             lines += reconstruction_summary(report)
             lines.append(
                 f"Against the truth: points {error['points_rms']:.1f} um rms, surface {error['mesh_rms']:.1f} um rms, "
                 f"95 % below {error['mesh_p95']:.1f} um, worst {error['mesh_max']:.1f} um."
             )
-            console.result(values, [*lines, f"Written to {folder}: {CASE}, {', '.join(MESHES)}."])
+            console.result(values, [*lines, f"Written to {folder}: {CASE}, {', '.join(MESHES)}, {REPORT}."])
     return 0
 
 
@@ -84,7 +88,7 @@ def _folder(out: str | None, specimen: str, force: bool) -> Path:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as fault:
         raise StorageError("E-DISK-02", path=folder, reason=fault.strerror or fault) from fault
-    for name in (CASE, *MESHES):
+    for name in (CASE, *MESHES, REPORT):
         if (folder / name).exists():
             if not force:
                 raise StorageError("E-DISK-03", path=folder / name)

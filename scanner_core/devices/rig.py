@@ -82,12 +82,36 @@ class VolumeConfig:
 
 
 @dataclass(frozen=True, slots=True)
+class AcceptanceLimits:
+    """Maximum permissible errors of the acceptance test, for their magnitude; what is left out takes a value that any rig of this kind should keep.
+
+    Attributes
+    ----------
+    form_um : probing error form, the range of the radial deviations on one sphere
+    dispersion_um : probing dispersion, the width of the shell that holds 95 % of the points of one sphere
+    size_um : probing error size, a sphere's measured diameter against its calibrated one
+    spacing_um : sphere spacing error, the measured distance of two spheres against the calibrated one
+    """
+
+    form_um: float = 400.0
+    dispersion_um: float = 200.0
+    size_um: float = 100.0
+    spacing_um: float = 100.0
+
+    def __post_init__(self) -> None:
+        for name in self.__dataclass_fields__:
+            if not 0 < getattr(self, name) < 1e6:
+                raise ValueError(f"'{name}' of the acceptance limits must be a positive number of micrometres")
+
+
+@dataclass(frozen=True, slots=True)
 class RigConfig:
     """Everything that the program knows of a rig.
 
     `virtual` names the image model of the virtual rig (a preset), or is None for hardware; `image_model` holds what differs
     from that preset (see :meth:`~scanner_core.virtual.presets.VirtualPreset.changed`).  `spot` stands in the table
-    ``[spot]``, which may be absent or hold some keys only: the rest are the detector's defaults.
+    ``[spot]``, which may be absent or hold some keys only: the rest are the detector's defaults; the same holds for
+    ``[acceptance]``.
     """
 
     name: str
@@ -100,6 +124,7 @@ class RigConfig:
     virtual: str | None = None
     calibration: StereoCalibration | None = None
     spot: SpotDetectorParameters = field(default_factory=SpotDetectorParameters)
+    acceptance: AcceptanceLimits = field(default_factory=AcceptanceLimits)
     image_model: Mapping[str, Any] = field(default_factory=dict)
 
     def without(self, terms: Sequence[str]) -> RigConfig:
@@ -170,6 +195,7 @@ def dump_rig(rig: RigConfig) -> str:
         ("laser", rig.laser),
         ("volume", rig.volume),
         ("spot", rig.spot),
+        ("acceptance", rig.acceptance),
     ):
         lines += ["", f"[{key}]"]
         lines += [
@@ -226,6 +252,7 @@ def _rig(tree: dict[str, Any]) -> RigConfig:
         calibration=_calibration(tree["calibration"]) if "calibration" in tree else None,
         spot=SpotDetectorParameters(**tree.get("spot", {})),
         image_model=dict(tree.get("image_model", {})),
+        acceptance=AcceptanceLimits(**tree.get("acceptance", {})),
     )
 
 

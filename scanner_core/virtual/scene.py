@@ -67,6 +67,7 @@ class Scene:
         self._halves = _half_nodes(self._nodes)
         d = preset.laser_target_mm - preset.laser_position_mm
         self._azimuth, self._elevation = atan2(d[1], d[0]), atan2(d[2], hypot(d[0], d[1]))
+        self._standing: tuple[tuple[MotionInstant, int | None], Footprint | None] | None = None
         self._at: tuple[float, tuple[Array, Array, Array]] = (nan, (np.eye(3), np.zeros(3), self._eyes_table))
 
     def beam(self, x_deg: float, y_deg: float) -> Array:
@@ -90,17 +91,19 @@ class Scene:
         return self._at[1]
 
     def light(self, instant: MotionInstant, part: int | None = None) -> Footprint | None:
-        """The footprint of the beam, or None when it is dark or hits nothing.
+        """The footprint of the beam, or None when it is dark or hits nothing; that of a standing beam is cast once.
 
         `part` 0 or 1 takes every second node of the beam's outline: of a moving beam two neighbouring instants together
         sample the profile as well as a standing beam's whole set does, at half the rays.
         """
         if instant.laser_power <= 0:
             return None
-        turn, origin, eyes = self._turned(instant.table_deg)
-        beam = self.beam(instant.x_deg, instant.y_deg) @ turn.T
-        offsets, weights = self._nodes if part is None else self._halves[part]
-        return self._footprint(origin + offsets @ beam[1:], weights, beam[0], eyes)
+        if self._standing is None or self._standing[0] != (instant, part):
+            turn, origin, eyes = self._turned(instant.table_deg)
+            beam = self.beam(instant.x_deg, instant.y_deg) @ turn.T
+            offsets, weights = self._nodes if part is None else self._halves[part]
+            self._standing = (instant, part), self._footprint(origin + offsets @ beam[1:], weights, beam[0], eyes)
+        return self._standing[1]
 
     def _footprint(self, starts: Array, weights: Array, direction: Array, eyes: Array) -> Footprint | None:
         points, normals, shares = [], [], []

@@ -49,7 +49,8 @@ def test_the_sphere_from_frames_to_a_mesh(demo: tuple[Path, Outcome]) -> None:
     assert report["self_intersections"] == 0
     assert report["supported_area_fraction"] >= 0.85
     assert error["mesh_rms"] < 30
-    assert sorted(path.name for path in folder.iterdir()) == ["case.impronta", "mesh.ply", "mesh.stl"]
+    assert sorted(path.name for path in folder.iterdir()) == ["case.impronta", "mesh.ply", "mesh.stl", "report.pdf"]
+    assert (folder / "report.pdf").read_bytes().startswith(b"%PDF")
 
 
 def test_the_written_meshes_are_what_the_contract_says(demo: tuple[Path, Outcome]) -> None:
