@@ -31,8 +31,8 @@ PIXEL_VARIANCE_PX2 = 1 / 12
 REACH_SIGMA = 3.0
 """Half width of the window; what lies beyond holds 1e-3 of the information on the place."""
 _STEPS = 12
-_TOLERANCE = 0.03
-"""Steps of x and y below this part of their standard uncertainty end the iteration."""
+_TOLERANCE = 0.1
+"""A step of x and y below this part of their standard uncertainty is the last: the next would be of its square."""
 _SMALLEST_SIGMA_PX, _LARGEST_SIGMA_PX = 0.1, 30.0
 _SQRT_HALF, _DENSITY = math.sqrt(0.5), 1 / math.sqrt(2 * math.pi)
 _EDGES = np.arange(1024) - 0.5
@@ -69,7 +69,7 @@ def fit_gaussian(pixels: NDArray[np.uint8], x: float, y: float, start: Moments, 
     sx = math.sqrt(max(start.xx - PIXEL_VARIANCE_PX2, 0.04))
     sy = math.sqrt(max(start.yy - PIXEL_VARIANCE_PX2, 0.04))
     b = noise.background_dn
-    flux = max(start.flux_dn, 1.0)
+    flux = 2 * math.pi * math.sqrt(max(start.xx * start.yy, PIXEL_VARIANCE_PX2**2)) * max(float(values.max()) - b, 1.0)
     edges = np.empty(width + height + 2)
     up, across = np.empty((6, height, 1)), np.empty((6, 1, width))
     for _ in range(_STEPS):

@@ -18,20 +18,20 @@ from tests.bench.optics.spot_accuracy import measure
 from tests.bench.optics.spot_images import BENCH, WORKSHOP, Sensor, SpotShape, bound, expose
 from tests.core.optics.spots import PARAMETERS, light
 
-COUNT = 600
+COUNT = 300
 SPREAD = 4 / np.sqrt(2 * COUNT)
 """Four standard deviations of a rms of so many errors."""
 
 
 @pytest.mark.parametrize("sensor", [BENCH, WORKSHOP], ids=["bench", "workshop"])
 @pytest.mark.parametrize("shape", [SpotShape(0.85, 0.85, 250.0), SpotShape(0.85, 2.0, 120.0), SpotShape(2.0, 1.2, 50.0)], ids=str)
-@pytest.mark.parametrize(("centroid", "most"), [("weighted", 1.06), ("gaussian", 1.02)])
+@pytest.mark.parametrize(("centroid", "most"), [("weighted", 1.08), ("gaussian", 1.02)])
 def test_centroid_reaches_the_bound_and_knows_its_error(centroid: str, most: float, shape: SpotShape, sensor: Sensor) -> None:
     row = measure(shape, sensor, centroid, COUNT, seed=11)
     assert row.found == 1.0
-    assert (row.over_bound < most + SPREAD).all()
-    assert abs(row.stated_over_actual - 1) < 0.04 + SPREAD / np.sqrt(2)
-    assert (np.abs(row.split_over_actual - 1) < 0.05 + SPREAD).all()
+    assert (row.over_bound < most).all()  # chance is left out of it, see `measure`
+    assert abs(row.stated_over_actual - 1) < 0.06
+    assert (np.abs(row.split_over_actual - 1) < 0.08).all()
     assert (np.abs(row.sigma_over_true - 1) < 0.03).all()
 
 
@@ -93,7 +93,7 @@ def test_sigma_grows_with_the_spot_from_a_fraction_of_a_pixel_on() -> None:
                 assert isinstance(found, Spot)
                 seen.append(found.sigma_x_px)
             sigmas.append(np.mean(seen))
-        assert (np.diff(sigmas) > 0.08).all()
+        assert (np.diff(sigmas) > 0.04).all()
 
 
 def test_fit_that_cannot_converge_says_so() -> None:
