@@ -33,6 +33,9 @@ REACH_SIGMA = 3.0
 _STEPS = 12
 _TOLERANCE = 0.1
 """A step of x and y below this part of their standard uncertainty is the last: the next would be of its square."""
+_SHAPE_TOLERANCE = 0.03
+"""The same for flux and sigmas, relative: a clipped spot begins far from its shape, even where its place is right."""
+
 _SMALLEST_SIGMA_PX, _LARGEST_SIGMA_PX = 0.1, 30.0
 _SQRT_HALF, _DENSITY = math.sqrt(0.5), 1 / math.sqrt(2 * math.pi)
 _EDGES = np.arange(1024) - 0.5
@@ -116,7 +119,8 @@ def fit_gaussian(pixels: NDArray[np.uint8], x: float, y: float, start: Moments, 
         if not (-0.5 <= x <= width - 0.5 and -0.5 <= y <= height - 0.5 and sx < _LARGEST_SIGMA_PX and sy < _LARGEST_SIGMA_PX):
             return None
         sx, sy = max(sx, _SMALLEST_SIGMA_PX), max(sy, _SMALLEST_SIGMA_PX)
-        if shorten == 1.0 and dx * dx < _TOLERANCE**2 * variance_x and dy * dy < _TOLERANCE**2 * variance_y:
+        settled = dx * dx < _TOLERANCE**2 * variance_x and dy * dy < _TOLERANCE**2 * variance_y
+        if settled and shorten == 1.0 and max(abs(by_flux / flux), abs(dsx / sx), abs(dsy / sy)) < _SHAPE_TOLERANCE:
             return GaussianFit(x, y, sx, sy, variance_x, variance_y, flux, b)
     return None
 
