@@ -113,9 +113,9 @@ class PixelWeights:
         height, width = pixels.shape
         basis = _basis(height, width) if height * width <= _CACHED_PX else _monomials(height, width)
         sums = self._table.take(pixels.ravel(), axis=0, mode="clip").T.dot(basis)
-        (w, wx, wy, wxx, wyy, wxy), (q, qx, qy, qxx, qyy, _), (flux, *_), (area, *_), (saturated, *_) = sums.tolist()
+        (w, wx, wy, wxx, wyy, wxy), (q, qx, qy, qxx, qyy, _), flux, area, saturated = sums.tolist()
         if w <= 0:
-            return Moments(0.5 * (width - 1), 0.5 * (height - 1), 0.0, 0.0, 0.0, math.inf, math.inf, 0.0, int(area), int(saturated))
+            return Moments(0.5 * (width - 1), 0.5 * (height - 1), 0.0, 0.0, 0.0, math.inf, math.inf, 0.0, int(area[0]), int(saturated[0]))
         x, y, per_w, whole = wx / w, wy / w, 1 / w, self._sharpening[peak_dn]
         return Moments(
             x,
@@ -125,9 +125,9 @@ class PixelWeights:
             (wxy * per_w - x * y) * whole,
             (qxx - 2 * x * qx + x * x * q) * per_w * per_w,
             (qyy - 2 * y * qy + y * y * q) * per_w * per_w,
-            flux,
-            int(area),
-            int(saturated),
+            flux[0],
+            int(area[0]),
+            int(saturated[0]),
         )
 
 

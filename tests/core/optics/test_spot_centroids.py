@@ -88,7 +88,7 @@ def test_sigma_grows_with_the_spot_from_a_fraction_of_a_pixel_on() -> None:
         for sigma in (0.3, 0.45, 0.6, 0.75, 0.9, 1.1):
             seen = []
             for _ in range(25):
-                x, y = (80, 60) + rng.uniform(-0.5, 0.5, 2)
+                x, y = 80 + rng.uniform(-0.5, 0.5), 60 + rng.uniform(-0.5, 0.5)
                 found = detector.detect(expose(light(x, y, sigma, sigma, 220 * min(1.0, (0.9 / sigma) ** 0.5), SHAPE), BENCH, rng))
                 assert isinstance(found, Spot)
                 seen.append(found.sigma_x_px)
