@@ -7,7 +7,6 @@ a pixel drags it to the pixels' centres.
 from __future__ import annotations
 
 import math
-from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,7 +29,8 @@ def border_centroid(pixels: Array, level_dn: float, noise: PixelNoise) -> tuple[
     x, y : px, from the first pixel
     variance_x, variance_y : by the noise of the pixels on both sides of every crossing, px^2: a crossing at the part f
         between values a and b has the variance ``((1 - f)^2 var(a) + f^2 var(b)) / (a - b)^2`` and moves the middle by its
-        distance to it over the length of all lines.  What the pixel grid adds is not in it: see `pixel_lock`
+        distance to it over the length of all lines.  What the pixel grid adds is not in it:
+        it is the same in every repetition, and a scan's own residuals tell it
     None where the spot touches the window.
     """
     found: list[tuple[float, float]] = []
@@ -41,43 +41,6 @@ def border_centroid(pixels: Array, level_dn: float, noise: PixelNoise) -> tuple[
         found.append(middle)
     (x, variance_x), (y, variance_y) = found
     return x, y, variance_x, variance_y
-
-
-def pixel_lock(xx: float, yy: float, level: float) -> tuple[float, float]:
-    """Mean square of what the pixel grid does to the centroid of a noiseless spot, over all places in the pixel, px^2.
-
-    Parameters
-    ----------
-    xx, yy : second moments of the spot, the pixel's box included, px^2
-    level : of the contour, over the brightest pixel
-    """
-    return _pixel_lock(max(round(_STEPS_PER_PX * math.sqrt(xx)), 1), max(round(_STEPS_PER_PX * math.sqrt(yy)), 1), round(level, 1))
-
-
-@lru_cache(maxsize=4096)
-def _pixel_lock(steps_x: int, steps_y: int, level: float) -> tuple[float, float]:
-    sigma_x, sigma_y = (math.sqrt(max((steps / _STEPS_PER_PX) ** 2 - 1 / 12, 0.01)) for steps in (steps_x, steps_y))
-    reach_x, reach_y = math.ceil(3 * sigma_x) + 1, math.ceil(3 * sigma_y) + 1
-    noiseless = PixelNoise(0.0, 0.0, 0.0, 256)
-    errors = []
-    for dx in _PHASES:
-        for dy in _PHASES:
-            pixels = np.outer(_shares(dy, sigma_y, reach_y), _shares(dx, sigma_x, reach_x))
-            middle = border_centroid(pixels, max(level, 0.05) * float(pixels.max()), noiseless)
-            if middle is not None:
-                errors.append(((middle[0] - reach_x - dx) ** 2, (middle[1] - reach_y - dy) ** 2))
-    count = max(len(errors), 1)
-    return sum(x for x, _ in errors) / count, sum(y for _, y in errors) / count
-
-
-def _shares(place: float, sigma: float, reach: int) -> Array:
-    """Light of a Gaussian in each pixel from -reach to reach."""
-    edges = [math.erf((i - 0.5 - place) / (sigma * math.sqrt(2))) for i in range(-reach, reach + 2)]
-    return 0.5 * np.diff(edges)
-
-
-_STEPS_PER_PX = 10
-_PHASES = tuple((i + 0.5) / 6 - 0.5 for i in range(6))
 
 
 def _middle(lines: Array, level: float, noise: PixelNoise) -> tuple[float, float] | None:

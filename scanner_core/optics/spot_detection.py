@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from scanner_core.errors import UsageError
 from scanner_core.optics.spot import MissReason, Spot, SpotMiss
 from scanner_core.optics.spot_background import Background, estimate_background
-from scanner_core.optics.spot_border import border_centroid, pixel_lock
+from scanner_core.optics.spot_border import border_centroid
 from scanner_core.optics.spot_centroid import Moments, PixelNoise, PixelWeights
 from scanner_core.optics.spot_fit import PIXEL_VARIANCE_PX2, REACH_SIGMA, fit_gaussian
 
@@ -259,26 +259,30 @@ class SpotDetector:
             middle = border_centroid(pixels.astype(np.float64), level, levels.weights.noise)
             if middle is not None:
                 x, y, variance_x, variance_y = middle
-                lock_x2, lock_y2 = pixel_lock(xx, yy, (level - levels.background.mean_dn) / signal)
-                variance_x, variance_y = variance_x + lock_x2, variance_y + lock_y2
         uncertainty = math.sqrt(0.5 * (variance_x + variance_y))
         return Spot(x0 + x, y0 + y, math.sqrt(xx), math.sqrt(yy), float(peak), flux, moments.area_px, uncertainty), flux
 
     def boxes(self, image: Image, levels: SpotLevels) -> list[Box]:
         """Boxes of the blobs of a frame: of those that reach the seed level if there are any, else of the dim ones."""
-        rows, columns = image.shape
+        rows = image.shape[0]
+        top, bottom = self._bright_rows(image, levels.seed_dn)
+        if top < bottom:
+            top, bottom = max(top - _FOOT_PX, 0), min(bottom + _FOOT_PX, rows)
+            boxes = blob_boxes(image[top:bottom], levels.extent_dn, top)
+            for _, y, _, h in boxes:
+                if y == top > 0 or rows > y + h == bottom:
+                    break  # a foot goes on outside
+            else:
+                return boxes
+        top, bottom = self._bright_rows(image, levels.extent_dn)
+        return blob_boxes(image[top:bottom], levels.extent_dn, top) if top < bottom else []
+
+    def _bright_rows(self, image: Image, level: int) -> tuple[int, int]:
+        """First row with a pixel above a level, and the row after the last; (0, 0) when there is none."""
         memory, above = self._scratch.of(image.shape)
-        cv2.threshold(image, levels.seed_dn, 255, cv2.THRESH_BINARY, above)
+        cv2.threshold(image, level, 255, cv2.THRESH_BINARY, above)
         first = memory.find(255)
-        if first < 0:
-            return blob_boxes(image, levels.extent_dn)
-        top = max(first // columns - _FOOT_PX, 0)
-        bottom = min(memory.rfind(255) // columns + 1 + _FOOT_PX, rows)
-        boxes = blob_boxes(image[top:bottom], levels.extent_dn, top)
-        for _, y, _, h in boxes:
-            if y == top > 0 or rows > y + h == bottom:
-                return blob_boxes(image, levels.extent_dn)  # a foot goes on outside
-        return boxes
+        return (0, 0) if first < 0 else (first // image.shape[1], memory.rfind(255) // image.shape[1] + 1)
 
     def _of_background(self, background: Background) -> SpotLevels:
         p = self.parameters
@@ -291,10 +295,13 @@ class SpotDetector:
 _NO_SPOT = SpotMiss(MissReason.NO_SPOT)
 
 
-def blob_boxes(image: Image, level: int, top: int = 0) -> list[Box]:
-    """Boxes of the blobs above a level in an image (h, w) uint8 whose first row is row `top` of the frame."""
-    above = cv2.threshold(image, level, 255, cv2.THRESH_BINARY)[1]
-    contours = cv2.findContours(above, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE, offset=(0, top))[0]
+def blob_boxes(rows: Image, level: int, top: int = 0) -> list[Box]:
+    """Boxes of the blobs above a level in rows (h, w) uint8 of a frame that begin with row `top` and hold at least one."""
+    above = cv2.threshold(rows, level, 255, cv2.THRESH_BINARY)[1]
+    x, y, w, h = cv2.boundingRect(above)  # contours are looked for in it alone: a tenth of the time for a single spot
+    contours = cv2.findContours(above[y : y + h, x : x + w], cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE, offset=(x, y + top))[0]
+    if len(contours) == 1:
+        return [(x, y + top, w, h)]
     return [cv2.boundingRect(contour) for contour in contours]
 
 

@@ -103,7 +103,7 @@ def test_two_close_spots_are_two_candidates(detector: SpotDetector) -> None:
     assert sorted(round(spot.x_px) for spot in found.candidates) == [80, 88]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(arrays(np.uint8, st.tuples(st.integers(1, 40), st.integers(1, 40))), st.sampled_from(DETECTORS))
 def test_any_image_has_an_answer(image: np.ndarray, detector: SpotDetector) -> None:
     found = detector.detect(image)
