@@ -44,10 +44,11 @@ def test_clipped_spot_is_fitted_near_the_bound_of_what_is_left_of_it(centroid: s
     assert (np.abs(row.sigma_over_true - 1) < 0.02).all()
 
 
-def test_border_centroid_is_several_times_less_certain_and_says_so() -> None:
+def test_border_centroid_is_several_times_less_certain_than_its_noise_says() -> None:
+    """The pixel grid does it: the same error in every repetition, which no single image shows."""
     row = measure(SpotShape(1.0, 1.0, 250.0), BENCH, "border", COUNT, seed=13)
     assert (row.over_bound > 3).all()
-    assert abs(row.stated_over_actual - 1) < 0.1 + SPREAD
+    assert row.stated_over_actual < 0.6
 
 
 def test_bound_agrees_with_the_closed_form_of_a_finely_sampled_spot() -> None:
