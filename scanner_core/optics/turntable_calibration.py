@@ -23,7 +23,7 @@ from scanner_core.errors import CalibrationError
 from scanner_core.geometry.fitting import fit_rigid
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.board import CharucoTarget
-from scanner_core.optics.board_detection import MIN_CORNERS
+from scanner_core.optics.board_view import MIN_CORNERS
 from scanner_core.optics.bundle_adjustment import STEREO, moved_cameras
 from scanner_core.optics.calibration import StereoCalibration, TurntableAxis
 from scanner_core.optics.stereo_calibration import StereoCalibrationFit
