@@ -26,7 +26,7 @@ from scanner_core.optics.board import CharucoTarget
 from scanner_core.optics.board_view import MIN_CORNERS
 from scanner_core.optics.bundle_adjustment import STEREO, moved_cameras
 from scanner_core.optics.calibration import StereoCalibration, TurntableAxis
-from scanner_core.optics.stereo_calibration import StereoCalibrationFit
+from scanner_core.optics.stereo_calibration import Pair, StereoCalibrationFit
 from scanner_core.optics.stereo_view import StereoView
 from scanner_core.optics.triangulation import Triangulator
 
@@ -147,8 +147,9 @@ def calibrate_turntable(
     normal = np.linalg.inv(jacobian.T @ jacobian)
     by_unknown = np.stack([turn.axis(found + step, fit.marks) - axis for step in 1e-4 * np.eye(len(found))]) / 1e-4
     induced = np.zeros((0 if steps is None else len(steps), 6))
+    pairs = [view.stereo.common() for view in usable]
     for row, step in enumerate(() if steps is None else steps):
-        moved = turn.moved_by(found, fit, usable, step)
+        moved = turn.moved_by(found, fit, pairs, step)
         change = -normal @ (jacobian.T @ (moved - residual))
         marks = fit.marks + step[STEREO:].reshape(-1, 3)
         induced[row] = turn.axis(found + change, marks) - axis
@@ -258,10 +259,9 @@ class _Turn:
         """Of all corners in units of their standard uncertainty, then of the angles' prior."""
         return self._against([view.points for view in self._measured], [view.board for view in self._measured], p)
 
-    def moved_by(self, p: Array, fit: StereoCalibrationFit, views: Sequence[TableView], step: Array) -> Array:
-        """The residual of the same images with the stereo parameters and marks moved by `step`."""
+    def moved_by(self, p: Array, fit: StereoCalibrationFit, pairs: Sequence[Pair], step: Array) -> Array:
+        """The residual of the same images (ids and pixels by view) with the stereo parameters and marks moved by `step`."""
         triangulator, marks = _triangulator(fit, step[:STEREO]), fit.marks + step[STEREO:].reshape(-1, 3)
-        pairs = [view.stereo.common() for view in views]
         counts = np.cumsum([len(ids) for ids, _, _ in pairs])[:-1]
         ones = np.ones(sum(len(ids) for ids, _, _ in pairs))
         left_px, right_px = (np.concatenate([pair[side] for pair in pairs]) for side in (1, 2))
