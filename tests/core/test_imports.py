@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-NEVER_IN_CORE = {"PySide6", "shiboken6", "qtpy", "pyvista", "pyvistaqt", "matplotlib", "app", "tests"}
+NEVER_IN_CORE = {"PySide6", "shiboken6", "qtpy", "pyvista", "pyvistaqt", "app", "tests"}
 HEAVY = {"PySide6", "pyvista", "vtkmodules", "numpy", "scipy", "cv2"}
 NEVER_IN_APP = {"scipy", "cv2", "serial", "tests"}  # what is computed or driven belongs to the core
 LONGEST_FILE = 450
@@ -45,6 +45,8 @@ def _offences(folder: str, forbidden: set[str]) -> list[str]:
 
 def test_the_core_names_neither_qt_nor_pyvista_nor_app() -> None:
     assert _offences("scanner_core", NEVER_IN_CORE) == []
+    windows = [path for path in _sources("scanner_core") if any("pyplot" in name for _, name in _imports(path))]
+    assert windows == []  # pyplot opens windows and keeps global state; matplotlib's figures alone do not
 
 
 def test_the_window_leaves_numerics_and_devices_to_the_core() -> None:
