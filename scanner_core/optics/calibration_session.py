@@ -78,7 +78,7 @@ class BoardOperator(Protocol):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Person:
-    """A board operator who is asked by `say`, a sentence at a time; `remove` asks for nothing when nothing was shown."""
+    """A board operator who is asked by `say`, a sentence at a time."""
 
     say: Callable[[str], None]
     by_hand: bool = True
