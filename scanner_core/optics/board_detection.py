@@ -7,20 +7,15 @@ be, and each is fitted in the frame itself.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from enum import Enum
-
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.optics.board import CharucoTarget
+from scanner_core.optics.board_view import MIN_CORNERS, BoardMiss, BoardMissReason, BoardView
 from scanner_core.optics.corner_refinement import refine_corners
 
 Array = NDArray[np.float64]
-
-MIN_CORNERS = 12
-"""Corners that a view needs: twice what its pose has unknowns, spread over more than one row."""
 
 _MIN_MARKERS = 4
 _RANSAC_PX = 3.0
@@ -34,39 +29,6 @@ _BRIGHT_DN = 250
 _BLURRED = 0.12
 """Steepest step between two pixels, as a part of the frame's contrast; a sharp edge has 0.4 and more."""
 _MAX_SIGMA_PX = 3.5
-
-
-class BoardMissReason(Enum):
-    """Why a frame shows no usable board."""
-
-    TOO_DARK = "too_dark"
-    TOO_BRIGHT = "too_bright"
-    TOO_BLURRED = "too_blurred"
-    NO_BOARD = "no_board"
-    CUT = "cut"
-    TOO_FEW_CORNERS = "too_few_corners"
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class BoardView:
-    """Corners of a board seen by one camera.
-
-    Attributes
-    ----------
-    ids : (n,) int64, rows of the target's `object_points`, ascending
-    corners_px : (n, 2) float64; the centre of the first pixel is (0, 0)
-    """
-
-    ids: NDArray[np.int64]
-    corners_px: Array
-
-
-@dataclass(frozen=True, slots=True)
-class BoardMiss:
-    """No usable board, and why: an expected value, not an error."""
-
-    reason: BoardMissReason
-    corners: int = 0
 
 
 def detect_board(image: NDArray[np.uint8], target: CharucoTarget) -> BoardView | BoardMiss:

@@ -17,7 +17,7 @@ from scanner_core.optics.board import LengthBar
 from scanner_core.optics.bundle_adjustment import STEREO, moved_cameras
 from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.optics.calibration_uncertainty import PARAMETERS, truncated_modes
-from scanner_core.optics.length_scale import measure_bar
+from scanner_core.optics.length_scale import BarImages
 from scanner_core.optics.stereo_calibration import StereoCalibrationFit
 from scanner_core.optics.stereo_view import StereoView
 from scanner_core.optics.turntable_calibration import TurntableFit
@@ -36,9 +36,10 @@ def stereo_steps(fit: StereoCalibrationFit, bar_views: Sequence[StereoView], bar
     steps = square_root(fit.covariance)
     if bar is None or not bar_views:
         return steps
-    length = float(measure_bar(fit.left, fit.right, bar_views, bar).mean())
+    images = BarImages.of(bar_views, bar)
+    length = float(images.lengths(fit.left, fit.right).mean())
     for step in steps:
-        longer = float(measure_bar(*moved_cameras(fit.left, fit.right, step[:STEREO]), bar_views, bar).mean()) / length - 1
+        longer = float(images.lengths(*moved_cameras(fit.left, fit.right, step[:STEREO])).mean()) / length - 1
         step[STEREO - 3 : STEREO] -= longer * fit.right.translation
         step[STEREO:] -= longer * fit.marks.ravel()
     return steps

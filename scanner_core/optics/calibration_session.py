@@ -20,8 +20,9 @@ from scanner_core.devices.motion import MotionController
 from scanner_core.errors import CalibrationError
 from scanner_core.jobs.progress import Cancelled, IsCancelled, OnProgress, Progress
 from scanner_core.optics.board import CharucoTarget, LengthBar
+from scanner_core.optics.board_coverage import CoverageSoFar, judge, moved_px
 from scanner_core.optics.board_detection import detect_board
-from scanner_core.optics.board_watch import BoardWatch, CameraSighting, CoverageSoFar, OnBoardWatch, Phase, ViewVerdict, judge, moved_px, sighting
+from scanner_core.optics.board_watch import BoardWatch, CameraSighting, OnBoardWatch, Phase, ViewVerdict, sighting
 from scanner_core.optics.calibration import VALID_DAYS, ScaleReference, StereoCalibration
 from scanner_core.optics.calibration_change import compare_calibrations
 from scanner_core.optics.calibration_modes import joint_modes, stereo_steps
@@ -38,6 +39,8 @@ BAR_VIEWS = 8
 TABLE_ANGLES = 12
 STILL_PX = 0.3
 """Two looks at a board that differ by less in the median show it at rest."""
+LYING_LOOKS = 8
+"""Looks for which a person's board must lie still on the table: a hand does not keep it so."""
 PATIENCE_LOOKS = 3000
 """Looks without a view before a person is given up."""
 
@@ -75,7 +78,7 @@ class BoardOperator(Protocol):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Person:
-    """A board operator who is asked by `say`, a sentence at a time; `remove` asks for nothing when nothing was shown."""
+    """A board operator who is asked by `say`, a sentence at a time."""
 
     say: Callable[[str], None]
     by_hand: bool = True
@@ -169,6 +172,8 @@ class _Shown:
 
     target: CharucoTarget
     phase: Phase
+    rest_looks: int = 1
+    """How many looks must find it where the one before did, when a person shows it."""
     needed: NDArray[np.int64] = field(default_factory=lambda: np.empty(0, np.int64))
 
 
@@ -215,7 +220,7 @@ class _Session:
         for index in range(self.settings.bar_views):
             self._go_on(_SHOW + (_BAR - _SHOW) * index / self.settings.bar_views)
             self._operator.show_bar(index, self.settings.bar_views)
-            self._take(_Shown(bar.plate, Phase.BAR, np.concatenate(bar.groups())), index, self.settings.bar_views, views)
+            self._take(_Shown(bar.plate, Phase.BAR, needed=np.concatenate(bar.groups())), index, self.settings.bar_views, views)
         try:
             return scale_by_bar(fit, views, bar, self._target)
         except CalibrationError as fault:
@@ -230,9 +235,12 @@ class _Session:
         for index in range(self.settings.table_angles):
             self._go_on(_FIT + (_TABLE - _FIT) * index / self.settings.table_angles)
             motion.rotate_to(began_deg + 360.0 * index / self.settings.table_angles)
-            taken: list[StereoView] = []
-            self._take(_Shown(self._target, Phase.TABLE), index, self.settings.table_angles, taken, patient=index == 0)
-            laid += [TableView(motion.status().table_deg, view) for view in taken]
+            # The first view awaits a board that is not where a hand has held it, and that lies still for a while.
+            taken = list(self._covered.views) if self._operator.by_hand and index == 0 else []
+            known = len(taken)
+            lying = _Shown(self._target, Phase.TABLE, LYING_LOOKS)
+            self._take(lying, index, self.settings.table_angles, taken, patient=index == 0)
+            laid += [TableView(motion.status().table_deg, view) for view in taken[known:]]
         motion.rotate_to(began_deg)
         return laid
 
@@ -274,13 +282,15 @@ class _Session:
         """Add a view to `taken`; a person's board is awaited until it is new and at rest, anything else is looked at once."""
         waits = self._operator.by_hand and patient
         before: StereoView | None = None
+        still = 0
         for _ in range(PATIENCE_LOOKS if waits else 1):
             left, right = (detect_board(camera.grab().image, what.target) for camera in self._cameras)
             judged = judge(left, right, taken, self._cameras[0].size_px[0], what.needed)
             view = judged if isinstance(judged, StereoView) else None
             verdict = ViewVerdict.TAKEN if view is not None else judged
-            if view is not None and waits and (before is None or moved_px(view, before) >= STILL_PX):
-                verdict = ViewVerdict.MOVING
+            if view is not None and waits:
+                still = still + 1 if before is not None and moved_px(view, before) < STILL_PX else 0
+                verdict = ViewVerdict.TAKEN if still >= what.rest_looks else ViewVerdict.MOVING
             before = view
             if view is not None and verdict is ViewVerdict.TAKEN:
                 taken.append(view)

@@ -55,17 +55,35 @@ class BarScale:
 
 def measure_bar(left: CameraModel, right: CameraModel, views: Sequence[StereoView], bar: LengthBar) -> Array:
     """The bar's length by every view that shows both of its groups whole to both cameras, (n,) mm."""
-    triangulator = Triangulator(StereoCalibration(left, right, TurntableAxis(np.zeros(3), np.array([0.0, -1.0, 0.0])), "", 0, 0.0, 0.0))
-    lengths = []
-    for view in views:
-        ids, left_px, right_px = view.common()
-        groups = [np.isin(ids, group) for group in bar.groups()]
-        if any(np.count_nonzero(chosen) < len(group) for chosen, group in zip(groups, bar.groups(), strict=True)):
-            continue
-        ones = np.ones(len(ids))
-        points = triangulator.triangulate(left_px, right_px, ones, ones).points
-        lengths.append(float(np.linalg.norm(points[groups[0]].mean(axis=0) - points[groups[1]].mean(axis=0))))
-    return np.array(lengths)
+    return BarImages.of(views, bar).lengths(left, right)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BarImages:
+    """The corners of both groups in the views that show them whole, (n, 2, k, 2) px: view, group, corner."""
+
+    left_px: Array
+    right_px: Array
+
+    @classmethod
+    def of(cls, views: Sequence[StereoView], bar: LengthBar) -> BarImages:
+        needed = np.concatenate(bar.groups())
+        pairs = []
+        for view in views:
+            ids, left_px, right_px = view.common()
+            if np.isin(needed, ids).all():
+                rows = np.searchsorted(ids, needed)
+                pairs.append((left_px[rows], right_px[rows]))
+        left, right = (np.array([pair[side] for pair in pairs]).reshape(len(pairs), 2, len(needed) // 2, 2) for side in (0, 1))
+        return cls(left, right)
+
+    def lengths(self, left: CameraModel, right: CameraModel) -> Array:
+        """Distance of the groups' middles by every view, (n,) mm."""
+        triangulator = Triangulator(StereoCalibration(left, right, TurntableAxis(np.zeros(3), np.array([0.0, -1.0, 0.0])), "", 0, 0.0, 0.0))
+        ones = np.ones(self.left_px.size // 2)
+        points = triangulator.triangulate(self.left_px.reshape(-1, 2), self.right_px.reshape(-1, 2), ones, ones).points
+        middles = points.reshape(*self.left_px.shape[:3], 3).mean(axis=2)
+        return np.asarray(np.linalg.norm(middles[:, 0] - middles[:, 1], axis=1), np.float64)
 
 
 def scale_by_bar(fit: StereoCalibrationFit, views: Sequence[StereoView], bar: LengthBar, target: CharucoTarget) -> BarScale:

@@ -25,7 +25,7 @@ from scanner_core.errors import CalibrationError
 from scanner_core.geometry.fitting import fit_rigid
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.board import CharucoTarget
-from scanner_core.optics.board_detection import MIN_CORNERS, BoardView
+from scanner_core.optics.board_view import MIN_CORNERS, BoardView
 from scanner_core.optics.bundle_adjustment import STEREO, Bundle, BundleState, Corners, adjust, intrinsics_of
 from scanner_core.optics.calibration import StereoCalibration, TurntableAxis
 from scanner_core.optics.camera_model import CameraModel

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.optics.board_detection import BoardView
+from scanner_core.optics.board_view import BoardView
 
 Array = NDArray[np.float64]
 

@@ -23,10 +23,10 @@ from scanner_core.errors import CalibrationError
 from scanner_core.geometry.fitting import fit_rigid
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.board import CharucoTarget
-from scanner_core.optics.board_detection import MIN_CORNERS
+from scanner_core.optics.board_view import MIN_CORNERS
 from scanner_core.optics.bundle_adjustment import STEREO, moved_cameras
 from scanner_core.optics.calibration import StereoCalibration, TurntableAxis
-from scanner_core.optics.stereo_calibration import StereoCalibrationFit
+from scanner_core.optics.stereo_calibration import Pair, StereoCalibrationFit
 from scanner_core.optics.stereo_view import StereoView
 from scanner_core.optics.triangulation import Triangulator
 
@@ -147,8 +147,9 @@ def calibrate_turntable(
     normal = np.linalg.inv(jacobian.T @ jacobian)
     by_unknown = np.stack([turn.axis(found + step, fit.marks) - axis for step in 1e-4 * np.eye(len(found))]) / 1e-4
     induced = np.zeros((0 if steps is None else len(steps), 6))
+    pairs = [view.stereo.common() for view in usable]
     for row, step in enumerate(() if steps is None else steps):
-        moved = turn.moved_by(found, fit, usable, step)
+        moved = turn.moved_by(found, fit, pairs, step)
         change = -normal @ (jacobian.T @ (moved - residual))
         marks = fit.marks + step[STEREO:].reshape(-1, 3)
         induced[row] = turn.axis(found + change, marks) - axis
@@ -227,6 +228,11 @@ class _Turn:
     ) -> None:
         self._outline, self._thickness_mm = _Outline(target), thickness_mm
         self._measured, self._direction = measured, direction
+        self._table_deg = np.array([view.table_deg for view in measured])
+        self._view = np.repeat(np.arange(len(measured)), [len(view.points) for view in measured])
+        self._points = np.concatenate([view.points for view in measured])
+        self._boards = np.concatenate([view.board for view in measured])
+        self._whitening = np.concatenate([view.whitening for view in measured])
         self._across = np.linalg.svd(direction[None])[2][1:]  # two unit vectors at right angles to the axis
         # A first place: the centre that the board's centres turn about, in the plane across the axis.
         centres = np.array([pose.apply(measured[0].board.mean(axis=0)) for pose in poses]) @ self._across.T
@@ -256,25 +262,23 @@ class _Turn:
 
     def residual(self, p: Array) -> Array:
         """Of all corners in units of their standard uncertainty, then of the angles' prior."""
-        return self._against([view.points for view in self._measured], [view.board for view in self._measured], p)
+        return self._against(self._points, self._boards, p)
 
-    def moved_by(self, p: Array, fit: StereoCalibrationFit, views: Sequence[TableView], step: Array) -> Array:
-        """The residual of the same images with the stereo parameters and marks moved by `step`."""
-        triangulator, marks = _triangulator(fit, step[:STEREO]), fit.marks + step[STEREO:].reshape(-1, 3)
-        pairs = [view.stereo.common() for view in views]
-        counts = np.cumsum([len(ids) for ids, _, _ in pairs])[:-1]
-        ones = np.ones(sum(len(ids) for ids, _, _ in pairs))
-        left_px, right_px = (np.concatenate([pair[side] for pair in pairs]) for side in (1, 2))
-        points = triangulator.triangulate(left_px, right_px, ones, ones).points
-        return self._against(np.split(points, counts), [marks[ids] for ids, _, _ in pairs], p)
+    def moved_by(self, p: Array, fit: StereoCalibrationFit, pairs: Sequence[Pair], step: Array) -> Array:
+        """The residual of the same images (ids and pixels by view) with the stereo parameters and marks moved by `step`."""
+        ids, left_px, right_px = (np.concatenate([pair[part] for pair in pairs]) for part in range(3))
+        ones = np.ones(len(ids))
+        points = _triangulator(fit, step[:STEREO]).triangulate(left_px, right_px, ones, ones).points
+        return self._against(points, (fit.marks + step[STEREO:].reshape(-1, 3))[ids], p)
 
-    def _against(self, points: Sequence[Array], boards: Sequence[Array], p: Array) -> Array:
+    def _against(self, points: Array, boards: Array, p: Array) -> Array:
         axis, place, pose, errors_deg = self.unpack(p)
-        parts = [errors_deg / _ANGLE_PRIOR_DEG]
-        for view, found, board, error_deg in zip(self._measured, points, boards, errors_deg, strict=True):
-            predicted = (_about(axis, place, view.table_deg + error_deg) @ pose).apply(board)
-            parts.append((view.whitening @ (found - predicted)[..., None]).ravel())
-        return np.concatenate([*parts[1:], parts[0]])
+        # Rodrigues' rotation about the axis, every corner by its view's angle
+        turned = np.radians(self._table_deg + errors_deg)[self._view, None]
+        arm = pose.apply(boards) - place
+        swung = np.cos(turned) * arm + np.sin(turned) * np.cross(axis, arm) + (1 - np.cos(turned)) * (arm @ axis)[:, None] * axis
+        off = (self._whitening @ (points - place - swung)[..., None])[..., 0]
+        return np.concatenate([off.ravel(), errors_deg / _ANGLE_PRIOR_DEG])
 
     def axis(self, p: Array, marks: Array) -> Array:
         """A point of the axis and its direction, (6,); the point is level with the middle of the board's face."""

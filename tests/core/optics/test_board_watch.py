@@ -3,8 +3,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from scanner_core.optics.board_coverage import CoverageSoFar, judge
 from scanner_core.optics.board_detection import BoardMiss, BoardMissReason, BoardView
-from scanner_core.optics.board_watch import CoverageSoFar, ViewVerdict, Wish, WishKind, judge
+from scanner_core.optics.board_watch import ViewVerdict, Wish, WishKind
 from scanner_core.optics.stereo_view import StereoView
 from tests.core.optics.boards import TARGET, shown
 from tests.core.optics.rigs import DISTANCE_MM, known_rig

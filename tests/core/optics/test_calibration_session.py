@@ -16,7 +16,7 @@ from scanner_core.optics.board import DEFAULT_BAR, CharucoTarget
 from scanner_core.optics.board_detection import BoardMissReason, detect_board
 from scanner_core.optics.board_watch import BoardWatch, ViewVerdict
 from scanner_core.optics.calibration_result import CalibrationResult
-from scanner_core.optics.calibration_session import CalibrationSettings, run_calibration
+from scanner_core.optics.calibration_session import CalibrationSettings, Person, run_calibration
 from scanner_core.virtual.bench import VirtualBench
 from scanner_core.virtual.presets import PRESETS
 from tests.core.optics.boards import axis_error, scale_error_ppm, volume_error_um
@@ -227,3 +227,18 @@ def test_every_look_says_what_each_camera_sees(recording: Recording) -> None:
     assert look.left.corners > 20
     assert look.right.reason is BoardMissReason.TOO_DARK
     assert look.words() == "Seen by one camera only; right camera: too dark."
+
+
+def test_a_person_is_asked_in_words() -> None:
+    said = list[str]()
+    person = Person(said.append)
+    assert person.by_hand
+    person.show(0, 25)
+    person.show_bar(7, 8)
+    person.lay_on_table()
+    person.remove()
+    assert "(1 of 25)" in said[0]
+    assert "length bar" in said[1]
+    assert "(8 of 8)" in said[1]
+    assert "flat on the table" in said[2]
+    assert said[3] == "Take the board away."
