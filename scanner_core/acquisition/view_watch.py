@@ -196,7 +196,7 @@ class ViewWatch:
         """What earlier views have shown round these points, thinned to what a comparison needs."""
         earlier = np.concatenate(self._earlier)
         low, high = points.min(axis=0) - _ROUND_MM, points.max(axis=0) + _ROUND_MM
-        near = earlier[((earlier >= low) & (earlier <= high)).all(axis=1)]
+        near: Array = earlier[((earlier >= low) & (earlier <= high)).all(axis=1)]
         return near[:: 1 + len(near) // _ENOUGH]
 
     def _explanations(self) -> list[list[_Move]]:
