@@ -60,6 +60,22 @@ class Camera(Protocol):
         """Frames a second while it is triggered."""
         ...
 
+    @property
+    def exposure_ms(self) -> float:
+        """Exposure of the next frame; a value outside of the camera's range is set to the nearest inside."""
+        ...
+
+    @exposure_ms.setter
+    def exposure_ms(self, value: float) -> None: ...
+
+    @property
+    def gain_db(self) -> float:
+        """Gain of the next frame, in the same way."""
+        ...
+
+    @gain_db.setter
+    def gain_db(self, value: float) -> None: ...
+
     def start(self, trigger: Trigger) -> None:
         """Arm for a run of frames; both cameras are armed with the same trigger."""
         ...

@@ -9,12 +9,16 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-_SAMPLE_PX = 3000
-"""Pixels looked at: their standard deviation is known to 1.3 %, their mean to a fiftieth of it."""
+_SAMPLE_PX, _SAMPLE_ROWS = 4000, 6
+"""Pixels looked at, in whole rows and at least so many: their standard deviation is known to 1.1 %, their mean to a sixtieth of
+it.  Rows, because a row is what the memory delivers at a time and what OpenCV reads in place."""
 
-_ROUNDS = 3
+_ROUNDS = 4
 _CLIP_SD, _CLIP_DN = 4.5, 2.0
 """What is farther above the mean is left out; never closer than 2 DN, so that the rounding of a dark, noiseless frame clips nothing."""
+
+_LIT_SD_DN, _CLIP_LIT_SD = 8.0, 2.0
+"""No sensor is so noisy: something bright is in the sample, up to a fifth of which this clips."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,13 +32,12 @@ class Background:
 def estimate_background(image: NDArray[np.uint8]) -> Background:
     """Background of an image (H, W) uint8: mean and deviation of a regular sample, what is bright in it left out."""
     height, width = image.shape
-    step = max(1, math.isqrt(height * width // _SAMPLE_PX))
-    # An odd number of columns between neighbours: interlaced or binned columns do not fall into step with the sample.
-    sample = np.ascontiguousarray(image[::step, :: step | 1])
+    step = max(1, height // max(_SAMPLE_ROWS, _SAMPLE_PX // width))
+    sample = image[step // 2 :: step]
     mean, sd = _mean_and_sd(sample, None)
     brightest, limit = cv2.minMaxLoc(sample)[1], 255
     for _ in range(_ROUNDS):
-        clip = math.floor(mean + max(_CLIP_SD * sd, _CLIP_DN))
+        clip = math.floor(mean + max((_CLIP_SD if sd < _LIT_SD_DN else _CLIP_LIT_SD) * sd, _CLIP_DN))
         if clip >= min(brightest, limit):
             break
         limit = clip

@@ -112,10 +112,10 @@ class PixelWeights:
         """Moments of a blob, its window (h, w) uint8 and its brightest pixel given."""
         height, width = pixels.shape
         basis = _basis(height, width) if height * width <= _CACHED_PX else _monomials(height, width)
-        sums = basis.dot(self._table.take(pixels.ravel(), axis=0, mode="clip")).tolist()
-        (w, q, flux, area, saturated), (wx, qx, *_), (wy, qy, *_), (wxx, qxx, *_), (wyy, qyy, *_), (wxy, *_) = sums
+        sums = self._table.take(pixels.ravel(), axis=0, mode="clip").T.dot(basis)
+        (w, wx, wy, wxx, wyy, wxy), (q, qx, qy, qxx, qyy, _), flux, area, saturated = sums.tolist()
         if w <= 0:
-            return Moments(0.5 * (width - 1), 0.5 * (height - 1), 0.0, 0.0, 0.0, math.inf, math.inf, 0.0, int(area), int(saturated))
+            return Moments(0.5 * (width - 1), 0.5 * (height - 1), 0.0, 0.0, 0.0, math.inf, math.inf, 0.0, int(area[0]), int(saturated[0]))
         x, y, per_w, whole = wx / w, wy / w, 1 / w, self._sharpening[peak_dn]
         return Moments(
             x,
@@ -125,9 +125,9 @@ class PixelWeights:
             (wxy * per_w - x * y) * whole,
             (qxx - 2 * x * qx + x * x * q) * per_w * per_w,
             (qyy - 2 * y * qy + y * y * q) * per_w * per_w,
-            flux,
-            int(area),
-            int(saturated),
+            flux[0],
+            int(area[0]),
+            int(saturated[0]),
         )
 
 
@@ -150,6 +150,6 @@ def _basis(height: int, width: int) -> Array:
 
 
 def _monomials(height: int, width: int) -> Array:
-    """1, x, y, x^2, y^2 and xy at the pixels of a window, (6, height * width)."""
+    """1, x, y, x^2, y^2 and xy at the pixels of a window, (height * width, 6)."""
     y, x = np.mgrid[:height, :width].astype(np.float64).reshape(2, -1)
-    return np.stack([np.ones_like(x), x, y, x * x, y * y, x * y])
+    return np.stack([np.ones_like(x), x, y, x * x, y * y, x * y], axis=1)

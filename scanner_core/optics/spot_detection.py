@@ -3,8 +3,8 @@
 Threshold from the frame's own background, outer contours of what is above it, gates on size, elongation, saturation
 and the image border, and one of three centroids.
 
-Contours instead of labelled components: on a dark frame they cost a tenth of the time.  Only the rectangle of the bright
-pixels is searched for contours; a search for one byte finds its rows in a fraction of the time.
+Contours instead of labelled components: on a dark frame they cost a tenth of the time.  Only the rows between the first
+and the last bright pixel are searched for contours; a search for one byte finds these in a fraction of the time.
 """
 
 from __future__ import annotations
@@ -119,7 +119,7 @@ _BORDER_PX = 1
 """A blob that reaches this close to the border may go on beyond it."""
 
 _FOOT_PX = 4
-"""So far round the bright pixels the foot of their spots is looked for first."""
+"""So many rows above and below the bright pixels the foot of their spots is looked for first."""
 
 _NOISE_AREA_PX = 3
 """Dim blobs in boxes below this are the background's noise, of which every frame has some."""
@@ -265,20 +265,25 @@ class SpotDetector:
 
     def boxes(self, image: Image, levels: SpotLevels) -> list[Box]:
         """Boxes of the blobs of a frame: of those that reach the seed level if there are any, else of the dim ones."""
-        rows, columns = image.shape
+        rows = image.shape[0]
+        top, bottom = self._bright_rows(image, levels.seed_dn)
+        if top < bottom:
+            top, bottom = max(top - _FOOT_PX, 0), min(bottom + _FOOT_PX, rows)
+            boxes = blob_boxes(image[top:bottom], levels.extent_dn, top)
+            for _, y, _, h in boxes:
+                if y == top > 0 or rows > y + h == bottom:
+                    break  # a foot goes on outside
+            else:
+                return boxes
+        top, bottom = self._bright_rows(image, levels.extent_dn)
+        return blob_boxes(image[top:bottom], levels.extent_dn, top) if top < bottom else []
+
+    def _bright_rows(self, image: Image, level: int) -> tuple[int, int]:
+        """First row with a pixel above a level, and the row after the last; (0, 0) when there is none."""
         memory, above = self._scratch.of(image.shape)
-        cv2.threshold(image, levels.seed_dn, 255, cv2.THRESH_BINARY, above)
+        cv2.threshold(image, level, 255, cv2.THRESH_BINARY, above)
         first = memory.find(255)
-        if first < 0:
-            return blob_boxes(image, levels.extent_dn)
-        first //= columns
-        x, y, w, h = cv2.boundingRect(above[first : memory.rfind(255) // columns + 1])
-        left, top, right, bottom = max(x - _FOOT_PX, 0), max(first - _FOOT_PX, 0), x + w + _FOOT_PX, first + h + _FOOT_PX
-        boxes = blob_boxes(image[top:bottom, left:right], levels.extent_dn, (left, top))
-        for x, y, w, h in boxes:
-            if (x == left > 0) or (y == top > 0) or columns > x + w == right or rows > y + h == bottom:
-                return blob_boxes(image, levels.extent_dn)  # a foot goes on outside
-        return boxes
+        return (0, 0) if first < 0 else (first // image.shape[1], memory.rfind(255) // image.shape[1] + 1)
 
     def _of_background(self, background: Background) -> SpotLevels:
         p = self.parameters
@@ -291,10 +296,13 @@ class SpotDetector:
 _NO_SPOT = SpotMiss(MissReason.NO_SPOT)
 
 
-def blob_boxes(image: Image, level: int, offset: tuple[int, int] = (0, 0)) -> list[Box]:
-    """Boxes of the blobs above a level in an image (h, w) uint8 whose first pixel has the place `offset` (x, y) in the frame."""
-    above = cv2.threshold(image, level, 255, cv2.THRESH_BINARY)[1]
-    contours = cv2.findContours(above, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE, offset=offset)[0]
+def blob_boxes(rows: Image, level: int, top: int = 0) -> list[Box]:
+    """Boxes of the blobs above a level in rows (h, w) uint8 of a frame that begin with row `top` and hold at least one."""
+    above = cv2.threshold(rows, level, 255, cv2.THRESH_BINARY)[1]
+    x, y, w, h = cv2.boundingRect(above)  # contours are looked for in it alone: a tenth of the time for a single spot
+    contours = cv2.findContours(above[y : y + h, x : x + w], cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE, offset=(x, y + top))[0]
+    if len(contours) == 1:
+        return [(x, y + top, w, h)]
     return [cv2.boundingRect(contour) for contour in contours]
 
 

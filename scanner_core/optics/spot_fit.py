@@ -31,8 +31,11 @@ PIXEL_VARIANCE_PX2 = 1 / 12
 REACH_SIGMA = 3.0
 """Half width of the window; what lies beyond holds 1e-3 of the information on the place."""
 _STEPS = 12
-_TOLERANCE = 0.03
-"""Steps of x and y below this part of their standard uncertainty end the iteration."""
+_TOLERANCE = 0.1
+"""A step of x and y below this part of their standard uncertainty is the last: the next would be of its square."""
+_SHAPE_TOLERANCE = 0.03
+"""The same for flux and sigmas, relative: a clipped spot begins far from its shape, even where its place is right."""
+
 _SMALLEST_SIGMA_PX, _LARGEST_SIGMA_PX = 0.1, 30.0
 _SQRT_HALF, _DENSITY = math.sqrt(0.5), 1 / math.sqrt(2 * math.pi)
 _EDGES = np.arange(1024) - 0.5
@@ -69,7 +72,7 @@ def fit_gaussian(pixels: NDArray[np.uint8], x: float, y: float, start: Moments, 
     sx = math.sqrt(max(start.xx - PIXEL_VARIANCE_PX2, 0.04))
     sy = math.sqrt(max(start.yy - PIXEL_VARIANCE_PX2, 0.04))
     b = noise.background_dn
-    flux = max(start.flux_dn, 1.0)
+    flux = 2 * math.pi * math.sqrt(max(start.xx * start.yy, PIXEL_VARIANCE_PX2**2)) * max(float(values.max()) - b, 1.0)
     edges = np.empty(width + height + 2)
     up, across = np.empty((6, height, 1)), np.empty((6, 1, width))
     for _ in range(_STEPS):
@@ -116,7 +119,8 @@ def fit_gaussian(pixels: NDArray[np.uint8], x: float, y: float, start: Moments, 
         if not (-0.5 <= x <= width - 0.5 and -0.5 <= y <= height - 0.5 and sx < _LARGEST_SIGMA_PX and sy < _LARGEST_SIGMA_PX):
             return None
         sx, sy = max(sx, _SMALLEST_SIGMA_PX), max(sy, _SMALLEST_SIGMA_PX)
-        if shorten == 1.0 and dx * dx < _TOLERANCE**2 * variance_x and dy * dy < _TOLERANCE**2 * variance_y:
+        settled = dx * dx < _TOLERANCE**2 * variance_x and dy * dy < _TOLERANCE**2 * variance_y
+        if settled and shorten == 1.0 and max(abs(by_flux / flux), abs(dsx / sx), abs(dsy / sy)) < _SHAPE_TOLERANCE:
             return GaussianFit(x, y, sx, sy, variance_x, variance_y, flux, b)
     return None
 

@@ -13,8 +13,8 @@ WINDOW_PX = (40, 32)
 WHOLE_FRAME_EVERY = 32
 """At the latest then the whole frame is searched again, and its background estimated."""
 
-_FILLED = 0.6
-"""Part of its bounding box that a single blob fills at least; an ellipse fills 0.79, two that lie apart fill less."""
+_FILLED = 0.5
+"""Part of its bounding box that a single blob fills at least; an ellipse fills 0.79."""
 
 _RESIZED = 1.5
 """So many times larger or smaller than the last one a spot's sigmas may be."""

@@ -1,8 +1,10 @@
 """Centroid errors over the Cramer-Rao bound, and what the detector says of its own error, for all three centroids.
 
-Per row: rms error over the bound of the six-parameter problem (x / y), stated over actual standard uncertainty (both
-axes together, then x and y with the stated one split in proportion to the spot's sigmas), and stated over true sigma.
-The last rows are spots brighter than the sensor: their bound is that of the censored problem.
+Per row: rms error over the Cramer-Rao bound of the six-parameter problem (x / y), stated over actual standard uncertainty
+(both axes together, then x and y with the stated one split in proportion to the spot's sigmas), and stated over true sigma.
+The sigmas hold the pixel's own box, the peak is over a black level of 8 DN.  The actual error is the rms divided by that of an
+efficient estimator on the same noise, times the bound, which is the latter's standard deviation: chance cancels.
+The last rows are spots brighter than the sensor: there the plain rms stands over the bound of the censored problem.
 """
 
 from __future__ import annotations
@@ -16,7 +18,7 @@ import numpy as np
 
 from scanner_core.optics.spot import Spot
 from scanner_core.optics.spot_detection import SpotDetector, SpotDetectorParameters
-from tests.bench.optics.spot_images import BENCH, WORKSHOP, Array, Sensor, SpotShape, bound, draw, framed
+from tests.bench.optics.spot_images import BENCH, WORKSHOP, Array, Sensor, SpotShape, bound, draw, efficient_errors, framed
 
 SIZE, MARGIN = (40, 40), 64
 SIGMAS = (0.85, 1.0, 1.4, 2.0)
@@ -57,12 +59,15 @@ def measure(shape: SpotShape, sensor: Sensor, centroid: str, count: int, seed: i
     errors = np.array([(spot.x_px - x, spot.y_px - y) for (x, y), spot in seen])
     stated = np.array([spot.standard_uncertainty_px for _, spot in seen])
     sigmas = np.array([(spot.sigma_x_px, spot.sigma_y_px) for _, spot in seen])
+    least = bound(shape, sensor, SIZE)
     rms = np.sqrt((errors**2).mean(axis=0))
+    if shape.peak_dn + sensor.black_dn < sensor.ceiling_dn + 10:
+        rms *= least / np.sqrt((efficient_errors(shape, sensor, places, windows) ** 2).mean(axis=0))
     split = stated[:, None] * sigmas / np.sqrt(0.5 * (sigmas**2).sum(axis=1, keepdims=True))
     return Row(
         shape,
         len(seen) / count,
-        rms / bound(shape, sensor, SIZE),
+        rms / least,
         float(np.sqrt((stated**2).mean() / (0.5 * (rms**2).sum()))),
         np.sqrt((split**2).mean(axis=0)) / rms,
         sigmas.mean(axis=0) / (shape.sigma_x, shape.sigma_y),

@@ -124,8 +124,9 @@ def compare(preset: str, sensor: Sensor, distance_mm: float, pairs: int, rounds:
         ratios, rms = plain_each / each, np.sqrt(np.nanmean(np.square(errors)))
         undisturbed = np.quantile(plain_each, 0.1) / np.quantile(each, 0.1)
         print(
-            f"  {name:22s} {BATCH / np.median(each):6.0f} pairs/s/core, {np.median(ratios):5.2f} x the plain loop's rate "
-            f"(quartiles {np.quantile(ratios, 0.25):.2f} to {np.quantile(ratios, 0.75):.2f}; fastest tenth {undisturbed:.2f}), rms of a coordinate {1e3 * rms:.1f} um"
+            f"  {name:22s} {BATCH / np.median(each):6.0f} pairs/s/core, {np.median(ratios):5.2f} x the plain loop's rate (quartiles "
+            f"{np.quantile(ratios, 0.25):.2f} to {np.quantile(ratios, 0.75):.2f}; fastest tenths {undisturbed:.2f}), "
+            f"rms of a coordinate {1e3 * rms:.1f} um"
         )
 
 
