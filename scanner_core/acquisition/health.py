@@ -95,8 +95,8 @@ class HealthMonitor:
 
     def report(self) -> HealthReport:
         with self._lock:
-            found, pairs = tuple(self._findings.values()), self._residuals.count
-            return HealthReport(found, *self._spread, pairs, self._missing, self._views.compared, self._closure)
+            findings, points, compared = tuple(self._findings.values()), self._residuals.count, self._views.compared
+            return HealthReport(findings, *self._spread, points, self._missing, compared, self._closure)
 
     # ------------------------------------------------------------------------------------------ from the scan's thread
     def begin(self, plan: ScanPlan, phase: Phase) -> None:

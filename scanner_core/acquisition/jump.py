@@ -1,8 +1,8 @@
 """At which view a turntable jumped, once it is known by how much.
 
-Every pair of overlapping views gives a turn of one against the other about the table's axis.  It should be the jump where
-the two lie on different sides of it, and zero elsewhere; the place that fits all pairs best is told together with those
-that fit nearly as well.
+For every place between two views, some views after it are laid on some views before it, which gives a turn about the
+table's axis.  It is the whole jump at the place of the jump, and falls to zero a few views on either side, where both
+groups lie on the same side of it.  The place that fits all turns best is told together with those that fit nearly as well.
 """
 
 from __future__ import annotations
@@ -13,14 +13,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.acquisition.view_motion import reference_surface, view_motion
-from scanner_core.geometry.view_matching import overlapping_pairs
 
 Array = NDArray[np.float64]
 
-_PARTNERS = 4
+_GROUP = 3
+"""Views on either side: one alone may be too sparse for a surface."""
 _WITHIN = 6.0
 """Chi-square over the best: places up to there are told as possible (about 2.4 standard deviations)."""
 _SYSTEMATIC_MM = 2e-3
+_SHAPE = 0.15
+"""What the linear fall is off by, in parts of the jump: views overlap their neighbours most."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,23 +35,24 @@ class Jump:
 
 
 def locate_jump(views: list[Array], turn_rad: float) -> Jump | None:
-    """Where views (n, 3) mm in their order jumped by `turn_rad` about the object frame's z; None when no pair of views tells.
-
-    The jump of the last views against the first, closed turn included, holds for every place and says nothing.
-    """
-    surfaces = [reference_surface(points) for points in views]
+    """Where views (n, 3) mm in their order jumped by `turn_rad` about the object frame's z; None when their shapes do not tell."""
+    count = len(views)
     turns = []
-    for first, second in overlapping_pairs(views, _PARTNERS):
-        if first < second:
-            motion = view_motion(views[second], surfaces[first])
-            turn = None if motion is None else motion.turn_about_z(_SYSTEMATIC_MM)
-            if turn is not None:
-                turns.append((first, second, -turn[0], turn[1]))
+    for place in range(1, count):
+        before, after = views[max(0, place - _GROUP) : place], views[place : place + _GROUP]
+        motion = view_motion(np.concatenate(after), reference_surface(np.concatenate(before)))
+        turn = None if motion is None else motion.turn_about_z(_SYSTEMATIC_MM)
+        if turn is not None:
+            turns.append((place, -turn[0], float(np.hypot(turn[1], _SHAPE * turn_rad))))
     if not turns:
         return None
-    places = range(1, len(views))
-    misfit = np.array([sum(((t - turn_rad * (i < place <= j)) / u) ** 2 for i, j, t, u in turns) for place in places])
+    misfit = np.array([_misfit(turns, jump, turn_rad) for jump in range(1, count)])
     fits = np.flatnonzero(misfit - misfit.min() <= _WITHIN)
     if len(fits) == len(misfit) and len(misfit) > 2:
         return None
     return Jump(1 + int(misfit.argmin()), 1 + int(fits[0]), 1 + int(fits[-1]))
+
+
+def _misfit(turns: list[tuple[int, float, float]], jump: int, turn_rad: float) -> float:
+    """Chi-square of a jump before view `jump`."""
+    return sum(((turn - turn_rad * max(0.0, 1 - abs(place - jump) / _GROUP)) / u) ** 2 for place, turn, u in turns)

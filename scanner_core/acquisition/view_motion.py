@@ -108,8 +108,10 @@ class ViewMotion:
 
 def reference_surface(points: Array) -> LocalSurface:
     """The surface under points (n, 3) mm, with as many neighbours as their noise asks for."""
-    probe = points[:: max(1, len(points) // 150)]
     surface = LocalSurface(points)
+    if len(points) <= NEIGHBOURS:
+        return surface
+    probe = points[:: max(1, len(points) // 150)]
     for neighbours in _NEIGHBOURS[1:]:
         if np.mean(surface.distance(probe).valid) >= _MOSTLY:
             break

@@ -42,6 +42,9 @@ _WORST_TURN_DEG = 0.2
 _CLOSURE_SYSTEMATIC_MM = 1e-3
 """Between two measurements of the same surface at the same table angle."""
 _EXPLAINED = 0.9
+_ROUND_MM = 2.0
+_ENOUGH = 6000
+"""Points of the earlier surface; more cost time and tell no more."""
 _CLOSURE_EXPLAINED = 0.6
 _DECIDED = 9.0
 """Difference of chi-square between two explanations that decides."""
@@ -140,7 +143,7 @@ class ViewWatch:
         if not self._earlier:
             self._earlier.append(points)
             return False
-        surface = reference_surface(np.concatenate(self._earlier))
+        surface = reference_surface(self._near(points))
         tried = [(moves, view_motion(_moved(moves, points, table_deg), surface)) for moves in self._explanations()]
         judged = [(moves, motion) for moves, motion in tried if motion is not None]
         if not judged:
@@ -167,7 +170,7 @@ class ViewWatch:
         """Compare points (n, 3) of the first table position, measured again, with the same beams' points `before` (n, 3)."""
         if not self._earlier or len(points) < MIN_POINTS:
             return Closure(len(points), False, reason="too few points were measured again")
-        motion = paired_motion(points, before, reference_surface(np.concatenate(self._earlier)))
+        motion = paired_motion(points, before, reference_surface(self._near(before)))
         if motion is None:
             return Closure(len(points), False, reason="the points are too noisy for their spacing")
         shift_um = 1e3 * float(np.linalg.norm(motion.shift_mm))
@@ -189,6 +192,13 @@ class ViewWatch:
         return Closure(motion.points, True, turn_deg, uncertainty_deg, shift_um, closes, lost, at, (earliest, latest))
 
     # ------------------------------------------------------------------------------------------ inner
+    def _near(self, points: Array) -> Array:
+        """What earlier views have shown round these points, thinned to what a comparison needs."""
+        earlier = np.concatenate(self._earlier)
+        low, high = points.min(axis=0) - _ROUND_MM, points.max(axis=0) + _ROUND_MM
+        near: Array = earlier[((earlier >= low) & (earlier <= high)).all(axis=1)]
+        return near[:: 1 + len(near) // _ENOUGH]
+
     def _explanations(self) -> list[list[_Move]]:
         """The moves so far with the last one, if nobody knows yet, kept by the object or by the cameras."""
         if self._moves and self.steps[-1].cause == "unknown" and not self._pending:

@@ -50,15 +50,18 @@ def run_scan(console: Console, rig: OpenRig, request: PlanRequest, store: CaseSt
     """Run a scan to its end, also when Ctrl-C ends it; the result says how it ended."""
     runner = ScanRunner(rig, request, store)
     runner.start()
+    told: set[str] = set()
     while True:
         try:
             while not runner.join(0.1):
                 _show(console, runner)
+                _warn(console, runner, told)
             break
         except KeyboardInterrupt:
             console.say("Stopping: the laser is off, what was measured is kept.")
             runner.cancel()
     console.clear()
+    _warn(console, runner, told)
     if runner.result is None:
         raise RuntimeError("a scan ended without a result")
     return runner.result
@@ -108,6 +111,15 @@ def scan_summary(result: ScanResult) -> list[str]:
         lines.append(f"Views registered: residual {said.residual_before_um:.1f} um before, {said.residual_after_um:.1f} um after the refinement.")
     lines += [f"{'Warning' if found.severity == 'warning' else 'Note'}: {found.sentence} [{found.code}]" for found in result.health.findings]
     return lines
+
+
+def _warn(console: Console, runner: ScanRunner, told: set[str]) -> None:
+    """Say at once what the health monitor notices, each cause once; the summary gives the final figures."""
+    for finding in runner.status().findings:
+        if finding.code not in told and finding.severity == "warning":
+            told.add(finding.code)
+            console.clear()
+            console.say(f"{finding.sentence} [{finding.code}]")
 
 
 def _show(console: Console, runner: ScanRunner) -> None:

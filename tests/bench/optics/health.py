@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.acquisition.epipolar_watch import EpipolarWatch
+from scanner_core.acquisition.jump import locate_jump
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.acquisition.runner import ScanResult, ScanRunner
@@ -27,6 +28,7 @@ from scanner_core.acquisition.view_watch import ViewWatch
 from scanner_core.case.observation import ObservationTable
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import load_preset
+from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.optics.triangulation import Triangulator
 from scanner_core.virtual.disturbances import CameraBumped, Disturbance, Disturbed, LostSteps
@@ -138,6 +140,18 @@ def view_steps(scanned: Scanned, along_px: float, at_view: int, share: float = 0
     return "; ".join(f"view {s.view} (+{s.view - at_view}) {s.shift_um:.0f} um {s.cause}" for s in watch.steps) or "nothing"
 
 
+def jump_found(scanned: Scanned, lost_deg: float, at_view: int) -> str:
+    """Where a jump of the table is found, of which the size is known."""
+    t, views = scanned.table, []
+    seen = Triangulator(scanned.calibration).triangulate(t.left_px, t.right_px, t.left_uncertainty_px, t.right_uncertainty_px)
+    for view in range(int(t.view.max()) + 1):
+        rows = t.view == view
+        turn = RigidTransform.about_z(lost_deg if view >= at_view else 0.0)
+        views.append((turn @ scanned.calibration.rig_to_object(float(t.table_deg[rows][0]))).apply(seen.points[rows]))
+    jump = locate_jump(views, float(np.radians(lost_deg)))
+    return "not told" if jump is None else f"view {jump.view} ({jump.earliest} to {jump.latest})"
+
+
 def lost_steps(preset: str, specimen: str, points: int, views: int, seed: int, at_s: float) -> None:
     for lost_deg in LOST_DEG:
         scanned = scan(preset, specimen, points, views, seed, *([LostSteps(lost_deg, at_s=at_s)] if lost_deg else []))
@@ -182,6 +196,8 @@ def main() -> None:
             for along_px in (0.0, *BUMPS_PX):
                 print(f"  along {along_px} px from view 6: {view_steps(scanned, along_px, 6)}")
             print(f"  along 0.4 px from the middle of view 6: {view_steps(scanned, 0.4, 6, 0.5)}")
+            for lost_deg in LOST_DEG[1:]:
+                print(f"  jump of {lost_deg} deg at view 6: {jump_found(scanned, lost_deg, 6)}")
             print(f"  [{time.process_time() - begin_s:.0f} s of CPU]", flush=True)
 
 
