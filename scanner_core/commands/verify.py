@@ -81,7 +81,7 @@ def _sphere(given: argparse.Namespace, rig: OpenRig, bar: Bar) -> Outcome:
         f"residual {result.residual_rms_um:.1f} um rms, D95 {result.dispersion_um:.1f} um, coverage to {result.coverage_deg:.0f} deg from the top.",
         *_decided(result.characteristics(), result.verdict),
     ]
-    if not result.covered:
+    if not result.covered and result.verdict is Verdict.UNDECIDED:
         summary.append("The coverage is below what is required, so nothing is proved.")
     parameters = (("Views", f"{given.views} per acquisition"), ("Asked for", f"{given.points} points per acquisition"))
     write = partial(sphere_certificate, result)
@@ -104,7 +104,7 @@ def _acceptance(given: argparse.Namespace, rig: OpenRig, bar: Bar) -> Outcome:
         *_decided(result.characteristics(), result.verdict),
         *result.notes(),
     ]
-    if not result.complete:
+    if not result.complete and result.verdict is Verdict.UNDECIDED:
         summary.append("Positions or coverage are less than what is required, so nothing is proved.")
     parameters = (("Views", f"{given.views} per position"), ("Asked for", f"{given.points} points per position"))
     write = partial(acceptance_certificate, result)
