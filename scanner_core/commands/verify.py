@@ -9,6 +9,7 @@ from pathlib import Path
 
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
 from scanner_core.commands.console import Console
+from scanner_core.commands.scanning import faults, without_terms
 from scanner_core.commands.verifying import Bar, Outcome, Session, part
 from scanner_core.devices.rig import load_rig_or_preset
 from scanner_core.errors import CalibrationError
@@ -22,12 +23,12 @@ from scanner_core.virtual.specimens import load_specimen
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
-    config = load_rig_or_preset(given.rig)
+    config = without_terms(load_rig_or_preset(given.rig), given.without)
     if config.calibration is None:
         raise CalibrationError("E-CAL-02")
     session = Session.prepare(console, config, given.rig, config.calibration, given.test, given.seed, given.out, given.force)
     measure = {"static": _static, "sphere": _sphere, "acceptance": _acceptance}[given.test]
-    with open_rig(config, None, given.speed, given.seed) as rig:
+    with open_rig(config, None, given.speed, given.seed, faults(given) if config.virtual else ()) as rig:
         try:
             outcome = measure(given, rig, Bar(console, given.test))
         finally:

@@ -168,7 +168,12 @@ class Session:
         return about | outcome.values | {"seconds": round(time.monotonic() - self.began_s, 2)}
 
     def _remember(self, entry: HistoryEntry) -> tuple[list[HistoryEntry], str | None]:
-        """Append to the rig's history; where that is not possible, say so and go on with this result alone."""
+        """Append to the rig's history; where that is not possible, say so and go on with this result alone.
+
+        A virtual rig with parts of its image model changed is another rig: its results are not the history's.
+        """
+        if self.config.image_model:
+            return [entry], None
         path = history_path(self.rig)
         try:
             append_history(path, entry)

@@ -156,9 +156,10 @@ def acceptance_page(result: AcceptanceResult, on: Occasion) -> Page:
     discarded = sum(sphere.discarded for sphere in result.spheres)
     page.paragraph(
         f"A ball bar was scanned in {len(result.bars)} positions of the volume, its views together by the turntable's axis: "
-        f"{len(result.spheres)} places of a sphere, {len(result.bars)} distances. Spheres by least squares; {discarded} of {sum(s.points + s.discarded for s in result.spheres)} "
-        f"points discarded (0.3 % permitted). The worst value of each kind is stated. U holds the artefact's calibration and form and, for size "
-        f"and spacing, the random uncertainty of the fits. {_RULE}"
+        f"{len(result.spheres)} places of a sphere, {len(result.bars)} distances. Spheres by least squares; {discarded} of "
+        f"{sum(s.points + s.discarded for s in result.spheres)} points discarded (0.3 % permitted). "
+        f"The worst value of each kind is stated. U holds the artefact's calibration and form and, for size and "
+        f"spacing, the random uncertainty of the fits. {_RULE}"
     )
     for note in result.notes():
         page.paragraph(note, 7.5)

@@ -320,7 +320,7 @@ def _bench() -> VirtualPreset:
         specular=0.02,
         ambient_dn=1.5,
         backlash_deg=0.02,
-        warm_up_px=(0.03, 0.02),
+        warm_up_px=(0.008, 0.005),
         warm_up_s=900.0,
     )
 
@@ -392,7 +392,7 @@ def _workshop() -> VirtualPreset:
         specular=0.02,
         ambient_dn=1.0,
         backlash_deg=0.02,
-        warm_up_px=(0.04, 0.04),
+        warm_up_px=(0.015, 0.015),
         warm_up_s=900.0,
     )
 
