@@ -31,6 +31,7 @@ from scanner_core.acquisition.planning import closing_plan, locating_plan, scan_
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.acquisition.row_scan import RowScan
 from scanner_core.acquisition.status import FinishReason, ScanCounts, ScanState, ScanStatus
+from scanner_core.acquisition.sweep_exposure import exposed_for
 from scanner_core.acquisition.tally import Tally
 from scanner_core.acquisition.views import RegisteredViews, register_case
 from scanner_core.case.store import CaseStore
@@ -264,6 +265,10 @@ class ScanRunner:
         self._store.end_scan(run.scan_id, finished, run.tally.counts())
 
     def _follow(self, run: _Pass, left: CaptureThread, right: CaptureThread) -> None:
+        with exposed_for(self._rig, run.plan):
+            self._follow_views(run, left, right)
+
+    def _follow_views(self, run: _Pass, left: CaptureThread, right: CaptureThread) -> None:
         """Scan every view of a plan; a quota that a view could not fill is carried to the next."""
         owed = 0
         for number, view in enumerate(run.plan.views):
