@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from scanner_core.case.observation import ObservationTable
 from scanner_core.case.store import CaseStore
@@ -18,8 +19,12 @@ from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.geometry.surface_scatter import excess_scatter_mm
 from scanner_core.optics.calibration import StereoCalibration
+from scanner_core.optics.calibration_uncertainty import systematic_covariance
 from scanner_core.optics.noise_model import CentroidNoise, NoiseModel, along_axes, fit_centroid_noise
 from scanner_core.optics.triangulation import Triangulator
+
+_SHARED_MM = 0.6
+"""Points nearer than a laser spot's diameter are measured with partly the same light."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,10 +59,23 @@ def triangulate_observations(
             transform = corrections[int(view)] @ transform
         points[here] = transform.apply(seen.points[here])
         covariances[here] = transform.rotate_covariances(seen.covariances[here])
-    surface_mm = excess_scatter_mm(points, covariances)
+    surface_mm = excess_scatter_mm(points, covariances, _SHARED_MM)
     covariances += surface_mm**2 * np.eye(3)
+    covariances += _by_calibration(calibration, seen.points, table.table_deg)
     cloud = PointCloud(points, covariances, table.view.copy(), table.trigger_id.copy())
     return MeasuredCloud(cloud, replace(noise, surface_um=1e3 * surface_mm))
+
+
+def _by_calibration(calibration: StereoCalibration, in_rig: NDArray[np.float64], table_deg: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Covariances (n, 3, 3) mm^2, object frame, of points (n, 3) mm of the rig frame by the calibration's uncertainty.
+
+    It is common to neighbouring points, so it is no scatter, and no registration takes it out.
+    """
+    systematic = systematic_covariance(calibration, in_rig)
+    for angle in np.unique(table_deg):
+        here = table_deg == angle
+        systematic[here] = RigidTransform.about_z(-float(angle)).rotate_covariances(systematic[here])
+    return systematic
 
 
 def case_calibration(store: CaseStore, calibration_id: str) -> StereoCalibration:

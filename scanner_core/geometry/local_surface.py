@@ -59,8 +59,8 @@ class LocalSurface:
             reach = self._tree.query(points, neighbours)[0][:, -1]
             self._max_reach = 2.0 * float(np.median(reach))
 
-    def distance(self, places: Array) -> SurfaceDistance:
-        """Distance of places (m, 3) mm to the surface."""
+    def distance(self, places: Array, apart_mm: float = 0.0) -> SurfaceDistance:
+        """Distance of places (m, 3) mm to the surface by the neighbours that are at least `apart_mm` away."""
         m = len(places)
         if self._tree is None or m == 0:
             return SurfaceDistance(np.zeros(m), np.zeros((m, 3)), np.ones(m), np.ones(m), np.zeros(m, bool))
@@ -68,6 +68,7 @@ class LocalSurface:
         reach = far[:, -1]
         about = self.points[index] - places[:, None]  # (m, k, 3)
         weight = np.exp(-2.0 * (far / reach[:, None]) ** 2)
+        weight[(far < apart_mm) & (reach > apart_mm)[:, None]] = 0.0
         weight /= weight.sum(axis=1, keepdims=True)
         middle = (weight[..., None] * about).sum(axis=1)
         spread = about - middle[:, None]
