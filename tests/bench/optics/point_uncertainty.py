@@ -41,8 +41,13 @@ CHANGES: dict[str, dict[str, Any]] = {
 
 
 def z_scores(preset: str, changes: dict[str, Any], specimen: str, points: int, views: int, seed: int) -> tuple[np.ndarray, np.ndarray, NoiseModel]:
-    """z (n,), signed errors (n,) um and the noise that the scan found; the shipped calibration is used."""
+    """z (n,), signed errors (n,) um and the noise that the scan found; the shipped calibration is used.
+
+    A changed `exposure_ms` is also the cameras', so that a spot stays as bright.
+    """
     config, body = load_preset(preset), load_specimen(specimen)
+    exposure_ms = changes.get("exposure_ms", config.left.exposure_ms)
+    config = replace(config, left=replace(config.left, exposure_ms=exposure_ms), right=replace(config.right, exposure_ms=exposure_ms))
     shipped = presets.PRESETS[preset]
     presets.PRESETS[preset] = replace(shipped, **changes)
     try:

@@ -66,7 +66,7 @@ def main() -> None:
         for defocus_mm in (0.1, 0.2, 0.4):
             blurred = Lens(sin_u, defocus_mm)
             spread = np.array([blurred.centroids(rng, np.zeros(1)) for _ in range(given.surfaces)]).std()
-            print(f"   out of focus by a blur of {1e3 * defocus_mm:.0f} um (standard deviation on the surface): centroid {1e3 * spread:.1f} um", flush=True)
+            print(f"   out of focus by a blur of {1e3 * defocus_mm:.0f} um (sigma, on the surface): centroid {1e3 * spread:.1f} um", flush=True)
 
 
 if __name__ == "__main__":
