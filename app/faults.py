@@ -11,6 +11,7 @@ from types import TracebackType
 
 from PySide6.QtCore import QCoreApplication
 
+from scanner_core.acquisition.finding import Finding
 from scanner_core.errors import ImprontaError
 from scanner_core.sentences import SENTENCES
 
@@ -55,6 +56,13 @@ def sentence_of(fault: BaseException) -> tuple[str, str]:
         QCoreApplication.translate("faults", "Something unexpected happened ({kind}).").format(kind=type(fault).__name__),
         QCoreApplication.translate("faults", "What was measured is kept; the details help us to mend it."),
     )
+
+
+def finding_words(finding: Finding) -> str:
+    """What a scan noticed and what to do, in the window's language."""
+    sentence = SENTENCES[finding.code]
+    translate = QCoreApplication.translate
+    return f"{translate('sentences', sentence.what)} {translate('sentences', sentence.do)}".format(**finding.fields)
 
 
 def details_of(fault: BaseException) -> str:

@@ -7,6 +7,7 @@ import time
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import QGridLayout, QProgressBar, QWidget
 
+from app.faults import finding_words
 from app.services import Services
 from app.views import format as fmt
 from app.views.camera_preview import CameraPreview
@@ -43,6 +44,9 @@ class ScanPage(Page):
         self._step = label("", "muted")
         box.addWidget(self._bar)
         box.addWidget(self._step)
+        self.health = label("", "bad", wrap=True)
+        self.health.hide()
+        box.addWidget(self.health)
         self._previews = {"left": CameraPreview(self.tr("Camera left")), "right": CameraPreview(self.tr("Camera right"))}
         self._told_s = 0.0
         self._shown_s = dict.fromkeys(self._previews, 0.0)
@@ -140,8 +144,18 @@ class ScanPage(Page):
             self._left.show_number(fmt.left_time(status.seconds_left))
             self._bar.setValue(round(1000 * self._fraction(status)))
             self._step.setText(self._sentence(status))
+        self._show_health(status)
         self._show_rejected(status)
         self._show_buttons()
+
+    def _show_health(self, status: ScanStatus | None) -> None:
+        """The newest warning, and how many more there are; all of them on the pointer."""
+        warnings = [finding for finding in (() if status is None else status.findings) if finding.severity == "warning"]
+        told = [finding_words(finding) for finding in warnings]
+        more = self.tr("  (and {count} more)").format(count=len(told) - 1) if len(told) > 1 else ""
+        self.health.setText(told[-1] + more if told else "")
+        self.health.setToolTip("\n\n".join(told))
+        self.health.setVisible(bool(told))
 
     def _fraction(self, status: ScanStatus) -> float:
         """By points while they are counted against a wish, by trigger ids otherwise."""
