@@ -1,0 +1,201 @@
+"""The calibration in use: accepted or not, how good, how old, what it rests on, what it found, and what has moved."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFileDialog, QFrame, QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
+
+from app.controllers.rig import RigController
+from app.faults import sentence_of
+from app.views import format as fmt
+from app.views.calibration_words import age_of, age_text, bar_text, change_texts, expired_text, finding_text, scale_text
+from app.views.parts import BigNumber, Lamp, button, give_role, label, row, seam
+
+
+class CalibrationPanel(QWidget):
+    """The right half of the Rig page while nothing is calibrated."""
+
+    def __init__(self, rig: RigController) -> None:
+        super().__init__()
+        self._rig = rig
+        self._shown: object = None
+        self._state = Lamp()
+        self._notice = label("", "notice", wrap=True)
+        self._accuracy = BigNumber(self.tr("µm rms at board corners that were not used"), "hero")
+        self._calibrated = label("", "muted", wrap=True)
+        self._sentences = QVBoxLayout()
+        self._sentences.setSpacing(8)
+        self._told: list[QLabel] = []
+        self._numbers: dict[str, QLabel] = {}
+        self._written = label("", "muted", wrap=True)
+        self._written.hide()
+        self._calibrate = button(self.tr("Calibrate"), "primary", rig.calibrate, "calibrate", "#0b1f1b")
+        self._target = button(self.tr("Print the target…"), "", self._choose_target, "export")
+        inside = QWidget()
+        box = QVBoxLayout(inside)
+        box.setContentsMargins(36, 34, 36, 12)
+        box.setSpacing(0)
+        box.addLayout(row(label(self.tr("Calibration"), "section"), 1, self._state))
+        box.addWidget(self._accuracy)
+        box.addSpacing(4)
+        box.addWidget(self._calibrated)
+        box.addSpacing(12)
+        box.addWidget(self._notice)
+        box.addSpacing(14)
+        box.addWidget(seam())
+        box.addSpacing(14)
+        box.addLayout(self._table())
+        box.addSpacing(14)
+        self._line = seam()
+        box.addWidget(self._line)
+        box.addSpacing(14)
+        box.addLayout(self._sentences)
+        box.addStretch(1)
+        scroll = QScrollArea()
+        scroll.setWidgetResizable(True)
+        scroll.setFrameShape(QFrame.Shape.NoFrame)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        scroll.setWidget(inside)
+        scroll.viewport().setAutoFillBackground(False)
+        inside.setAutoFillBackground(False)
+        below = QVBoxLayout()
+        below.setContentsMargins(36, 8, 36, 24)
+        below.setSpacing(10)
+        below.addWidget(self._written)
+        below.addLayout(row(self._calibrate, self._target, 1))
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(0)
+        whole.addWidget(scroll, 1)
+        whole.addLayout(below)
+        rig.target.changed.connect(self._show_target)
+        rig.target.written.connect(self._tell_written)
+
+    def _table(self) -> QGridLayout:
+        grid = QGridLayout()
+        grid.setVerticalSpacing(8)
+        grid.setColumnStretch(0, 1)
+        for line, (key, name) in enumerate(
+            (
+                ("scale", self.tr("Scale")),
+                ("bar", self.tr("Length bar where it took no part")),
+                ("position", self.tr("Turntable axis, position")),
+                ("angle", self.tr("Turntable axis, angle")),
+                ("reprojection", self.tr("Reprojection error")),
+                ("views", self.tr("Views of the board")),
+                ("id", self.tr("Identity")),
+            )
+        ):
+            self._numbers[key] = label("", "", selectable=True)
+            grid.addWidget(label(name, "muted"), line, 0)
+            grid.addWidget(self._numbers[key], line, 1, Qt.AlignmentFlag.AlignRight)
+        return grid
+
+    # -------------------------------------------------------------------------------- showing
+    @property
+    def sentences(self) -> list[str]:
+        """All that is said in whole sentences, from above."""
+        return [shown.text() for shown in (self._notice, *self._told) if shown.text()]
+
+    @property
+    def state(self) -> str:
+        """The word of the lamp."""
+        return self._state.text
+
+    def show_calibration(self) -> None:
+        """The rig's calibration, and what came of the last one."""
+        snapshot = self._rig.snapshot
+        self._calibrate.setEnabled(snapshot.connected and not snapshot.busy and snapshot.calibrating is None)
+        self._show_target()
+        days = "" if snapshot.calibration is None else age_text(age_of(snapshot.calibration))
+        shown = (snapshot.calibration, snapshot.found, snapshot.refused, days)
+        if shown == self._shown:
+            return
+        self._shown = shown
+        self._show_notice()
+        self._show_numbers()
+        self._show_sentences()
+
+    def _show_notice(self) -> None:
+        snapshot = self._rig.snapshot
+        calibration, refused = snapshot.calibration, snapshot.refused
+        age = None if calibration is None else age_of(calibration)
+        text = "" if calibration is None else expired_text(age)
+        if refused is not None:
+            self._state.show_state("warn", self.tr("New calibration not accepted"))
+            stays = self.tr("Without a calibration the rig cannot scan.")
+            if calibration is not None:
+                stays = self.tr("The calibration of {date} stays in use.").format(date=fmt.day(calibration.date))
+            text = "\n".join(part for part in (sentence_of(refused)[0], f"{stays} {text}".strip()) if part)
+        elif calibration is None:
+            self._state.show_state("warn", self.tr("Not calibrated"))
+        elif snapshot.found is not None:
+            mood, words = age_text(age)
+            self._state.show_state(mood, self.tr("Accepted  ·  {age}").format(age=words))
+        else:
+            self._state.show_state(*age_text(age))
+        self._notice.setText(text)
+        self._notice.setVisible(bool(text))
+
+    def _show_numbers(self) -> None:
+        calibration = self._rig.snapshot.calibration
+        if calibration is None:
+            self._accuracy.show_number(fmt.NO_VALUE)
+            self._calibrated.setText(self.tr("Not calibrated yet: show the board to both cameras before the first scan."))
+            for shown in self._numbers.values():
+                give_role(shown, "")
+                shown.setText(fmt.NO_VALUE)
+            return
+        self._accuracy.show_number(fmt.micrometres(calibration.held_out_rms_um))
+        self._calibrated.setText(self.tr("Calibrated on {date}, {age}.").format(date=fmt.day(calibration.date), age=fmt.age(calibration.date)))
+        role, words = scale_text(calibration.scale)
+        give_role(self._numbers["scale"], role)
+        self._numbers["scale"].setText(words)
+        self._numbers["bar"].setText(bar_text(calibration.scale))
+        self._numbers["reprojection"].setText(f"{calibration.reprojection_rms_px:.3f} px")
+        self._numbers["views"].setText(str(calibration.views))
+        self._numbers["angle"].setText(f"{calibration.turntable.angle_rms_deg:.4f}°")
+        self._numbers["position"].setText(f"{calibration.turntable.position_rms_um:.1f} µm")
+        self._numbers["id"].setText(calibration.identity())
+
+    def _show_sentences(self) -> None:
+        for shown in self._told:
+            self._sentences.removeWidget(shown)
+            shown.deleteLater()
+        snapshot = self._rig.snapshot
+        told: list[tuple[str, str]] = []
+        if snapshot.calibration is not None:
+            from scanner_core.optics.calibration_result import scale_findings
+
+            found = scale_findings(snapshot.calibration) if snapshot.found is None else snapshot.found.found()
+            told += [("bad" if finding.kind.limits else "", finding_text(finding)) for finding in sorted(found, key=lambda f: not f.kind.limits)]
+        if snapshot.found is not None and snapshot.found.change is not None:
+            change = snapshot.found.change
+            told.append(("section", self.tr("Since the previous calibration")))
+            effect, moved = change_texts(change)
+            told += [("bad" if change.significant else "", effect), *(("muted", text) for text in moved)]
+        self._told = [label(text, role, wrap=True) for role, text in told]
+        for shown in self._told:
+            self._sentences.addWidget(shown)
+        self._line.setVisible(bool(told))
+
+    # -------------------------------------------------------------------------------- the target
+    def _choose_target(self) -> None:
+        start = str(Path.home() / "impronta-target.pdf")
+        path, _ = QFileDialog.getSaveFileName(self, self.tr("The calibration target as a page to print"), start, self.tr("PDF (*.pdf)"))
+        if path:
+            self._rig.target.write(Path(path) if Path(path).suffix else Path(path).with_suffix(".pdf"))
+
+    def _show_target(self) -> None:
+        self._target.setEnabled(not self._rig.target.busy)
+        if self._rig.target.busy:
+            self._written.hide()
+
+    def _tell_written(self, path: str) -> None:
+        from scanner_core.optics.printable_target import RULER_MM
+
+        text = self.tr("Written to {path}. Print it at 100 % and check that its ruler measures {ruler} mm.")
+        self._written.setText(text.format(path=fmt.short_path(path), ruler=f"{RULER_MM:g}"))
+        self._written.show()
