@@ -27,7 +27,7 @@ class BoardPicture(CameraPreview):
         self._good = False
 
     def show_look(self, frame: Frame, corners_px: NDArray[np.float64] | None, words: str, *, good: bool) -> None:
-        """A frame with corners (n, 2) px and a few words; amber words when it is not `good`."""
+        """A frame with corners (n, 2) px and a few words, which are large and amber when it is not `good`."""
         self._corners_px, self.words, self._good = corners_px, words, good
         self.setAccessibleDescription(words)
         self.show_frame(frame)
@@ -42,22 +42,28 @@ class BoardPicture(CameraPreview):
             painter.setPen(QPen(QColor(ACCENT), 1.5))
             for x, y in self._corners_px:
                 painter.drawEllipse(self._on_widget(float(x), float(y)), _RADIUS, _RADIUS)
-        if self.words:
+        if self.words and not self._good:
             self._pill(painter)
 
+    def _caption(self, painter: QPainter) -> None:
+        super()._caption(painter)
+        if self.words and self._good:
+            painter.setPen(QColor(GOOD))
+            painter.drawText(self.rect().adjusted(8, 5, -8, -5), Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop, self.words)
+
     def _pill(self, painter: QPainter) -> None:
-        """The words on a dark ground, in the middle below."""
+        """What is wrong, on a dark ground in the middle below: it is read from where the board is held."""
         font = painter.font()
-        font.setPixelSize(14)
-        font.setBold(not self._good)
+        font.setPixelSize(16)
+        font.setBold(True)
         painter.setFont(font)
-        width = min(painter.fontMetrics().horizontalAdvance(self.words) + 26, self.width() - 16)
-        box = QRectF((self.width() - width) / 2, self.height() - 38, width, 28)
+        width = min(painter.fontMetrics().horizontalAdvance(self.words) + 32, self.width() - 16)
+        box = QRectF((self.width() - width) / 2, self.height() - 46, width, 34)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(QColor(16, 18, 20, 215))
-        painter.drawRoundedRect(box, 14, 14)
+        painter.drawRoundedRect(box, 17, 17)
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(QColor(GOOD if self._good else WARNING))
+        painter.setPen(QColor(WARNING))
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, self.words)
 
     def _on_widget(self, x_px: float, y_px: float) -> QPointF:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QGridLayout, QProgressBar, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QProgressBar, QVBoxLayout, QWidget
 
 from app.controllers.calibration import BoardLook
 from app.controllers.rig import RigController
 from app.views import format as fmt
 from app.views.board_words import missing_texts
 from app.views.coverage_map import CoverageMap
+from app.views.facts import Facts
 from app.views.parts import BigNumber, button, column, label, row, seam
 from scanner_core.optics.board_watch import SIDES, Side
 
@@ -34,15 +34,7 @@ class CalibratingPanel(QWidget):
         for side in SIDES:
             caption = row(label(names[side], "unit"), 1, self._counts[side])
             maps.addLayout(column(self.maps[side], caption, spacing=6), 1)
-        self._tilt, self._distance = label(), label()
-        spread = QGridLayout()
-        spread.setVerticalSpacing(8)
-        spread.setColumnStretch(0, 1)
-        for line, (name, value) in enumerate(
-            ((self.tr("Largest tilt between two boards"), self._tilt), (self.tr("Distances of the board"), self._distance))
-        ):
-            spread.addWidget(label(name, "muted"), line, 0)
-            spread.addWidget(value, line, 1, Qt.AlignmentFlag.AlignRight)
+        self.spread = Facts()
         self._missing = [label("", wrap=True) for _ in range(_SHOWN_WISHES)]
         self._more = label("", "muted")
         self._cancel = button(self.tr("Cancel"), "", rig.cancel_calibration)
@@ -63,7 +55,7 @@ class CalibratingPanel(QWidget):
         box.addSpacing(10)
         box.addLayout(maps)
         box.addSpacing(14)
-        box.addLayout(spread)
+        box.addWidget(self.spread)
         box.addSpacing(16)
         box.addWidget(seam())
         box.addSpacing(16)
@@ -85,8 +77,7 @@ class CalibratingPanel(QWidget):
         self._show_missing([])
         for side in SIDES:
             self._counts[side].setText("")
-        self._tilt.setText(fmt.NO_VALUE)
-        self._distance.setText(fmt.NO_VALUE)
+        self._show_spread(None, None)
 
     def show_progress(self) -> None:
         """How far it is."""
@@ -110,12 +101,15 @@ class CalibratingPanel(QWidget):
             height, width = look.frames[side].image.shape
             self.maps[side].show_covered(covered, (width, height))
             self._counts[side].setText(self.tr("{n} of {count} fields").format(n=int(covered.sum()), count=covered.size))
-        self._tilt.setText(fmt.NO_VALUE if watch.tilt_deg is None else f"{watch.tilt_deg:.0f}°")
-        near_far = watch.distance_mm
-        self._distance.setText(
-            fmt.NO_VALUE if near_far is None else self.tr("{near} to {far} mm").format(near=f"{near_far[0]:.0f}", far=f"{near_far[1]:.0f}")
-        )
+        self._show_spread(watch.tilt_deg, watch.distance_mm)
         self._show_missing(missing_texts(watch))
+
+    def _show_spread(self, tilt_deg: float | None, distance_mm: tuple[float, float] | None) -> None:
+        tilt = fmt.NO_VALUE if tilt_deg is None else f"{tilt_deg:.0f}°"
+        distance = fmt.NO_VALUE
+        if distance_mm is not None:
+            distance = self.tr("{near} to {far} mm").format(near=f"{distance_mm[0]:.0f}", far=f"{distance_mm[1]:.0f}")
+        self.spread.show_facts(((self.tr("Largest tilt between two boards"), tilt, ""), (self.tr("Distances of the board"), distance, "")))
 
     def _show_missing(self, texts: list[str]) -> None:
         for place, shown in enumerate(self._missing):

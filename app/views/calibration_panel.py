@@ -5,13 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFileDialog, QFrame, QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from app.controllers.rig import RigController
 from app.faults import sentence_of
 from app.views import format as fmt
-from app.views.calibration_words import age_of, age_text, bar_text, change_texts, expired_text, finding_text, scale_text
-from app.views.parts import BigNumber, Lamp, button, give_role, label, row, seam
+from app.views.calibration_words import age_of, age_text, calibration_facts, change_facts, change_text, expired_text, finding_text
+from app.views.facts import Facts
+from app.views.parts import BigNumber, Lamp, button, label, row, seam
 
 
 class CalibrationPanel(QWidget):
@@ -28,7 +29,7 @@ class CalibrationPanel(QWidget):
         self._sentences = QVBoxLayout()
         self._sentences.setSpacing(8)
         self._told: list[QLabel] = []
-        self._numbers: dict[str, QLabel] = {}
+        self.numbers, self.moved = Facts(), Facts()
         self._written = label("", "muted", wrap=True)
         self._written.hide()
         self._calibrate = button(self.tr("Calibrate"), "primary", rig.calibrate, "calibrate", "#0b1f1b")
@@ -46,12 +47,14 @@ class CalibrationPanel(QWidget):
         box.addSpacing(14)
         box.addWidget(seam())
         box.addSpacing(14)
-        box.addLayout(self._table())
+        box.addWidget(self.numbers)
         box.addSpacing(14)
         self._line = seam()
         box.addWidget(self._line)
         box.addSpacing(14)
         box.addLayout(self._sentences)
+        box.addSpacing(8)
+        box.addWidget(self.moved)
         box.addStretch(1)
         scroll = QScrollArea()
         scroll.setWidgetResizable(True)
@@ -72,26 +75,6 @@ class CalibrationPanel(QWidget):
         whole.addLayout(below)
         rig.target.changed.connect(self._show_target)
         rig.target.written.connect(self._tell_written)
-
-    def _table(self) -> QGridLayout:
-        grid = QGridLayout()
-        grid.setVerticalSpacing(8)
-        grid.setColumnStretch(0, 1)
-        for line, (key, name) in enumerate(
-            (
-                ("scale", self.tr("Scale")),
-                ("bar", self.tr("Length bar where it took no part")),
-                ("position", self.tr("Turntable axis, position")),
-                ("angle", self.tr("Turntable axis, angle")),
-                ("reprojection", self.tr("Reprojection error")),
-                ("views", self.tr("Views of the board")),
-                ("id", self.tr("Identity")),
-            )
-        ):
-            self._numbers[key] = label("", "", selectable=True)
-            grid.addWidget(label(name, "muted"), line, 0)
-            grid.addWidget(self._numbers[key], line, 1, Qt.AlignmentFlag.AlignRight)
-        return grid
 
     # -------------------------------------------------------------------------------- showing
     @property
@@ -144,21 +127,11 @@ class CalibrationPanel(QWidget):
         if calibration is None:
             self._accuracy.show_number(fmt.NO_VALUE)
             self._calibrated.setText(self.tr("Not calibrated yet: show the board to both cameras before the first scan."))
-            for shown in self._numbers.values():
-                give_role(shown, "")
-                shown.setText(fmt.NO_VALUE)
+            self.numbers.show_facts(())
             return
         self._accuracy.show_number(fmt.micrometres(calibration.held_out_rms_um))
         self._calibrated.setText(self.tr("Calibrated on {date}, {age}.").format(date=fmt.day(calibration.date), age=fmt.age(calibration.date)))
-        role, words = scale_text(calibration.scale)
-        give_role(self._numbers["scale"], role)
-        self._numbers["scale"].setText(words)
-        self._numbers["bar"].setText(bar_text(calibration.scale))
-        self._numbers["reprojection"].setText(f"{calibration.reprojection_rms_px:.3f} px")
-        self._numbers["views"].setText(str(calibration.views))
-        self._numbers["angle"].setText(f"{calibration.turntable.angle_rms_deg:.4f}°")
-        self._numbers["position"].setText(f"{calibration.turntable.position_rms_um:.1f} µm")
-        self._numbers["id"].setText(calibration.identity())
+        self.numbers.show_facts(calibration_facts(calibration))
 
     def _show_sentences(self) -> None:
         for shown in self._told:
@@ -171,14 +144,14 @@ class CalibrationPanel(QWidget):
 
             found = scale_findings(snapshot.calibration) if snapshot.found is None else snapshot.found.found()
             told += [("bad" if finding.kind.limits else "", finding_text(finding)) for finding in sorted(found, key=lambda f: not f.kind.limits)]
-        if snapshot.found is not None and snapshot.found.change is not None:
-            change = snapshot.found.change
+        change = None if snapshot.found is None else snapshot.found.change
+        if change is not None:
             told.append(("section", self.tr("Since the previous calibration")))
-            effect, moved = change_texts(change)
-            told += [("bad" if change.significant else "", effect), *(("muted", text) for text in moved)]
+            told.append(("bad" if change.significant else "", change_text(change)))
         self._told = [label(text, role, wrap=True) for role, text in told]
         for shown in self._told:
             self._sentences.addWidget(shown)
+        self.moved.show_facts([] if change is None else change_facts(change))
         self._line.setVisible(bool(told))
 
     # -------------------------------------------------------------------------------- the target

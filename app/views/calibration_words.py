@@ -8,6 +8,7 @@ from PySide6.QtCore import QCoreApplication
 
 from app.translation import QT_TRANSLATE_NOOP
 from app.views import format as fmt
+from app.views.facts import Fact
 
 if TYPE_CHECKING:
     from scanner_core.optics.calibration import ScaleReference, StereoCalibration
@@ -54,21 +55,31 @@ def expired_text(age: CalibrationAge | None) -> str:
     return _tr(text).format(n=f"{age.days:.0f}")
 
 
-def scale_text(scale: ScaleReference | None) -> tuple[str, str]:
-    """Role of a label, and what the lengths rest on."""
+def calibration_facts(calibration: StereoCalibration) -> list[Fact]:
+    """What it rests on, and how well it fits."""
+    axis, scale = calibration.turntable, calibration.scale
+    facts = [(_tr(QT_TRANSLATE_NOOP("calibration", "Scale")), *_scale_text(scale))]
+    if scale is not None and scale.held_out_ppm is not None:
+        error_um, uncertainty_um = (1e-3 * scale.length_mm * ppm for ppm in scale.held_out_ppm)
+        measured = f"{error_um:+.1f} ± {uncertainty_um:.1f} µm".replace("-", fmt.MINUS)
+        facts.append((_tr(QT_TRANSLATE_NOOP("calibration", "Length bar where it took no part")), measured, ""))
+    rows = (
+        (QT_TRANSLATE_NOOP("calibration", "Turntable axis, position"), f"{axis.position_rms_um:.1f} µm"),
+        (QT_TRANSLATE_NOOP("calibration", "Turntable axis, angle"), f"{axis.angle_rms_deg:.4f}°"),
+        (QT_TRANSLATE_NOOP("calibration", "Reprojection error"), f"{calibration.reprojection_rms_px:.3f} px"),
+        (QT_TRANSLATE_NOOP("calibration", "Views of the board"), str(calibration.views)),
+        (QT_TRANSLATE_NOOP("calibration", "Identity"), calibration.identity()),
+    )
+    return facts + [(_tr(name), value, "") for name, value in rows]
+
+
+def _scale_text(scale: ScaleReference | None) -> tuple[str, str]:
+    """What the lengths rest on, and a role."""
     if scale is None or scale.source == "none":
-        return "bad", _tr(QT_TRANSLATE_NOOP("calibration", "not verified"))
+        return _tr(QT_TRANSLATE_NOOP("calibration", "not verified")), "bad"
     if not scale.verified:
-        return "bad", _tr(QT_TRANSLATE_NOOP("calibration", "by the print alone, not verified"))
-    return "good", _tr(QT_TRANSLATE_NOOP("calibration", "verified by the {length} mm bar")).format(length=f"{scale.length_mm:g}")
-
-
-def bar_text(scale: ScaleReference | None) -> str:
-    """How the bar measures where it took no part."""
-    if scale is None or scale.held_out_ppm is None:
-        return fmt.NO_VALUE
-    error_um, uncertainty_um = (1e-3 * scale.length_mm * ppm for ppm in scale.held_out_ppm)
-    return f"{error_um:+.1f} ± {uncertainty_um:.1f} µm"
+        return _tr(QT_TRANSLATE_NOOP("calibration", "by the print alone, not verified")), "bad"
+    return _tr(QT_TRANSLATE_NOOP("calibration", "verified by the {length} mm bar")).format(length=f"{scale.length_mm:g}"), "good"
 
 
 def finding_text(finding: Finding) -> str:
@@ -76,27 +87,28 @@ def finding_text(finding: Finding) -> str:
     return _tr(finding.kind.value).format(**finding.fields)
 
 
-def change_texts(change: CalibrationChange) -> tuple[str, list[str]]:
-    """What the change does to measured shapes, and what moved by how much."""
+def change_text(change: CalibrationChange) -> str:
+    """What the change does to measured shapes, and whether something moved."""
     effect = _tr(QT_TRANSLATE_NOOP("calibration", "Measured shapes change by {rms} µm rms over the volume, {largest} µm at most")).format(
         rms=f"{change.shape_rms_um:.1f}", largest=f"{change.shape_largest_um:.1f}"
     )
     if change.uncertainty_um is None:
-        meaning = _tr(QT_TRANSLATE_NOOP("calibration", "the previous one does not state its uncertainty."))
-    else:
-        more = QT_TRANSLATE_NOOP("calibration", "more than the uncertainty of {u} µm explains: something moved.")
-        no_more = QT_TRANSLATE_NOOP("calibration", "no more than the uncertainty of {u} µm explains.")
-        meaning = _tr(more if change.significant else no_more).format(u=f"{change.uncertainty_um:.1f}")
-    moved = [
-        _tr(QT_TRANSLATE_NOOP("calibration", "Right camera against the left: {apart} µm farther apart, turned by {turned}°.")).format(
-            apart=f"{change.baseline_um:+.0f}", turned=f"{change.turned_deg:.4f}"
-        ),
-        _tr(QT_TRANSLATE_NOOP("calibration", "Axis turned by {turned}°.")).format(turned=f"{change.axis_turned_deg:.4f}"),
-    ]
-    lenses = (
-        QT_TRANSLATE_NOOP("calibration", "Left lens: focal length {f} px, principal point {x}, {y} px."),
-        QT_TRANSLATE_NOOP("calibration", "Right lens: focal length {f} px, principal point {x}, {y} px."),
+        return f"{effect}; " + _tr(QT_TRANSLATE_NOOP("calibration", "the previous one does not state its uncertainty."))
+    more = QT_TRANSLATE_NOOP("calibration", "more than the uncertainty of {u} µm explains: something has moved.")
+    no_more = QT_TRANSLATE_NOOP("calibration", "no more than the uncertainty of {u} µm explains.")
+    return f"{effect}; " + _tr(more if change.significant else no_more).format(u=f"{change.uncertainty_um:.1f}")
+
+
+def change_facts(change: CalibrationChange) -> list[Fact]:
+    """What moved, and by how much."""
+    (left_f, _), (right_f, _) = change.focal_px
+    left_c, right_c = change.principal_px
+    rows = (
+        (QT_TRANSLATE_NOOP("calibration", "Distance between the cameras"), f"{change.baseline_um:+.0f} µm"),
+        (QT_TRANSLATE_NOOP("calibration", "Right camera against the left, turned"), f"{change.turned_deg:.4f}°"),
+        (QT_TRANSLATE_NOOP("calibration", "Turntable axis, turned"), f"{change.axis_turned_deg:.4f}°"),
+        (QT_TRANSLATE_NOOP("calibration", "Focal length, left and right"), f"{left_f:+.2f}, {right_f:+.2f} px"),
+        (QT_TRANSLATE_NOOP("calibration", "Image centre, left"), f"{left_c[0]:+.2f}, {left_c[1]:+.2f} px"),
+        (QT_TRANSLATE_NOOP("calibration", "Image centre, right"), f"{right_c[0]:+.2f}, {right_c[1]:+.2f} px"),
     )
-    for text, focal, principal in zip(lenses, change.focal_px, change.principal_px, strict=True):
-        moved.append(_tr(text).format(f=f"{focal[0]:+.2f}", x=f"{principal[0]:+.2f}", y=f"{principal[1]:+.2f}"))
-    return f"{effect}, {meaning}", moved
+    return [(_tr(name), value.replace("-", fmt.MINUS), "") for name, value in rows]
