@@ -63,8 +63,9 @@ class CalibratingPanel(QWidget):
         box.addSpacing(8)
         box.addLayout(column(*self._missing, self._more, spacing=6))
         box.addStretch(1)
-        box.addLayout(row(self._cancel, self._stays, spacing=14))
-        box.setStretchFactor(self._stays, 1)
+        way_out = row(self._cancel, self._stays, spacing=14)
+        way_out.setStretch(1, 1)
+        box.addLayout(way_out)
         self.clear()
 
     @property
@@ -85,7 +86,9 @@ class CalibratingPanel(QWidget):
         fraction = snapshot.calibrating or 0.0
         self._share.show_number(fmt.percent(fraction))
         self._bar.setValue(round(1000 * fraction))
-        self._left_time.setText(self.tr("{left} left").format(left=fmt.left_time(snapshot.calibration_left_s)))
+        left = self.tr("{left} left").format(left=fmt.left_time(snapshot.calibration_left_s))
+        virtual = snapshot.config is not None and snapshot.config.virtual is not None
+        self._left_time.setText(self.tr("{left}  ·  the virtual rig shows the board by itself").format(left=left) if virtual else left)
         self._cancel.setEnabled(not snapshot.cancelling)
         self._cancel.setText(self.tr("Cancelling…") if snapshot.cancelling else self.tr("Cancel"))
         calibration = snapshot.calibration

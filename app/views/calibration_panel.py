@@ -150,6 +150,8 @@ class CalibrationPanel(QWidget):
             told.append(("bad" if change.significant else "", change_text(change)))
         self._told = [label(text, role, wrap=True) for role, text in told]
         for shown in self._told:
+            if shown.property("role") == "section" and self._sentences.count():
+                shown.setContentsMargins(0, 8, 0, 0)
             self._sentences.addWidget(shown)
         self.moved.show_facts([] if change is None else change_facts(change))
         self._line.setVisible(bool(told))

@@ -64,8 +64,7 @@ def calibration_facts(calibration: StereoCalibration) -> list[Fact]:
         measured = f"{error_um:+.1f} ± {uncertainty_um:.1f} µm".replace("-", fmt.MINUS)
         facts.append((_tr(QT_TRANSLATE_NOOP("calibration", "Length bar where it took no part")), measured, ""))
     rows = (
-        (QT_TRANSLATE_NOOP("calibration", "Turntable axis, position"), f"{axis.position_rms_um:.1f} µm"),
-        (QT_TRANSLATE_NOOP("calibration", "Turntable axis, angle"), f"{axis.angle_rms_deg:.4f}°"),
+        (QT_TRANSLATE_NOOP("calibration", "Turntable axis"), f"{axis.position_rms_um:.1f} µm, {axis.angle_rms_deg:.4f}°"),
         (QT_TRANSLATE_NOOP("calibration", "Reprojection error"), f"{calibration.reprojection_rms_px:.3f} px"),
         (QT_TRANSLATE_NOOP("calibration", "Views of the board"), str(calibration.views)),
         (QT_TRANSLATE_NOOP("calibration", "Identity"), calibration.identity()),
