@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from scanner_core.acquisition.rig_session import OpenRig
     from scanner_core.clock import Speed
     from scanner_core.devices.rig import RigConfig
+    from scanner_core.metrology.history import SphereTrend
     from scanner_core.optics.calibration_result import CalibrationResult
     from scanner_core.virtual.specimens import Specimen
 
@@ -123,7 +124,7 @@ class RigController(QObject):
         except ImprontaError as fault:
             self._background.post(partial(self._refused, fault, before))
             return
-        self._background.post(partial(self._opened, config, specimen))
+        self._background.post(partial(self._opened, config, specimen, self._last_sphere(wanted.preset)))
         self._watch()
         if config.calibration is None:
             self.calibration.begin()
@@ -142,6 +143,17 @@ class RigController(QObject):
             except ImprontaError as fault:
                 self._tell(fault)
         return load_preset(preset)
+
+    def _last_sphere(self, preset: str) -> SphereTrend | None:
+        """The newer one of the tests of the rig as it was shipped and of the rig as it was calibrated here."""
+        from scanner_core.metrology.history import history_path, last_reference_sphere
+
+        try:
+            known = [last_reference_sphere(history_path(rig)) for rig in (preset, str(self._folder / f"{preset}.toml"))]
+        except ImprontaError as fault:
+            self._tell(fault)
+            return None
+        return max((trend for trend in known if trend is not None), key=lambda trend: trend.last.moment, default=None)
 
     def _calibrate(self) -> None:
         rig = self._rig
@@ -194,10 +206,9 @@ class RigController(QObject):
             rig.close()
 
     # -------------------------------------------------------------------------------- back in the GUI thread
-    def _opened(self, config: RigConfig, specimen: Specimen) -> None:
-        self._news(
-            replace(self.snapshot, config=config, connected=True, specimen_radius_mm=specimen.radius_mm, specimen_height_mm=specimen.height_mm)
-        )
+    def _opened(self, config: RigConfig, specimen: Specimen, sphere: SphereTrend | None) -> None:
+        opened = replace(self.snapshot, config=config, connected=True, sphere=sphere)
+        self._news(replace(opened, specimen_radius_mm=specimen.radius_mm, specimen_height_mm=specimen.height_mm))
 
     def _begin_calibration(self) -> None:
         self._news(replace(self.snapshot, calibrating=0.0, calibration_left_s=None, cancelling=False, refused=None))

@@ -10,6 +10,7 @@ from scanner_core.errors import ImprontaError
 
 if TYPE_CHECKING:
     from scanner_core.devices.rig import RigConfig
+    from scanner_core.metrology.history import SphereTrend
     from scanner_core.optics.calibration import StereoCalibration
     from scanner_core.optics.calibration_result import CalibrationResult
 
@@ -28,6 +29,7 @@ class RigSnapshot:
     calibrating, calibration_left_s : progress of the running calibration, 0 to 1, or None; estimate of the rest
     cancelling : the running calibration was asked to end
     found, refused : what the last calibration of this rig has found, or why it was not accepted; None before there is one
+    sphere : the last test with the reference sphere, as of when the rig was opened; None when there is none
     specimen_radius_mm, specimen_height_mm : of what stands on the virtual table
     """
 
@@ -43,6 +45,7 @@ class RigSnapshot:
     cancelling: bool = False
     found: CalibrationResult | None = None
     refused: ImprontaError | None = None
+    sphere: SphereTrend | None = None
     specimen_radius_mm: float | None = None
     specimen_height_mm: float | None = None
 

@@ -21,8 +21,8 @@ class TargetController(QObject):
         self._background, self._tell = background, tell
         self.busy = False
 
-    def write(self, path: Path) -> None:
-        """An existing file is replaced: the file dialog has asked."""
+    def write(self, path: Path, *, replace: bool) -> None:
+        """An existing file only with `replace`."""
         self.busy = True
         self.changed.emit()
 
@@ -31,7 +31,7 @@ class TargetController(QObject):
             from scanner_core.optics.board import DEFAULT_TARGET
             from scanner_core.optics.printable_target import write_target
 
-            with replaced_when_whole(path, force=True) as partial:
+            with replaced_when_whole(path, force=replace) as partial:
                 write_target(partial, DEFAULT_TARGET)
             return str(path)
 

@@ -10,7 +10,17 @@ from PySide6.QtWidgets import QFileDialog, QFrame, QLabel, QScrollArea, QVBoxLay
 from app.controllers.rig import RigController
 from app.faults import sentence_of
 from app.views import format as fmt
-from app.views.calibration_words import age_of, age_text, calibration_facts, change_facts, change_text, expired_text, finding_text
+from app.views.calibration_words import (
+    age_of,
+    age_text,
+    calibration_facts,
+    change_facts,
+    change_text,
+    drift_text,
+    expired_text,
+    finding_text,
+    sphere_fact,
+)
 from app.views.facts import Facts
 from app.views.parts import BigNumber, Lamp, button, label, row, seam
 
@@ -93,7 +103,7 @@ class CalibrationPanel(QWidget):
         self._calibrate.setEnabled(snapshot.connected and not snapshot.busy and snapshot.calibrating is None)
         self._show_target()
         days = "" if snapshot.calibration is None else age_text(age_of(snapshot.calibration))
-        shown = (snapshot.calibration, snapshot.found, snapshot.refused, days)
+        shown = (snapshot.calibration, snapshot.found, snapshot.refused, snapshot.sphere, days)
         if shown == self._shown:
             return
         self._shown = shown
@@ -131,7 +141,8 @@ class CalibrationPanel(QWidget):
             return
         self._accuracy.show_number(fmt.micrometres(calibration.held_out_rms_um))
         self._calibrated.setText(self.tr("Calibrated on {date}, {age}.").format(date=fmt.day(calibration.date), age=fmt.age(calibration.date)))
-        self.numbers.show_facts(calibration_facts(calibration))
+        sphere = self._rig.snapshot.sphere
+        self.numbers.show_facts(calibration_facts(calibration) + ([] if sphere is None else [sphere_fact(sphere)]))
 
     def _show_sentences(self) -> None:
         for shown in self._told:
@@ -143,6 +154,8 @@ class CalibrationPanel(QWidget):
             from scanner_core.optics.calibration_result import scale_findings
 
             found = scale_findings(snapshot.calibration) if snapshot.found is None else snapshot.found.found()
+            drift = drift_text(snapshot.sphere, snapshot.calibration)
+            told += [("bad", drift)] if drift else []
             told += [("bad" if finding.kind.limits else "", finding_text(finding)) for finding in sorted(found, key=lambda f: not f.kind.limits)]
         change = None if snapshot.found is None else snapshot.found.change
         if change is not None:
@@ -161,7 +174,8 @@ class CalibrationPanel(QWidget):
         start = str(Path.home() / "impronta-target.pdf")
         path, _ = QFileDialog.getSaveFileName(self, self.tr("The calibration target as a page to print"), start, self.tr("PDF (*.pdf)"))
         if path:
-            self._rig.target.write(Path(path) if Path(path).suffix else Path(path).with_suffix(".pdf"))
+            chosen = Path(path)  # the dialog has asked whether this very file may be replaced
+            self._rig.target.write(chosen if chosen.suffix else chosen.with_suffix(".pdf"), replace=bool(chosen.suffix))
 
     def _show_target(self) -> None:
         self._target.setEnabled(not self._rig.target.busy)

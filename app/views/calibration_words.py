@@ -11,6 +11,7 @@ from app.views import format as fmt
 from app.views.facts import Fact
 
 if TYPE_CHECKING:
+    from scanner_core.metrology.history import SphereTrend
     from scanner_core.optics.calibration import ScaleReference, StereoCalibration
     from scanner_core.optics.calibration_age import CalibrationAge
     from scanner_core.optics.calibration_change import CalibrationChange
@@ -53,6 +54,24 @@ def expired_text(age: CalibrationAge | None) -> str:
         return ""
     text = QT_TRANSLATE_NOOP("calibration", "This calibration is {n} days old and has expired: cameras creep. Calibrate before you measure.")
     return _tr(text).format(n=f"{age.days:.0f}")
+
+
+def sphere_fact(sphere: SphereTrend) -> Fact:
+    """The last test with the reference sphere."""
+    text = _tr(QT_TRANSLATE_NOOP("calibration", "radius error {size} µm, D95 {d95} µm, {date}"))
+    size = f"{sphere.size_um:+.1f}".replace("-", fmt.MINUS)
+    words = text.format(size=size, d95=fmt.micrometres(sphere.dispersion_um), date=fmt.day(sphere.last.date))
+    return _tr(QT_TRANSLATE_NOOP("calibration", "Reference sphere")), words, ""
+
+
+def drift_text(sphere: SphereTrend | None, calibration: StereoCalibration) -> str:
+    """The sentence for a sphere that by this very calibration measures otherwise than before, or an empty text."""
+    if sphere is None or not sphere.drifted or sphere.size_change_um is None or sphere.last.calibration_id != calibration.identity():
+        return ""
+    text = QT_TRANSLATE_NOOP(
+        "calibration", "The reference sphere measured {change} µm otherwise than in the tests before: calibrate and test it again."
+    )
+    return _tr(text).format(change=f"{sphere.size_change_um:+.1f}".replace("-", fmt.MINUS))
 
 
 def calibration_facts(calibration: StereoCalibration) -> list[Fact]:

@@ -25,6 +25,7 @@ from scanner_core.devices.camera import Frame
 from scanner_core.devices.rig import load_preset
 from scanner_core.errors import CalibrationError
 from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.metrology.history import HistoryEntry, SphereTrend
 from scanner_core.optics.board_view import BoardMissReason
 from scanner_core.optics.board_watch import BoardWatch, CameraSighting, Phase, ViewVerdict, Wish, WishKind
 from scanner_core.optics.calibration import ScaleReference, StereoCalibration
@@ -79,7 +80,7 @@ def _result(calibration: StereoCalibration, previous: StereoCalibration) -> Cali
     )
     turned = np.zeros(12)
     turned[3] = 0.034
-    table = TurntableFit(calibration.turntable, np.arange(12) * 30.0, turned, np.eye(6), np.zeros((0, 6)))
+    table = TurntableFit(calibration.turntable, np.linspace(0.0, 330.0, 12), turned, np.eye(6), np.zeros((0, 6)))
     return CalibrationResult(calibration, fit, table, compare_calibrations(previous, calibration))
 
 
@@ -192,6 +193,18 @@ def test_a_scale_that_nothing_has_verified_is_said_to_be_so(rig: RigController) 
     assert any("Scale not verified" in sentence for sentence in panel.sentences)
 
 
+def test_a_reference_sphere_that_has_drifted_is_told(rig: RigController) -> None:
+    test = HistoryEntry("2026-11-20T10:00:00+01:00", "sphere", {"size": -14.2, "dispersion": 33.0}, {}, {}, "", _calibration(rig).identity(), "", "")
+    rig.snapshot = replace(rig.snapshot, sphere=SphereTrend(test, -14.2, 33.0, -12.0, True))
+    panel = CalibrationPanel(rig)
+    panel.show_calibration()
+    assert panel.numbers.texts["Reference sphere"].startswith("radius error −14.2 µm, D95 33 µm, 20")
+    assert any("−12.0 µm otherwise" in sentence for sentence in panel.sentences)
+    _use(rig, replace(_calibration(rig), modes=None))  # another calibration, with which nothing was tested yet
+    panel.show_calibration()
+    assert not any("otherwise" in sentence for sentence in panel.sentences)
+
+
 @pytest.mark.parametrize(("days", "state"), [(1, "Valid: 29 days left"), (27, "Expires soon: 3 days left"), (34, "Expired 4 days ago")])
 def test_its_age_is_told(rig: RigController, days: float, state: str) -> None:
     _use(rig, _aged(rig, days))
@@ -270,7 +283,7 @@ def test_the_target_is_written_and_told(rig: RigController, tmp_path: Path, monk
 
 
 def test_a_target_that_cannot_be_written_is_told_in_a_sentence(rig: RigController, tmp_path: Path, told: list[BaseException]) -> None:
-    rig.target.write(tmp_path / "missing" / "target.pdf")
+    rig.target.write(tmp_path / "missing" / "target.pdf", replace=True)
     _until_written(rig)
     assert [getattr(fault, "code", "") for fault in told] == ["E-DISK-02"]
 
