@@ -43,7 +43,9 @@ class BoardPicture(CameraPreview):
             for x, y in self._corners_px:
                 painter.drawEllipse(self._on_widget(float(x), float(y)), _RADIUS, _RADIUS)
         if self.words and not self._good:
+            painter.save()
             self._pill(painter)
+            painter.restore()
 
     def _caption(self, painter: QPainter) -> None:
         super()._caption(painter)

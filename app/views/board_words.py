@@ -45,15 +45,15 @@ _COMPUTING = {
     Phase.TABLE: QT_TRANSLATE_NOOP("board", "Computing the table's axis and the uncertainty."),
 }
 _PLACES = {
-    (-1, -1): QT_TRANSLATE_NOOP("board", "Bring it to the upper left of the {camera} picture"),
-    (-1, 0): QT_TRANSLATE_NOOP("board", "Bring it to the upper middle of the {camera} picture"),
-    (-1, 1): QT_TRANSLATE_NOOP("board", "Bring it to the upper right of the {camera} picture"),
-    (0, -1): QT_TRANSLATE_NOOP("board", "Bring it to the left of the {camera} picture"),
-    (0, 0): QT_TRANSLATE_NOOP("board", "Bring it to the middle of the {camera} picture"),
-    (0, 1): QT_TRANSLATE_NOOP("board", "Bring it to the right of the {camera} picture"),
-    (1, -1): QT_TRANSLATE_NOOP("board", "Bring it to the lower left of the {camera} picture"),
-    (1, 0): QT_TRANSLATE_NOOP("board", "Bring it to the lower middle of the {camera} picture"),
-    (1, 1): QT_TRANSLATE_NOOP("board", "Bring it to the lower right of the {camera} picture"),
+    (-1, -1): QT_TRANSLATE_NOOP("board", "Bring the board to the upper left of the {camera} picture"),
+    (-1, 0): QT_TRANSLATE_NOOP("board", "Bring the board to the upper middle of the {camera} picture"),
+    (-1, 1): QT_TRANSLATE_NOOP("board", "Bring the board to the upper right of the {camera} picture"),
+    (0, -1): QT_TRANSLATE_NOOP("board", "Bring the board to the left of the {camera} picture"),
+    (0, 0): QT_TRANSLATE_NOOP("board", "Bring the board to the middle of the {camera} picture"),
+    (0, 1): QT_TRANSLATE_NOOP("board", "Bring the board to the right of the {camera} picture"),
+    (1, -1): QT_TRANSLATE_NOOP("board", "Bring the board to the lower left of the {camera} picture"),
+    (1, 0): QT_TRANSLATE_NOOP("board", "Bring the board to the lower middle of the {camera} picture"),
+    (1, 1): QT_TRANSLATE_NOOP("board", "Bring the board to the lower right of the {camera} picture"),
 }
 
 

@@ -73,6 +73,9 @@ class CalibrationPanel(QWidget):
         scroll.setWidget(inside)
         scroll.viewport().setAutoFillBackground(False)
         inside.setAutoFillBackground(False)
+        more = seam()  # where there is more to scroll to
+        more.hide()
+        scroll.verticalScrollBar().rangeChanged.connect(lambda _, last: more.setVisible(last > 0))
         below = QVBoxLayout()
         below.setContentsMargins(36, 8, 36, 24)
         below.setSpacing(10)
@@ -82,6 +85,7 @@ class CalibrationPanel(QWidget):
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(0)
         whole.addWidget(scroll, 1)
+        whole.addWidget(more)
         whole.addLayout(below)
         rig.target.changed.connect(self._show_target)
         rig.target.written.connect(self._tell_written)

@@ -66,7 +66,7 @@ def tour(program: Program, folder: Path, points: int) -> None:
     shoot(program, folder / "home.png")
     window.show_page("rig")
     services.rig.calibrate()
-    until(lambda: (services.rig.snapshot.calibrating or 0.0) > 0.3, 240, "the calibration")
+    until(lambda: (services.rig.snapshot.calibrating or 0.0) > 0.1, 240, "the calibration")
     shoot(program, folder / "calibrating.png")
     until(lambda: services.rig.snapshot.calibrating is None, 240, "the end of the calibration")
     wait_ms(1000)

@@ -110,7 +110,7 @@ def test_a_look_shows_step_corners_coverage_and_what_is_missing(rig: RigControll
     assert panel.spread.texts == {"Largest tilt between two boards": "21°", "Distances of the board": "398 to 470 mm"}
     assert panel.missing == [
         "Tilt the board more, each time to another side",
-        "Bring it to the lower left of the left camera's picture",
+        "Bring the board to the lower left of the left camera's picture",
         "More views: 18",
     ]
 
