@@ -49,6 +49,7 @@ QLabel[role="number"] {{ font-size: 23px; font-weight: 600; }}
 QLabel[role="hero"] {{ font-size: 52px; font-weight: 600; }}
 QLabel[role="good"] {{ color: {GOOD}; }}
 QLabel[role="bad"] {{ color: {WARNING}; }}
+QLabel[role="notice"] {{ background: #352f22; border-left: 3px solid {WARNING}; padding: 9px 12px; }}
 QPushButton {{ background: {RAISED}; border: 1px solid {SEAM}; border-radius: 5px; padding: 7px 14px; }}
 QPushButton:hover {{ background: #373d44; }}
 QPushButton:pressed {{ background: #262b30; }}

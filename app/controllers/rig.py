@@ -8,7 +8,7 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,60 +16,27 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from app.background import Background
+from app.controllers.calibration import CalibrationRun, keep_rig
 from app.controllers.device_thread import DeviceThread
-from app.controllers.tapped_camera import TappedCamera
+from app.controllers.rig_snapshot import RigSnapshot
+from app.controllers.target import TargetController
 from scanner_core.acquisition.handover import LatestSlot
-from scanner_core.devices.camera import Camera, Frame
+from scanner_core.devices.camera import Frame
 from scanner_core.devices.motion import MotionState, MotionStatus
-from scanner_core.errors import ImprontaError
+from scanner_core.errors import CalibrationError, ImprontaError
 from scanner_core.jobs.progress import Cancelled, Progress
 
 if TYPE_CHECKING:
     from scanner_core.acquisition.rig_session import OpenRig
     from scanner_core.clock import Speed
     from scanner_core.devices.rig import RigConfig
-    from scanner_core.optics.calibration import StereoCalibration
+    from scanner_core.metrology.history import SphereTrend
+    from scanner_core.optics.calibration_result import CalibrationResult
     from scanner_core.virtual.specimens import Specimen
 
 SPECIMENS = ("ear", "arch", "heart", "sphere")
 SPEEDS: tuple[str, ...] = ("1", "5", "max")
 _STATUS_PERIOD_S = 0.5
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class RigSnapshot:
-    """What is known of the rig.
-
-    Attributes
-    ----------
-    preset, specimen, speed : what was chosen; `specimen` is a name or a file's path
-    config : the rig as it is used, with its calibration; None until it was read
-    connected : cameras and controller are open
-    busy : a scan owns it
-    motion : the controller's newest report
-    calibrating, calibration_left_s : progress of the running calibration, 0 to 1, or None; estimate of the rest
-    specimen_radius_mm, specimen_height_mm : of what stands on the virtual table
-    """
-
-    preset: str = "bench"
-    specimen: str = "ear"
-    speed: str = "max"
-    config: RigConfig | None = None
-    connected: bool = False
-    busy: bool = False
-    motion: MotionStatus | None = None
-    calibrating: float | None = None
-    calibration_left_s: float | None = None
-    specimen_radius_mm: float | None = None
-    specimen_height_mm: float | None = None
-
-    @property
-    def calibration(self) -> StereoCalibration | None:
-        return None if self.config is None else self.config.calibration
-
-    @property
-    def laser_on(self) -> bool:
-        return self.motion is not None and self.motion.laser_power > 0
 
 
 class RigController(QObject):
@@ -87,8 +54,9 @@ class RigController(QObject):
         self.watching = threading.Event()
         """Set while somebody looks at the cameras of the idle rig."""
         self.frames: dict[str, LatestSlot[Frame]] = {"left": LatestSlot(), "right": LatestSlot()}
-        """The newest frames of the idle rig and of a calibration."""
-        self._cancel_calibration = threading.Event()
+        """The newest frames of the idle rig."""
+        self.calibration = CalibrationRun()
+        self.target = TargetController(background, tell, self)
         self._closing = threading.Event()
         self._device = DeviceThread(self._watch, _STATUS_PERIOD_S, tell)
         self._device.start()
@@ -98,18 +66,21 @@ class RigController(QObject):
         """Open the rig anew with this; what is not given stays."""
         before = self.snapshot
         wanted = replace(before, preset=preset or before.preset, specimen=specimen or before.specimen, speed=speed or before.speed, connected=False)
+        if wanted.preset != before.preset:
+            wanted = replace(wanted, found=None, refused=None)
         self._news(wanted)
         self._device.call(lambda: self._reopen(before, wanted))
 
     def calibrate(self) -> None:
-        """Calibrate with rendered boards, in the device thread."""
-        self._cancel_calibration.clear()
-        self._news(replace(self.snapshot, calibrating=0.0))
+        """Show the board and measure, in the device thread."""
+        self.calibration.begin()
+        self._begin_calibration()
         self._device.call(self._calibrate)
 
     def cancel_calibration(self) -> None:
         """The calibration in use stays."""
-        self._cancel_calibration.set()
+        self.calibration.cancelled.set()
+        self._news(replace(self.snapshot, cancelling=True))
 
     def laser_off(self) -> None:
         """Laser off and motion stopped, at once, whatever the device thread is waiting for."""
@@ -133,7 +104,7 @@ class RigController(QObject):
     def shutdown(self, timeout_s: float) -> bool:
         """Laser off, devices released; False when they did not answer in time."""
         self._closing.set()
-        self._cancel_calibration.set()
+        self.calibration.cancelled.set()
         self._device.call(self._close)
         return self._device.close(timeout_s)
 
@@ -153,10 +124,13 @@ class RigController(QObject):
         except ImprontaError as fault:
             self._background.post(partial(self._refused, fault, before))
             return
-        self._background.post(partial(self._opened, config, specimen))
+        self._background.post(partial(self._opened, config, specimen, self._last_sphere(wanted.preset)))
         self._watch()
-        if config.calibration is None and not self._closing.is_set():
-            self._calibrate()
+        if config.calibration is None:
+            self.calibration.begin()
+            if not self._closing.is_set():  # asked after the line above: the end of the program cancels what begins here
+                self._background.post(self._begin_calibration)
+                self._calibrate()
 
     def _load(self, preset: str) -> RigConfig:
         """The rig as it was calibrated here, or else as it was shipped."""
@@ -170,13 +144,21 @@ class RigController(QObject):
                 self._tell(fault)
         return load_preset(preset)
 
-    def _calibrate(self) -> None:
-        from scanner_core.acquisition.calibrating import calibrate_rig
-        from scanner_core.devices.rig import dump_rig
-        from scanner_core.files import replaced_when_whole
+    def _last_sphere(self, preset: str) -> SphereTrend | None:
+        """The newer one of the tests of the rig as it was shipped and of the rig as it was calibrated here."""
+        from scanner_core.metrology.history import history_path, last_reference_sphere
 
+        try:
+            known = [last_reference_sphere(history_path(rig)) for rig in (preset, str(self._folder / f"{preset}.toml"))]
+        except ImprontaError as fault:
+            self._tell(fault)
+            return None
+        return max((trend for trend in known if trend is not None), key=lambda trend: trend.last.moment, default=None)
+
+    def _calibrate(self) -> None:
         rig = self._rig
         if rig is None:
+            self._background.post(partial(self._ended, None))
             return
         began_s = time.monotonic()
 
@@ -184,19 +166,17 @@ class RigController(QObject):
             self._background.post(partial(self._calibrating, told.fraction, began_s))
 
         try:
-            watched = replace(rig, left=self._tapped(rig.left), right=self._tapped(rig.right))
-            calibration = calibrate_rig(watched, progress=tell, cancelled=self._cancel_calibration.is_set).calibration
-            rig.calibration = calibration
-            rig.config = rig.config.with_calibration(calibration)
-            self._background.post(partial(self._calibrated, rig.config))
-            self._folder.mkdir(parents=True, exist_ok=True)
-            with replaced_when_whole(self._folder / f"{self.snapshot.preset}.toml", force=True) as partial_file:
-                partial_file.write_text(dump_rig(rig.config), encoding="utf-8")
+            result = self.calibration.run(rig, tell)
         except Cancelled:
-            self._background.post(partial(self._calibrated, None))
-        except (ImprontaError, OSError) as fault:
-            self._background.post(partial(self._calibrated, None))
-            self._tell(fault)
+            self._background.post(partial(self._ended, None))
+        except CalibrationError as fault:
+            self._background.post(partial(self._not_accepted, fault))
+        except Exception:  # whatever it is: the window must not show a calibration that is over
+            self._background.post(partial(self._ended, None))
+            raise
+        else:
+            self._background.post(partial(self._calibrated, result, rig.config))
+            keep_rig(rig.config, self._folder / f"{self.snapshot.preset}.toml")
 
     def _watch(self) -> None:
         rig = self._rig
@@ -220,28 +200,37 @@ class RigController(QObject):
             rig.motion.recover()
             self._watch()
 
-    def _tapped(self, camera: Camera) -> Camera:
-        return TappedCamera(camera, self.frames[camera.name].put)
-
     def _close(self) -> None:
         rig, self._rig = self._rig, None
         if rig is not None:
             rig.close()
 
     # -------------------------------------------------------------------------------- back in the GUI thread
-    def _opened(self, config: RigConfig, specimen: Specimen) -> None:
-        self._news(
-            replace(self.snapshot, config=config, connected=True, specimen_radius_mm=specimen.radius_mm, specimen_height_mm=specimen.height_mm)
-        )
+    def _opened(self, config: RigConfig, specimen: Specimen, sphere: SphereTrend | None) -> None:
+        opened = replace(self.snapshot, config=config, connected=True, sphere=sphere)
+        self._news(replace(opened, specimen_radius_mm=specimen.radius_mm, specimen_height_mm=specimen.height_mm))
+
+    def _begin_calibration(self) -> None:
+        self._news(replace(self.snapshot, calibrating=0.0, calibration_left_s=None, cancelling=False, refused=None))
 
     def _calibrating(self, fraction: float, began_s: float) -> None:
         spent_s = time.monotonic() - began_s
         left_s = spent_s * (1 - fraction) / fraction if fraction > 0.03 else None
         self._news(replace(self.snapshot, calibrating=fraction, calibration_left_s=left_s))
 
-    def _calibrated(self, config: RigConfig | None) -> None:
-        """None: it was cancelled or it failed, and the calibration in use stays."""
-        self._news(replace(self.snapshot, calibrating=None, calibration_left_s=None, config=config or self.snapshot.config))
+    def _calibrated(self, result: CalibrationResult, config: RigConfig) -> None:
+        self._news(replace(self.snapshot, config=config, found=result))
+        self._ended(None)
+
+    def _not_accepted(self, fault: CalibrationError) -> None:
+        """It is not used; the page says why, or the banner when nobody looks at the page."""
+        self._ended(fault)
+        if not self.watching.is_set():
+            self._tell(fault)
+
+    def _ended(self, refused: ImprontaError | None) -> None:
+        """The calibration in use is the one of the rig's configuration."""
+        self._news(replace(self.snapshot, calibrating=None, calibration_left_s=None, cancelling=False, refused=refused))
 
     def _heard(self, status: MotionStatus) -> None:
         before = self.snapshot.motion

@@ -89,11 +89,15 @@ class CameraPreview(QWidget):
         else:
             painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, self._zoom < 4)
             painter.drawImage(self._target(), self._image)
-            if self._spot is not None:
-                self._mark(painter, self._spot)
+            self._overlay(painter)
         self._caption(painter)
         painter.setPen(QColor(SEAM))
         painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
+
+    def _overlay(self, painter: QPainter) -> None:
+        """What is drawn upon the picture."""
+        if self._spot is not None:
+            self._mark(painter, self._spot)
 
     def _target(self) -> QRectF:
         """Where the whole image lies in widget coordinates."""

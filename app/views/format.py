@@ -10,6 +10,7 @@ from PySide6.QtCore import QCoreApplication, QDate, QLocale
 
 NARROW = "\u202f"
 NO_VALUE = "–"
+MINUS = "\u2212"
 
 
 def count(number: int) -> str:

@@ -15,6 +15,7 @@ from app.actions import fill_menus, make_actions
 from app.services import Services
 from app.views import format as fmt
 from app.views.banner import Banner
+from app.views.calibration_words import age_of, age_text, expired_text
 from app.views.page import Page
 from app.views.pages import PAGES
 from app.views.parts import seam
@@ -350,7 +351,9 @@ class MainWindow(QMainWindow):
         if calibration is None:
             line.calibration.show_state("warn", self.tr("Not calibrated"))
         else:
-            line.calibration.show_state("good", self.tr("Calibration {age}").format(age=fmt.age(calibration.date)))
+            age = age_of(calibration)
+            text = self.tr("Calibration expired") if expired_text(age) else self.tr("Calibration {age}").format(age=fmt.age(calibration.date))
+            line.calibration.show_state(age_text(age)[0], text)
         speed = self.tr("full speed") if rig.speed == "max" else f"{rig.speed}×"
         line.show_rig(self.tr("Virtual rig  ·  {rig}  ·  {speed}").format(rig=rig.preset, speed=speed))
         self._show_activity()

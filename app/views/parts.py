@@ -27,6 +27,14 @@ def label(text: str = "", role: str = "", *, wrap: bool = False, selectable: boo
     return made
 
 
+def give_role(made: QLabel, role: str) -> None:
+    """Another role of the theme for a label that is already shown."""
+    if made.property("role") != role:
+        made.setProperty("role", role)
+        made.style().unpolish(made)
+        made.style().polish(made)
+
+
 def seam(*, upright: bool = False) -> QFrame:
     """A line of one pixel instead of a frame."""
     made = QFrame()

@@ -7,15 +7,17 @@ from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QButtonGroup, QComboBox, QFileDialog, QGridLayout, QHBoxLayout, QLabel, QProgressBar, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QButtonGroup, QComboBox, QFileDialog, QGridLayout, QHBoxLayout, QPushButton, QStackedWidget, QVBoxLayout, QWidget
 
 from app.controllers.rig import SPECIMENS, SPEEDS
 from app.services import Services
 from app.translation import QT_TRANSLATE_NOOP
-from app.views import format as fmt
+from app.views.board_watch_view import BoardWatchView
+from app.views.calibrating_panel import CalibratingPanel
+from app.views.calibration_panel import CalibrationPanel
 from app.views.camera_preview import CameraPreview
 from app.views.page import Page
-from app.views.parts import BigNumber, Lamp, button, label, row, seam
+from app.views.parts import Lamp, button, label, row, seam
 
 PRESET_WORDS = {
     "bench": QT_TRANSLATE_NOOP("rig", "Bench: 604 × 294 px at 435 mm"),
@@ -49,9 +51,16 @@ class RigPage(Page):
         box = QHBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.setSpacing(0)
-        box.addWidget(self._left(), 6)
+        self.calibration = CalibrationPanel(services.rig)
+        self.board = BoardWatchView()
+        self.progress = CalibratingPanel(services.rig)
+        self._lefts, self._rights = QStackedWidget(), QStackedWidget()
+        for stack, parts in ((self._lefts, (self._left(), self.board)), (self._rights, (self.calibration, self.progress))):
+            for part in parts:
+                stack.addWidget(part)
+        box.addWidget(self._lefts, 6)
         box.addWidget(seam(upright=True))
-        box.addWidget(self._right(), 5)
+        box.addWidget(self._rights, 5)
         services.rig.changed.connect(self._show_if_seen)
         self._show()
 
@@ -67,7 +76,11 @@ class RigPage(Page):
         super().hideEvent(event)
 
     def tick(self) -> None:
-        """For the pump: the newest frames of the idle rig."""
+        """For the pump: the newest frames of the idle rig, or the newest look at the board."""
+        look = self.services.rig.calibration.looks.take()
+        if look is not None and self.services.rig.snapshot.calibrating is not None:
+            self.board.show_look(look)
+            self.progress.show_look(look)
         for name, preview in self._previews.items():
             frame = self.services.rig.frames[name].take()
             if frame is not None and self.isVisible():
@@ -146,52 +159,6 @@ class RigPage(Page):
         side_box.addStretch(1)
         return side
 
-    def _right(self) -> QWidget:
-        self._accuracy = BigNumber(self.tr("µm rms at board corners that were not used"), "hero")
-        self._calibrated = label("", "muted", wrap=True)
-        self._numbers: dict[str, QLabel] = {}
-        grid = QGridLayout()
-        grid.setVerticalSpacing(9)
-        grid.setColumnStretch(0, 1)
-        for line, (key, name) in enumerate(
-            (
-                ("reprojection", self.tr("Reprojection error")),
-                ("views", self.tr("Views of the board")),
-                ("angle", self.tr("Turntable axis, angle")),
-                ("position", self.tr("Turntable axis, position")),
-                ("id", self.tr("Identity")),
-            )
-        ):
-            self._numbers[key] = label("", "", selectable=True)
-            grid.addWidget(label(name, "muted"), line, 0)
-            grid.addWidget(self._numbers[key], line, 1, Qt.AlignmentFlag.AlignRight)
-        self._calibrate = button(self.tr("Calibrate"), "primary", self.services.rig.calibrate, "calibrate", "#0b1f1b")
-        self._cancel = button(self.tr("Cancel"), "", self.services.rig.cancel_calibration)
-        self._bar = QProgressBar()
-        self._bar.setRange(0, 1000)
-        self._bar.setTextVisible(False)
-        self._step = label("", "muted", wrap=True)
-        side = QWidget()
-        box = QVBoxLayout(side)
-        box.setContentsMargins(36, 38, 36, 30)
-        box.setSpacing(0)
-        box.addWidget(label(self.tr("Calibration"), "section"))
-        box.addWidget(self._accuracy)
-        box.addSpacing(4)
-        box.addWidget(self._calibrated)
-        box.addSpacing(22)
-        box.addWidget(seam())
-        box.addSpacing(18)
-        box.addLayout(grid)
-        box.addSpacing(26)
-        box.addWidget(self._bar)
-        box.addSpacing(8)
-        box.addWidget(self._step)
-        box.addSpacing(12)
-        box.addLayout(row(self._calibrate, self._cancel, 1))
-        box.addStretch(1)
-        return side
-
     # -------------------------------------------------------------------------------- showing
     def _show_if_seen(self) -> None:
         if self.isVisible():
@@ -207,8 +174,9 @@ class RigPage(Page):
         self._specimen.setCurrentIndex(at)
         self._speeds[rig.speed].setChecked(True)
         self._show_devices()
+        for part in (self._preset, self._specimen, self._file, *self._speeds.values()):
+            part.setEnabled(not rig.busy and rig.calibrating is None)
         self._show_calibration()
-        self._show_buttons()
 
     def _show_devices(self) -> None:
         rig = self.services.rig.snapshot
@@ -240,33 +208,16 @@ class RigPage(Page):
         }.get(state, self.tr("unknown"))
 
     def _show_calibration(self) -> None:
-        calibration = self.services.rig.snapshot.calibration
-        if calibration is None:
-            self._accuracy.show_number(fmt.NO_VALUE)
-            self._calibrated.setText(self.tr("Not calibrated yet."))
-            for shown in self._numbers.values():
-                shown.setText(fmt.NO_VALUE)
-            return
-        self._accuracy.show_number(fmt.micrometres(calibration.held_out_rms_um))
-        self._calibrated.setText(self.tr("Calibrated on {date}, {age}.").format(date=fmt.day(calibration.date), age=fmt.age(calibration.date)))
-        self._numbers["reprojection"].setText(f"{calibration.reprojection_rms_px:.3f} px")
-        self._numbers["views"].setText(str(calibration.views))
-        self._numbers["angle"].setText(f"{calibration.turntable.angle_rms_deg:.4f}°")
-        self._numbers["position"].setText(f"{calibration.turntable.position_rms_um:.1f} µm")
-        self._numbers["id"].setText(calibration.identity())
-
-    def _show_buttons(self) -> None:
-        rig = self.services.rig.snapshot
-        calibrating = rig.calibrating is not None
-        free = rig.connected and not rig.busy and not calibrating
-        self._calibrate.setEnabled(free)
-        self._cancel.setVisible(calibrating)
-        self._bar.setVisible(calibrating)
-        self._step.setVisible(calibrating)
-        self._bar.setValue(round(1000 * (rig.calibrating or 0.0)))
-        self._step.setText(self.tr("Showing the board and turning the table; {left} left").format(left=fmt.left_time(rig.calibration_left_s)))
-        for part in (self._preset, self._specimen, self._file, *self._speeds.values()):
-            part.setEnabled(not rig.busy and not calibrating)
+        calibrating = self.services.rig.snapshot.calibrating is not None
+        if calibrating and not self._lefts.currentIndex():
+            self.board.clear()
+            self.progress.clear()
+        for stack in (self._lefts, self._rights):
+            stack.setCurrentIndex(int(calibrating))
+        if calibrating:
+            self.progress.show_progress()
+        else:
+            self.calibration.show_calibration()
 
     def _choose_file(self) -> None:
         path, _ = QFileDialog.getOpenFileName(self, self.tr("A mesh as specimen"), "", self.tr("Meshes (*.stl *.ply *.obj *.vtp *.3mf)"))

@@ -74,12 +74,13 @@ class Wish:
         return f"Bring the board to the {up}{along} of the {self.camera} camera's image."
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class CameraSighting:
-    """The board in one camera: how many corners, or why none can be used."""
+    """The board in one camera: how many corners and where, (n, 2) px, or why none can be used (then None)."""
 
     corners: int
     reason: BoardMissReason | None
+    corners_px: NDArray[np.float64] | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -137,4 +138,4 @@ _WORDS = {
 
 def sighting(seen: BoardView | BoardMiss) -> CameraSighting:
     """What one camera sees."""
-    return CameraSighting(seen.corners, seen.reason) if isinstance(seen, BoardMiss) else CameraSighting(len(seen.ids), None)
+    return CameraSighting(seen.corners, seen.reason) if isinstance(seen, BoardMiss) else CameraSighting(len(seen.ids), None, seen.corners_px)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import Enum
 
 from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.optics.calibration_change import CalibrationChange
@@ -12,6 +13,34 @@ from scanner_core.optics.turntable_calibration import TurntableFit
 _NOTED_BEND_MM = 0.1
 _NOTED_PRINT = 2e-4
 _NOTED_ANGLE_DEG = 0.02
+
+
+class FindingKind(Enum):
+    """What can be found; the value is the sentence with its fields, by which a window translates it."""
+
+    PRINT_LARGER = "The print is {percent} % larger than its nominal size; this is corrected."
+    PRINT_SMALLER = "The print is {percent} % smaller than its nominal size; this is corrected."
+    BOARD_BENT = "The board is bent: its corners lie within {bend_mm} mm of height; this is taken into account."
+    TABLE_OFF = "The table stood {error_deg} degrees off its reported angle at {table_deg} degrees: backlash or lost steps."
+    SCALE_BY_PRINT = "Scale by a length measured on the print alone, to {ppm} ppm: no second length has verified it."
+    SCALE_UNVERIFIED = "Scale not verified: no known length was shown, and the board's nominal size was believed ({ppm} ppm, k = 1)."
+
+    @property
+    def limits(self) -> bool:
+        """It limits the use of the calibration: a warning."""
+        return self in (FindingKind.SCALE_BY_PRINT, FindingKind.SCALE_UNVERIFIED)
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """One of them, with the figures as they are written."""
+
+    kind: FindingKind
+    fields: dict[str, str]
+
+    def words(self) -> str:
+        """The sentence."""
+        return self.kind.value.format(**self.fields)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -32,26 +61,33 @@ class CalibrationResult:
 
     def findings(self) -> tuple[str, ...]:
         """What the board and the table are found to be; a sentence each."""
-        found = []
-        scale = self.calibration.scale
-        if scale is not None and scale.source != "none" and abs(scale.print_scale - 1) >= _NOTED_PRINT:
-            percent = 100 * (scale.print_scale - 1)
-            found.append(f"The print is {abs(percent):.2f} % {'larger' if percent > 0 else 'smaller'} than its nominal size; this is corrected.")
-        if self.stereo.board_bend_mm >= _NOTED_BEND_MM:
-            found.append(f"The board is bent: its corners lie within {self.stereo.board_bend_mm:.2f} mm of height; this is taken into account.")
-        worst = max(self.turntable.angle_errors_deg, key=abs)
-        if abs(worst) >= _NOTED_ANGLE_DEG:
-            at = self.turntable.table_deg[list(self.turntable.angle_errors_deg).index(worst)]
-            found.append(f"The table stood {worst:+.3f} degrees off its reported angle at {at:.0f} degrees: backlash or lost steps.")
-        return tuple(found)
+        return tuple(found.words() for found in self.found() if not found.kind.limits)
 
     def warnings(self) -> tuple[str, ...]:
         """What limits the use of the calibration; a sentence each."""
-        scale = self.calibration.scale
-        if scale is None or scale.verified:
-            return ()
-        if scale.source == "print":
-            return (f"Scale by a length measured on the print alone, to {scale.uncertainty_ppm:.0f} ppm: no second length has verified it.",)
-        return (
-            f"Scale not verified: no known length was shown, and the board's nominal size was believed ({scale.uncertainty_ppm:.0f} ppm, k = 1).",
-        )
+        return tuple(found.words() for found in self.found() if found.kind.limits)
+
+    def found(self) -> tuple[Finding, ...]:
+        """All of them as values."""
+        found = list(scale_findings(self.calibration))
+        if self.stereo.board_bend_mm >= _NOTED_BEND_MM:
+            found.append(Finding(FindingKind.BOARD_BENT, {"bend_mm": f"{self.stereo.board_bend_mm:.2f}"}))
+        worst = max(self.turntable.angle_errors_deg, key=abs)
+        if abs(worst) >= _NOTED_ANGLE_DEG:
+            at = self.turntable.table_deg[list(self.turntable.angle_errors_deg).index(worst)]
+            found.append(Finding(FindingKind.TABLE_OFF, {"error_deg": f"{worst:+.3f}", "table_deg": f"{at:.0f}"}))
+        return tuple(found)
+
+
+def scale_findings(calibration: StereoCalibration) -> tuple[Finding, ...]:
+    """What a calibration says of the size of the print and of what its scale rests on."""
+    scale, found = calibration.scale, []
+    if scale is None:
+        return ()
+    if scale.source != "none" and abs(scale.print_scale - 1) >= _NOTED_PRINT:
+        percent = 100 * (scale.print_scale - 1)
+        found.append(Finding(FindingKind.PRINT_LARGER if percent > 0 else FindingKind.PRINT_SMALLER, {"percent": f"{abs(percent):.2f}"}))
+    if not scale.verified:
+        kind = FindingKind.SCALE_BY_PRINT if scale.source == "print" else FindingKind.SCALE_UNVERIFIED
+        found.append(Finding(kind, {"ppm": f"{scale.uncertainty_ppm:.0f}"}))
+    return tuple(found)

@@ -16,7 +16,10 @@ from tests.gui.waiting import until
 
 NAMES = {"Impronta", "STL", "PLY", "OBJ", "3MF", "ear", "bench", "virtual://bench", "Ctrl+1", "Ctrl+2", "Ctrl+3", "Ctrl+4", "Ctrl+5"}
 """What is called the same in every language."""
-VALUE = re.compile(r"^[\W\d_]*$|^[\d.,\s\u202f]+ ?(°|µm|px|s|mm)$|^[0-9a-f]{16}$|^virtual:(left|right)|^2026-|^P-0142$|^\{order\}|\.stl$|^/")
+VALUE = re.compile(
+    r"^[\W\d_]*$|^[\d.,\s+−±\u202f]+ ?(°|µm|px|s|mm)(, [\d.]+°)?$|^[0-9a-f]{16}$"
+    r"|^virtual:(left|right)|^2026-|^P-0142$|^\{order\}|\.stl$|^/"
+)
 
 
 class Bracketing(QTranslator):
