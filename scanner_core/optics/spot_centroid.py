@@ -112,7 +112,7 @@ class PixelWeights:
         """Moments of a blob, its window (h, w) uint8 and its brightest pixel given."""
         height, width = pixels.shape
         basis = _basis(height, width) if height * width <= _CACHED_PX else _monomials(height, width)
-        sums = self._table.take(pixels.ravel(), axis=0, mode="clip").T.dot(basis)
+        sums = self._table.take(pixels, axis=0).reshape(-1, 5).T.dot(basis)
         (w, wx, wy, wxx, wyy, wxy), (q, qx, qy, qxx, qyy, _), flux, area, saturated = sums.tolist()
         if w <= 0:
             return Moments(0.5 * (width - 1), 0.5 * (height - 1), 0.0, 0.0, 0.0, math.inf, math.inf, 0.0, int(area[0]), int(saturated[0]))

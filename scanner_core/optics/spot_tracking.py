@@ -79,10 +79,9 @@ class SpotTracker:
                 return None
         above = cv2.threshold(image[top:bottom, left:right], levels.extent_dn, 255, cv2.THRESH_BINARY)[1]
         x, y, w, h = cv2.boundingRect(above)  # of all that is bright in the window
-        x, y = x + left, y + top
-        if x < left + _EDGE_PX or y < top + _EDGE_PX or x + w > right - _EDGE_PX or y + h > bottom - _EDGE_PX:
+        if x < _EDGE_PX or y < _EDGE_PX or x + w > right - left - _EDGE_PX or y + h > bottom - top - _EDGE_PX:
             return None
-        spot, flux = self._detector.measure(image, (x, y, w, h), levels)
+        spot, flux = self._detector.measure(image, (left + x, top + y, w, h), levels)
         if (
             isinstance(spot, Spot)
             and spot.area_px > _FILLED * w * h

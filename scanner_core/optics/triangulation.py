@@ -162,7 +162,7 @@ class Triangulator:
         v = t[:2] - right * t[2]
         v *= u
         u *= u
-        depth = np.empty_like(v)
+        depth: Array = np.empty((2, seen.shape[1]))
         along = np.divide(np.add.reduce(v), np.add.reduce(u), depth[0])
         np.multiply(along, ahead, depth[1])
         depth[1] += t[2]
@@ -202,4 +202,4 @@ def _normal_factors(left: Array, right: Array) -> Array:
         by_sum[:, :, 0, i], by_sum[:, :, 1, i], by_sum[:, :, 2, i] = np.outer(third, third), -mixed - mixed.T, np.outer(own, own)
     normal = by_sum.reshape(4, 4, 12)
     rows = [normal[(i + di) % 3, (j + dj) % 3] for di, dj in ((1, 1), (2, 2), (1, 2), (2, 1)) for i, j in _UPPER]
-    return np.stack([*rows, *normal[0, :3], *-normal[:3, 3]])
+    return np.asarray(np.stack([*rows, *normal[0, :3], *-normal[:3, 3]]), np.float64)

@@ -4,7 +4,8 @@ The plain loop knows the threshold beforehand, takes the largest contour and gat
 moments of the pixels in its box frame by frame, then undistortPoints and triangulatePoints once per batch.  Ours estimates
 background and noise, gates, states uncertainties, and triangulates with covariances and epipolar residuals.  Both have the same
 batches of 16 pairs, so neither pays more calls per point than the other; a plain loop that triangulates pair by pair is
-measured beside them.  Batches alternate; what counts is the median of the paired ratios of their processor times, one thread each.  On a machine with other work the
+measured beside them.  Batches alternate; what counts is the median of the paired ratios of their processor times, one thread
+each.  On a machine with other work the
 ratio of the fastest tenths tells more: caches that others empty slow the interpreter more than they slow OpenCV.
 """
 
@@ -14,6 +15,7 @@ import argparse
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import Literal
 
 import cv2
 import numpy as np
@@ -30,7 +32,8 @@ from tests.bench.optics.spot_images import BENCH, WORKSHOP, Sensor, expose, sign
 Image = NDArray[np.uint8]
 Pairs = list[tuple[Image, Image]]
 BATCH = 16
-CENTROIDS = ("weighted", "gaussian", "border")
+Centroid = Literal["weighted", "gaussian", "border"]
+CENTROIDS: tuple[Centroid, ...] = ("weighted", "gaussian", "border")
 
 
 def frames(calibration: StereoCalibration, sensor: Sensor, distance_mm: float, count: int, seed: int) -> tuple[Pairs, NDArray[np.float64]]:
@@ -102,7 +105,7 @@ class Measured:
         return self._triangulator.triangulate(l_px[:, :2], r_px[:, :2], l_px[:, 2], r_px[:, 2]).points
 
 
-def compare(preset: str, sensor: Sensor, distance_mm: float, pairs: int, rounds: int, seed: int, centroids: Sequence[str]) -> None:
+def compare(preset: str, sensor: Sensor, distance_mm: float, pairs: int, rounds: int, seed: int, centroids: Sequence[Centroid]) -> None:
     config = load_preset(preset)
     calibration = config.calibration
     assert calibration is not None
