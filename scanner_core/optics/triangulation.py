@@ -72,22 +72,24 @@ class Triangulator:
     def __init__(self, calibration: StereoCalibration) -> None:
         left, right = calibration.left, calibration.right
         self._left, self._right = left, right
-        self._moments = _normal_factors(left.projection(), right.projection())
+        self._normal = _normal_factors(left.projection(), right.projection())
         self._focal = np.stack([np.diag(left.matrix)[:2], np.diag(right.matrix)[:2]])[:, :, None]
         # right = R left + t, whatever the rig frame is
         self._rotation = right.rotation @ left.rotation.T
         self._translation = right.translation - self._rotation @ left.translation
         x, y, z = self._translation
         essential = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]]) @ self._rotation
-        # E x_left, then the first two components of E^T x_right, with their constant part
-        self._gradient = np.zeros((5, 5))
-        self._gradient[:3, _LEFT_RAY] = essential
-        self._gradient[3:, 2:4], self._gradient[3:, 4] = essential[:2, :2].T, essential[2, :2]
-        # the same, and the direction of the left ray in the right camera
-        self._lines = np.zeros((8, 5))
-        self._lines[:5] = self._gradient
-        self._lines[5:, _LEFT_RAY] = self._rotation
-        self._per_px = 1.0 / np.r_[self._focal[1, :, 0], self._focal[0, :, 0]][:, None]
+        per_px = 1.0 / self._focal[:, :, 0]
+        # what is linear in `_seen`, row by row: E x_left; the gradient of the epipolar form by the right and left pixel; the
+        # third and the first two components of the left ray in the right camera; t_xy - x_right t_z
+        self._linear = np.zeros((12, 5))
+        self._linear[:3, _LEFT_RAY] = essential
+        self._linear[3:5, _LEFT_RAY] = essential[:2] * per_px[1, :, None]
+        self._linear[5:7, 2:4], self._linear[5:7, 4] = essential[:2, :2].T, essential[2, :2]
+        self._linear[5:7] *= per_px[0, :, None]
+        self._linear[7, _LEFT_RAY] = self._rotation[2]
+        self._linear[8:10, _LEFT_RAY] = self._rotation[:2]
+        self._linear[10:, 2:4], self._linear[10:, 4] = -z * np.eye(2), (x, y)
 
     def triangulate(self, left_px: Array, right_px: Array, left_sigma_px: Array, right_sigma_px: Array) -> Triangulated:
         """Points of pairs of centroids.
@@ -110,24 +112,26 @@ class Triangulator:
         scale[0], scale[1] = left_sigma_px.T, right_sigma_px.T
 
         with np.errstate(all="ignore"):  # rays that do not meet are answered by NaN below
-            lines = self._lines.dot(seen)
-            depth = self._depths(seen, lines[5:])
+            linear = self._linear.dot(seen)
+            residual = _sampson(seen, linear)
+            depth = self._depths(seen, linear)
             scale *= depth[:, None]
             np.divide(self._focal, scale, scale)
             weights = np.empty((3, 4, n))  # 1 over the variance of each of the four equations; times x, times x^2
             np.square(scale.reshape(4, n), weights[2])
             np.multiply(weights[2], seen[:4], weights[1])
             np.multiply(weights[1], seen[:4], weights[0])
-            factors = self._moments.dot(weights.reshape(12, n)).reshape(5, 6, n)
+            factors = self._normal.dot(weights.reshape(12, n)).reshape(5, 6, n)
             products = factors[:4:2] * factors[1:4:2]
             cofactors = products[0] - products[1]
             determinant = np.add.reduce(factors[4, :3] * cofactors[:3])
             cofactors /= determinant
             inverse = cofactors.take(_SYMMETRIC, axis=0)  # (3, 3, n)
-            points = np.add.reduce(inverse * factors[4, 3:], axis=1)
-            residual = self._sampson(seen, lines)
+            terms = inverse * factors[4, 3:]
+            points = terms[:, 0] + terms[:, 1]
+            points += terms[:, 2]
         # a sum is finite where all its terms are
-        if not (depth.min() > 0 and math.isfinite(points.sum())):
+        if not (np.minimum.reduce(depth, axis=None) > 0 and math.isfinite(np.add.reduce(points, axis=None))):
             lost = ~((depth > 0).all(axis=0) & np.isfinite(points).all(axis=0))
             points[:, lost], inverse[:, :, lost], residual[lost] = np.nan, np.nan, np.inf
         return Triangulated(np.ascontiguousarray(points.T), residual, np.ascontiguousarray(inverse.transpose(2, 0, 1)))
@@ -137,50 +141,49 @@ class Triangulator:
         if not len(left_px):
             return np.empty(0)
         seen = self._seen(left_px, right_px)
-        return self._sampson(seen, self._gradient @ seen)
+        return _sampson(seen, self._linear.dot(seen))
 
     def epipolar_sigma(self, left_px: Array, right_px: Array, left_sigma_px: Array, right_sigma_px: Array) -> Array:
         """Standard deviations (n,) px of the epipolar residuals of pairs whose coordinates have these, (n, 2) px each."""
-        slope = (self._gradient @ self._seen(left_px, right_px))[_SLOPES, :] * self._per_px
+        slope = self._linear[_SLOPES] @ self._seen(left_px, right_px)
         sigma = np.concatenate([right_sigma_px.T, left_sigma_px.T])
         return np.asarray(np.sqrt((np.square(slope) * np.square(sigma)).sum(axis=0) / np.square(slope).sum(axis=0)), np.float64)
 
     def _seen(self, left_px: Array, right_px: Array) -> Array:
         """Normalized x and y of the left, of the right, and 1, (5, n): long rows, so that each step is one call."""
-        seen = np.ones((5, len(left_px)))
+        seen = np.empty((5, len(left_px)))
+        seen[4] = 1.0
         seen[:2] = self._left.normalize(left_px).T
         seen[2:4] = self._right.normalize(right_px).T
         return seen
 
-    def _depths(self, seen: Array, turned: Array) -> Array:
-        """Depth in the left and right camera, (2, n) mm: the point of the left ray that the right camera sees best.
-
-        `turned` is the direction of the left ray in the right camera, (3, n).
-        """
-        t, right, ahead = self._translation[:, None], seen[2:4], turned[2]
-        u = right * ahead - turned[:2]
-        v = t[:2] - right * t[2]
-        v *= u
-        u *= u
+    def _depths(self, seen: Array, linear: Array) -> Array:
+        """Depth in the left and right camera, (2, n) mm: the point of the left ray that the right camera sees best."""
+        ahead, turned = linear[7], linear[8:10]
+        u = seen[2:4] * ahead
+        u -= turned
+        linear[8:10] = u  # their last use
+        products = linear[8:].reshape(2, 2, -1) * u  # of u by u, and of t_xy - x_right t_z by u
+        squares, along = products[:, 0] + products[:, 1]
         depth: Array = np.empty((2, seen.shape[1]))
-        along = np.divide(np.add.reduce(v), np.add.reduce(u), depth[0])
-        np.multiply(along, ahead, depth[1])
-        depth[1] += t[2]
+        np.divide(along, squares, depth[0])
+        np.multiply(depth[0], ahead, depth[1])
+        depth[1] += self._translation[2]
         return depth
 
-    def _sampson(self, seen: Array, lines: Array) -> Array:
-        """Signed Sampson distance in px, (n,): the epipolar form over the norm of its gradient by the four pixel coordinates."""
-        value = np.add.reduce(seen[2:] * lines[:3])
-        slope = lines.take(_SLOPES, axis=0) * self._per_px
-        slope *= slope
-        return np.asarray(value / np.sqrt(np.add.reduce(slope)), np.float64)
+
+def _sampson(seen: Array, linear: Array) -> Array:
+    """Signed Sampson distance in px, (n,): the epipolar form over the norm of its gradient by the four pixel coordinates."""
+    value = np.add.reduce(seen[2:] * linear[:3])
+    slope = np.square(linear[_SLOPES])
+    return np.asarray(value / np.sqrt(np.add.reduce(slope)), np.float64)
 
 
 _LEFT_RAY = [0, 1, 4]
 """Rows of what is seen that make up the direction of the left ray."""
 
-_SLOPES = (0, 1, 3, 4)
-"""Rows of the gradient that belong to right x, y and left x, y."""
+_SLOPES = slice(3, 7)
+"""Rows of the linear forms that are the gradient by right x, y and left x, y, per px."""
 
 _UPPER = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
 _SYMMETRIC = np.array([[0, 1, 2], [1, 3, 4], [2, 4, 5]])

@@ -5,8 +5,8 @@ moments of the pixels in its box frame by frame, then undistortPoints and triang
 background and noise, gates, states uncertainties, and triangulates with covariances and epipolar residuals.  Both have the same
 batches of 16 pairs, so neither pays more calls per point than the other; a plain loop that triangulates pair by pair is
 measured beside them.  Batches alternate; what counts is the median of the paired ratios of their processor times, one thread
-each.  On a machine with other work the
-ratio of the fastest tenths tells more: caches that others empty slow the interpreter more than they slow OpenCV.
+each.  On a machine with other work the ratio of the fastest tenths tells more: caches that others empty slow the interpreter
+more than they slow OpenCV.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from scanner_core.devices.rig import load_preset
 from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.optics.spot import Spot, SpotMiss
-from scanner_core.optics.spot_detection import SpotDetector, SpotDetectorParameters
+from scanner_core.optics.spot_detection import SpotDetector
 from scanner_core.optics.spot_tracking import SpotTracker
 from scanner_core.optics.triangulation import Triangulator
 from tests.bench.optics.spot_images import BENCH, WORKSHOP, Sensor, expose, signals
@@ -114,11 +114,10 @@ def compare(preset: str, sensor: Sensor, distance_mm: float, pairs: int, rounds:
     plain = PlainLoop(calibration, threshold_dn, BATCH)
     runs: dict[str, Callable[[Pairs], NDArray[np.float64]]] = {"plain loop": plain.batch}
     runs["plain, pair by pair"] = PlainLoop(calibration, threshold_dn, 1).batch
-    for name in centroids:
-        parameters: SpotDetectorParameters = replace(config.spot, centroid=name)
-        detector = SpotDetector(parameters)
-        runs[f"{name}, whole frame"] = Measured(calibration, detector.detect, detector.detect).batch
-        runs[f"{name}, tracked"] = Measured(calibration, SpotTracker(detector).detect, SpotTracker(detector).detect).batch
+    for centroid in centroids:
+        detector = SpotDetector(replace(config.spot, centroid=centroid))
+        runs[f"{centroid}, whole frame"] = Measured(calibration, detector.detect, detector.detect).batch
+        runs[f"{centroid}, tracked"] = Measured(calibration, SpotTracker(detector).detect, SpotTracker(detector).detect).batch
     width, height = calibration.left.size_px
     print(f"{preset}, {width} x {height}, {pairs} pairs x {rounds} rounds, seed {seed}")
     buffers = [(np.empty((height, width), np.uint8), np.empty((height, width), np.uint8)) for _ in range(BATCH)]
