@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import NamedTuple
 
 import cv2
@@ -30,9 +31,7 @@ class Background(NamedTuple):
 
 def estimate_background(image: NDArray[np.uint8]) -> Background:
     """Background of an image (H, W) uint8: mean and deviation of a regular sample, what is bright in it left out."""
-    height, width = image.shape
-    step = max(1, height // max(_SAMPLE_ROWS, _SAMPLE_PX // width))
-    sample = image[step // 2 :: step]
+    sample = image[_sampled_rows(*image.shape)]
     means, sds = cv2.meanStdDev(sample)
     limit = cv2.minMaxLoc(sample)[1]
     for left in range(_ROUNDS, -1, -1):
@@ -43,3 +42,9 @@ def estimate_background(image: NDArray[np.uint8]) -> Background:
         limit = clip
         means, sds = cv2.meanStdDev(sample, mask=cv2.threshold(sample, limit, 255, cv2.THRESH_BINARY_INV)[1])
     return Background(mean, sd)
+
+
+@lru_cache(maxsize=16)
+def _sampled_rows(height: int, width: int) -> slice:
+    step = max(1, height // max(_SAMPLE_ROWS, _SAMPLE_PX // width))
+    return slice(step // 2, None, step)

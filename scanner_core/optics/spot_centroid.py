@@ -116,15 +116,17 @@ class PixelWeights:
         (w, wx, wy, wxx, wyy, wxy), (q, qx, qy, qxx, qyy, _), flux, area, saturated = sums.tolist()
         if w <= 0:
             return Moments(0.5 * (width - 1), 0.5 * (height - 1), 0.0, 0.0, 0.0, math.inf, math.inf, 0.0, int(area[0]), int(saturated[0]))
-        x, y, per_w, whole = wx / w, wy / w, 1 / w, self._sharpening[peak_dn]
+        per_w, whole = 1 / w, self._sharpening[peak_dn]
+        x, y = wx * per_w, wy * per_w
+        xx, yy, per_w2 = wxx * per_w - x * x, wyy * per_w - y * y, per_w * per_w
         return Moments(
             x,
             y,
-            max(wxx * per_w - x * x, 0.0) * whole,
-            max(wyy * per_w - y * y, 0.0) * whole,
+            xx * whole if xx > 0.0 else 0.0,
+            yy * whole if yy > 0.0 else 0.0,
             (wxy * per_w - x * y) * whole,
-            (qxx - 2 * x * qx + x * x * q) * per_w * per_w,
-            (qyy - 2 * y * qy + y * y * q) * per_w * per_w,
+            (qxx - x * (2 * qx - x * q)) * per_w2,
+            (qyy - y * (2 * qy - y * q)) * per_w2,
             flux[0],
             int(area[0]),
             int(saturated[0]),

@@ -176,7 +176,8 @@ class SpotDetector:
         Several blobs pass as one if the brightest has `dominance` times the flux of the next; else the miss is
         `AMBIGUOUS` and holds them as its candidates.
         """
-        return self.choose(*self.candidates(image, self.levels(image)))
+        spots, miss = self.candidates(image, self.levels(image))
+        return self.choose(spots, miss)
 
     def detect_all(self, image: Image) -> tuple[Spot, ...]:
         """All blobs of an image (H, W) uint8 that look like a spot, brightest first: candidates for an epipolar match."""
@@ -244,18 +245,16 @@ class SpotDetector:
         signal = peak - levels.background.mean_dn
         if signal < p.min_peak_dn and width * height < _NOISE_AREA_PX:
             return SpotMiss(MissReason.NO_SPOT, peak), 0.0
-        if pixels.size > _LARGE_BOX * p.max_area_px:
-            area = cv2.countNonZero(cv2.threshold(pixels, levels.extent_dn, 255, cv2.THRESH_BINARY)[1])
-            if area > p.max_area_px:
-                reason = MissReason.TOO_DIM if signal < p.min_peak_dn else MissReason.TOO_LARGE
-                return SpotMiss(reason, peak), cv2.sumElems(pixels)[0] - pixels.size * levels.background.mean_dn
+        if pixels.size > _LARGE_BOX * p.max_area_px and _count_above(pixels, levels.extent_dn) > p.max_area_px:
+            reason = MissReason.TOO_DIM if signal < p.min_peak_dn else MissReason.TOO_LARGE
+            return SpotMiss(reason, peak), cv2.sumElems(pixels)[0] - pixels.size * levels.background.mean_dn
         moments = levels.weights.moments(pixels, peak)
-        flux = moments.flux_dn
+        flux, area = moments.flux_dn, moments.area_px
         if signal < p.min_peak_dn:
             return SpotMiss(MissReason.TOO_DIM, peak), flux
-        if moments.area_px < p.min_area_px:
+        if area < p.min_area_px:
             return SpotMiss(MissReason.TOO_SMALL, peak), flux
-        if moments.area_px > p.max_area_px:
+        if area > p.max_area_px:
             return SpotMiss(MissReason.TOO_LARGE, peak), flux
         if left < _BORDER_PX or top < _BORDER_PX or left + width > columns - _BORDER_PX or top + height > rows - _BORDER_PX:
             return SpotMiss(MissReason.CUT_BY_EDGE, peak), flux
@@ -276,25 +275,26 @@ class SpotDetector:
             if middle is not None:
                 x, y, variance_x, variance_y = middle
         uncertainty = math.sqrt(0.5 * (variance_x + variance_y))
-        return Spot(x0 + x, y0 + y, math.sqrt(xx), math.sqrt(yy), float(peak), flux, moments.area_px, uncertainty), flux
+        return Spot(x0 + x, y0 + y, math.sqrt(xx), math.sqrt(yy), float(peak), flux, area, uncertainty), flux
 
     def boxes(self, image: Image, levels: SpotLevels) -> tuple[list[Box], float]:
         """Boxes of the blobs of a frame, and its brightest pixel, DN: those that reach the seed level if any do, else the dim ones."""
-        peak, (_, row) = cv2.minMaxLoc(image)[1::2]
-        rows, extent, seed = image.shape[0], levels.extent_dn, levels.seed_dn
+        _, peak, _, (_, row) = cv2.minMaxLoc(image)
+        rows, extent, seed = len(image), levels.extent_dn, levels.seed_dn
         if peak <= extent:
             return [], peak
         if peak > seed:
+            boxes = None
             top, bottom = max(row - _ROWS_PX, 0), min(row + _ROWS_PX + 1, rows)
-            alone = (top == 0 or cv2.minMaxLoc(image[:top])[1] <= seed) and (bottom == rows or cv2.minMaxLoc(image[bottom:])[1] <= seed)
-            boxes = _whole_blobs(image, extent, top, bottom) if alone else None
+            if (top == 0 or cv2.minMaxLoc(image[:top])[1] <= seed) and (bottom == rows or cv2.minMaxLoc(image[bottom:])[1] <= seed):
+                boxes = _boxes_between(image, extent, top, bottom)
             if boxes is None:
                 top, bottom = self._bright_rows(image, seed)
-                boxes = _whole_blobs(image, extent, max(top - _FOOT_PX, 0), min(bottom + _FOOT_PX, rows))
+                boxes = _boxes_between(image, extent, max(top - _FOOT_PX, 0), min(bottom + _FOOT_PX, rows))
             if boxes is not None:
                 return boxes, peak
         top, bottom = self._bright_rows(image, extent)
-        return blob_boxes(image[top:bottom], extent, top), peak
+        return _boxes_between(image, extent, max(top - 1, 0), min(bottom + 1, rows)) or [], peak
 
     def _bright_rows(self, image: Image, level: int) -> tuple[int, int]:
         """First row with a pixel above a level, of which there is one, and the row after the last."""
@@ -313,24 +313,21 @@ class SpotDetector:
 _NO_SPOT = SpotMiss(MissReason.NO_SPOT)
 
 
-def _whole_blobs(image: Image, level: int, top: int, bottom: int) -> list[Box] | None:
-    """Boxes of the blobs above a level between two rows of a frame, or None where one of them goes on beyond."""
-    boxes = blob_boxes(image[top:bottom], level, top)
-    for _, y, _, h in boxes:
-        if y == top > 0 or len(image) > y + h == bottom:
-            return None
-    return boxes
-
-
-def blob_boxes(rows: Image, level: int, top: int = 0) -> list[Box]:
-    """Boxes of the blobs above a level in rows (h, w) uint8 of a frame that begin with row `top` and hold at least one."""
-    above = cv2.threshold(rows, level, 255, cv2.THRESH_BINARY)[1]
-    x, y, w, h = cv2.boundingRect(above)  # contours are looked for in it alone: a tenth of the time for a single spot
+def _boxes_between(image: Image, level: int, top: int, bottom: int) -> list[Box] | None:
+    """Boxes of the blobs above a level, of which there is one, between two rows of a frame; None where one goes on beyond."""
+    above = cv2.threshold(image[top:bottom], level, 255, cv2.THRESH_BINARY)[1]
+    x, y, w, h = cv2.boundingRect(above)  # blobs are told apart in it alone: a tenth of the time for a single spot
+    if (y == 0 and top > 0) or (y + h == bottom - top and bottom < len(image)):
+        return None
     bright = above[y : y + h, x : x + w]
     if w * h <= _LABELLED_PX and cv2.connectedComponents(bright)[0] == _ONE_BLOB:
-        return [(x, y + top, w, h)]
-    contours = cv2.findContours(bright, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE, offset=(x, y + top))[0]
+        return [(x, top + y, w, h)]
+    contours = cv2.findContours(bright, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE, offset=(x, top + y))[0]
     return [cv2.boundingRect(contour) for contour in contours]
+
+
+def _count_above(pixels: Image, level: int) -> int:
+    return cv2.countNonZero(cv2.threshold(pixels, level, 255, cv2.THRESH_BINARY)[1])
 
 
 class _Scratch(threading.local):
