@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cv2
+import numpy as np
 
 from scanner_core.optics.spot import Spot, SpotMiss
 from scanner_core.optics.spot_detection import Image, SpotDetector, SpotLevels
@@ -41,6 +42,7 @@ class SpotTracker:
         self._last: Spot | None = None
         self._motion = (0.0, 0.0)
         self._flux_dn = 0.0
+        self._above: Image = np.empty(WINDOW_PX[::-1], np.uint8)
         self._windows_left = 0
         self.whole_frames = 0
 
@@ -80,7 +82,7 @@ class SpotTracker:
             wide, high = right - left, bottom - top
             if wide <= 0 or high <= 0:
                 return None
-        above = cv2.threshold(image[top : top + high, left : left + wide], levels.extent_dn, 255, cv2.THRESH_BINARY)[1]
+        above = cv2.threshold(image[top : top + high, left : left + wide], levels.extent_dn, 255, cv2.THRESH_BINARY, self._above)[1]
         x, y, w, h = cv2.boundingRect(above)  # of all that is bright in the window
         if x < _EDGE_PX or y < _EDGE_PX or x + w > wide - _EDGE_PX or y + h > high - _EDGE_PX:
             return None

@@ -93,16 +93,15 @@ class Measured:
         self._left, self._right = left, right
 
     def batch(self, pairs: Pairs) -> NDArray[np.float64]:
-        left, right = [], []
+        seen = []
         for images in pairs:
             a, b = self._left(images[0]), self._right(images[1])
             if isinstance(a, Spot) and isinstance(b, Spot):
-                left.append((a.x_px, a.y_px, a.standard_uncertainty_px))
-                right.append((b.x_px, b.y_px, b.standard_uncertainty_px))
-        if not left:
+                seen.append((a.x_px, a.y_px, a.standard_uncertainty_px, b.x_px, b.y_px, b.standard_uncertainty_px))
+        if not seen:
             return np.empty((0, 3))
-        l_px, r_px = np.array(left), np.array(right)
-        return self._triangulator.triangulate(l_px[:, :2], r_px[:, :2], l_px[:, 2], r_px[:, 2]).points
+        px = np.array(seen)
+        return self._triangulator.triangulate(px[:, :2], px[:, 3:5], px[:, 2], px[:, 5]).points
 
 
 def compare(preset: str, sensor: Sensor, distance_mm: float, pairs: int, rounds: int, seed: int, centroids: Sequence[Centroid]) -> None:
