@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from functools import lru_cache
+from typing import NamedTuple
 
 import cv2
 import numpy as np
@@ -21,8 +22,7 @@ _LIT_SD_DN, _CLIP_LIT_SD = 8.0, 2.0
 """No sensor is so noisy: something bright is in the sample, up to a fifth of which this clips."""
 
 
-@dataclass(frozen=True, slots=True)
-class Background:
+class Background(NamedTuple):
     """Mean and standard deviation of the dark pixels, DN; the standard deviation holds the rounding to 8 bits."""
 
     mean_dn: float
@@ -31,20 +31,20 @@ class Background:
 
 def estimate_background(image: NDArray[np.uint8]) -> Background:
     """Background of an image (H, W) uint8: mean and deviation of a regular sample, what is bright in it left out."""
-    height, width = image.shape
-    step = max(1, height // max(_SAMPLE_ROWS, _SAMPLE_PX // width))
-    sample = image[step // 2 :: step]
-    mean, sd = _mean_and_sd(sample, None)
-    brightest, limit = cv2.minMaxLoc(sample)[1], 255
-    for _ in range(_ROUNDS):
+    sample = image[_sampled_rows(*image.shape)]
+    means, sds = cv2.meanStdDev(sample)
+    limit = cv2.minMaxLoc(sample)[1]
+    for left in range(_ROUNDS, -1, -1):
+        mean, sd = means.item(), sds.item()
         clip = math.floor(mean + max((_CLIP_SD if sd < _LIT_SD_DN else _CLIP_LIT_SD) * sd, _CLIP_DN))
-        if clip >= min(brightest, limit):
+        if clip >= limit or not left:
             break
         limit = clip
-        mean, sd = _mean_and_sd(sample, cv2.threshold(sample, limit, 255, cv2.THRESH_BINARY_INV)[1])
+        means, sds = cv2.meanStdDev(sample, mask=cv2.threshold(sample, limit, 255, cv2.THRESH_BINARY_INV)[1])
     return Background(mean, sd)
 
 
-def _mean_and_sd(sample: NDArray[np.uint8], mask: cv2.typing.MatLike | None) -> tuple[float, float]:
-    mean, sd = cv2.meanStdDev(sample, mask=mask)
-    return float(mean[0, 0]), float(sd[0, 0])
+@lru_cache(maxsize=16)
+def _sampled_rows(height: int, width: int) -> slice:
+    step = max(1, height // max(_SAMPLE_ROWS, _SAMPLE_PX // width))
+    return slice(step // 2, None, step)

@@ -112,22 +112,30 @@ class PixelWeights:
         """Moments of a blob, its window (h, w) uint8 and its brightest pixel given."""
         height, width = pixels.shape
         basis = _basis(height, width) if height * width <= _CACHED_PX else _monomials(height, width)
-        sums = self._table.take(pixels.ravel(), axis=0, mode="clip").T.dot(basis)
-        (w, wx, wy, wxx, wyy, wxy), (q, qx, qy, qxx, qyy, _), flux, area, saturated = sums.tolist()
+        (
+            (w, q, flux, area, saturated),
+            (wx, qx, _, _, _),
+            (wy, qy, _, _, _),
+            (wxx, qxx, _, _, _),
+            (wyy, qyy, _, _, _),
+            (wxy, _, _, _, _),
+        ) = basis.dot(self._table.take(pixels, 0).reshape(-1, 5)).tolist()
         if w <= 0:
-            return Moments(0.5 * (width - 1), 0.5 * (height - 1), 0.0, 0.0, 0.0, math.inf, math.inf, 0.0, int(area[0]), int(saturated[0]))
-        x, y, per_w, whole = wx / w, wy / w, 1 / w, self._sharpening[peak_dn]
+            return Moments(0.5 * (width - 1), 0.5 * (height - 1), 0.0, 0.0, 0.0, math.inf, math.inf, 0.0, int(area), int(saturated))
+        per_w, whole = 1 / w, self._sharpening[peak_dn]
+        x, y = wx * per_w, wy * per_w
+        xx, yy, per_w2 = wxx * per_w - x * x, wyy * per_w - y * y, per_w * per_w
         return Moments(
             x,
             y,
-            max(wxx * per_w - x * x, 0.0) * whole,
-            max(wyy * per_w - y * y, 0.0) * whole,
+            xx * whole if xx > 0.0 else 0.0,
+            yy * whole if yy > 0.0 else 0.0,
             (wxy * per_w - x * y) * whole,
-            (qxx - 2 * x * qx + x * x * q) * per_w * per_w,
-            (qyy - 2 * y * qy + y * y * q) * per_w * per_w,
-            flux[0],
-            int(area[0]),
-            int(saturated[0]),
+            (qxx - x * (2 * qx - x * q)) * per_w2,
+            (qyy - y * (2 * qy - y * q)) * per_w2,
+            flux,
+            int(area),
+            int(saturated),
         )
 
 
@@ -150,6 +158,6 @@ def _basis(height: int, width: int) -> Array:
 
 
 def _monomials(height: int, width: int) -> Array:
-    """1, x, y, x^2, y^2 and xy at the pixels of a window, (height * width, 6)."""
+    """1, x, y, x^2, y^2 and xy at the pixels of a window, (6, height * width)."""
     y, x = np.mgrid[:height, :width].astype(np.float64).reshape(2, -1)
-    return np.stack([np.ones_like(x), x, y, x * x, y * y, x * y], axis=1)
+    return np.stack([np.ones_like(x), x, y, x * x, y * y, x * y])

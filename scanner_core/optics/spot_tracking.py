@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import cv2
+import numpy as np
 
 from scanner_core.optics.spot import Spot, SpotMiss
 from scanner_core.optics.spot_detection import Image, SpotDetector, SpotLevels
@@ -41,6 +42,7 @@ class SpotTracker:
         self._last: Spot | None = None
         self._motion = (0.0, 0.0)
         self._flux_dn = 0.0
+        self._above: Image = np.empty(WINDOW_PX[::-1], np.uint8)
         self._windows_left = 0
         self.whole_frames = 0
 
@@ -71,18 +73,20 @@ class SpotTracker:
 
     def _in_window(self, image: Image, last: Spot, levels: SpotLevels) -> Spot | None:
         rows, columns = image.shape
-        left, top = int(last.x_px + self._motion[0]) - WINDOW_PX[0] // 2, int(last.y_px + self._motion[1]) - WINDOW_PX[1] // 2
-        right, bottom = left + WINDOW_PX[0], top + WINDOW_PX[1]
-        if left < 0 or top < 0 or right > columns or bottom > rows:
-            left, top, right, bottom = max(left, 0), max(top, 0), min(right, columns), min(bottom, rows)
-            if left >= right or top >= bottom:
+        wide, high = WINDOW_PX
+        dx, dy = self._motion
+        left, top = int(last.x_px + dx) - wide // 2, int(last.y_px + dy) - high // 2
+        if left < 0 or top < 0 or left + wide > columns or top + high > rows:
+            right, bottom = min(left + wide, columns), min(top + high, rows)
+            left, top = max(left, 0), max(top, 0)
+            wide, high = right - left, bottom - top
+            if wide <= 0 or high <= 0:
                 return None
-        above = cv2.threshold(image[top:bottom, left:right], levels.extent_dn, 255, cv2.THRESH_BINARY)[1]
+        above = cv2.threshold(image[top : top + high, left : left + wide], levels.extent_dn, 255, cv2.THRESH_BINARY, self._above)[1]
         x, y, w, h = cv2.boundingRect(above)  # of all that is bright in the window
-        x, y = x + left, y + top
-        if x < left + _EDGE_PX or y < top + _EDGE_PX or x + w > right - _EDGE_PX or y + h > bottom - _EDGE_PX:
+        if x < _EDGE_PX or y < _EDGE_PX or x + w > wide - _EDGE_PX or y + h > high - _EDGE_PX:
             return None
-        spot, flux = self._detector.measure(image, (x, y, w, h), levels)
+        spot, flux = self._detector.measure(image, (left + x, top + y, w, h), levels)
         if (
             isinstance(spot, Spot)
             and spot.area_px > _FILLED * w * h

@@ -9,6 +9,7 @@ depths come from a first, closed-form intersection.  No singular value decomposi
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -71,21 +72,24 @@ class Triangulator:
     def __init__(self, calibration: StereoCalibration) -> None:
         left, right = calibration.left, calibration.right
         self._left, self._right = left, right
-        # (camera, coordinate, column, 1): the rows P1, P2 and P3, broadcast over the pairs, which come last
-        projections = np.stack([left.projection(), right.projection()])
-        self._p12 = projections[:, :2, :, None]
-        self._p3 = projections[:, None, 2, :, None]
+        self._normal = _normal_factors(left.projection(), right.projection())
         self._focal = np.stack([np.diag(left.matrix)[:2], np.diag(right.matrix)[:2]])[:, :, None]
         # right = R left + t, whatever the rig frame is
         self._rotation = right.rotation @ left.rotation.T
         self._translation = right.translation - self._rotation @ left.translation
         x, y, z = self._translation
         essential = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]]) @ self._rotation
-        # E x_left, then the first two components of E^T x_right, with their constant part
-        self._gradient = np.zeros((5, 5))
-        self._gradient[:3, :2], self._gradient[:3, 4] = essential[:, :2], essential[:, 2]
-        self._gradient[3:, 2:4], self._gradient[3:, 4] = essential[:2, :2].T, essential[2, :2]
-        self._per_px = 1.0 / np.r_[self._focal[1, :, 0], self._focal[0, :, 0]][:, None]
+        per_px = 1.0 / self._focal[:, :, 0]
+        # what is linear in `_seen`, row by row: E x_left; the gradient of the epipolar form by the right and left pixel; the
+        # third and the first two components of the left ray in the right camera; t_xy - x_right t_z
+        self._linear = np.zeros((12, 5))
+        self._linear[:3, _LEFT_RAY] = essential
+        self._linear[3:5, _LEFT_RAY] = essential[:2] * per_px[1, :, None]
+        self._linear[5:7, 2:4], self._linear[5:7, 4] = essential[:2, :2].T, essential[2, :2]
+        self._linear[5:7] *= per_px[0, :, None]
+        self._linear[7, _LEFT_RAY] = self._rotation[2]
+        self._linear[8:10, _LEFT_RAY] = self._rotation[:2]
+        self._linear[10:, 2:4], self._linear[10:, 4] = -z * np.eye(2), (x, y)
 
     def triangulate(self, left_px: Array, right_px: Array, left_sigma_px: Array, right_sigma_px: Array) -> Triangulated:
         """Points of pairs of centroids.
@@ -108,68 +112,97 @@ class Triangulator:
         scale[0], scale[1] = left_sigma_px.T, right_sigma_px.T
 
         with np.errstate(all="ignore"):  # rays that do not meet are answered by NaN below
-            depth = self._depths(seen)
+            linear = self._linear.dot(seen)
+            residual = _sampson(seen, linear)
+            depth = self._depths(seen, linear)
             scale *= depth[:, None]
-            rows = seen[:4].reshape(2, 2, 1, n) * self._p3
-            rows -= self._p12
-            rows *= (self._focal / scale)[:, :, None]
-            rows = rows.reshape(4, 4, n)
-            normal = (rows[:, :, None] * rows[:, None]).sum(axis=0)  # (4, 4, n); its last column holds the right-hand side
-            inverse = _inverse_symmetric(normal)
-            points = -(inverse * normal[3, :3]).sum(axis=1)
-            residual = self._sampson(seen)
-        if not (depth.min() > 0 and np.isfinite(points).all()):
+            np.divide(self._focal, scale, scale)
+            weights = np.empty((3, 4, n))  # 1 over the variance of each of the four equations; times x, times x^2
+            np.square(scale.reshape(4, n), weights[2])
+            np.multiply(weights[2], seen[:4], weights[1])
+            np.multiply(weights[1], seen[:4], weights[0])
+            factors = self._normal.dot(weights.reshape(12, n)).reshape(5, 6, n)
+            products = factors[:4:2] * factors[1:4:2]
+            cofactors = products[0] - products[1]
+            determinant = np.add.reduce(factors[4, :3] * cofactors[:3])
+            cofactors /= determinant
+            inverse = cofactors.take(_SYMMETRIC, axis=0)  # (3, 3, n)
+            terms = inverse * factors[4, 3:]
+            points = terms[:, 0] + terms[:, 1]
+            points += terms[:, 2]
+        # a sum is finite where all its terms are
+        if not (np.minimum.reduce(depth, axis=None) > 0 and math.isfinite(np.add.reduce(points, axis=None))):
             lost = ~((depth > 0).all(axis=0) & np.isfinite(points).all(axis=0))
             points[:, lost], inverse[:, :, lost], residual[lost] = np.nan, np.nan, np.inf
         return Triangulated(np.ascontiguousarray(points.T), residual, np.ascontiguousarray(inverse.transpose(2, 0, 1)))
 
     def epipolar_residual(self, left_px: Array, right_px: Array) -> Array:
         """Signed Sampson distances (n,) px of pairs (n, 2) px to the epipolar constraint."""
-        return self._sampson(self._seen(left_px, right_px)) if len(left_px) else np.empty(0)
+        if not len(left_px):
+            return np.empty(0)
+        seen = self._seen(left_px, right_px)
+        return _sampson(seen, self._linear.dot(seen))
 
     def epipolar_sigma(self, left_px: Array, right_px: Array, left_sigma_px: Array, right_sigma_px: Array) -> Array:
         """Standard deviations (n,) px of the epipolar residuals of pairs whose coordinates have these, (n, 2) px each."""
-        slope = (self._gradient @ self._seen(left_px, right_px))[_SLOPES, :] * self._per_px
+        slope = self._linear[_SLOPES] @ self._seen(left_px, right_px)
         sigma = np.concatenate([right_sigma_px.T, left_sigma_px.T])
         return np.asarray(np.sqrt((np.square(slope) * np.square(sigma)).sum(axis=0) / np.square(slope).sum(axis=0)), np.float64)
 
     def _seen(self, left_px: Array, right_px: Array) -> Array:
         """Normalized x and y of the left, of the right, and 1, (5, n): long rows, so that each step is one call."""
-        seen = np.ones((5, len(left_px)))
+        seen = np.empty((5, len(left_px)))
+        seen[4] = 1.0
         seen[:2] = self._left.normalize(left_px).T
         seen[2:4] = self._right.normalize(right_px).T
         return seen
 
-    def _depths(self, seen: Array) -> Array:
+    def _depths(self, seen: Array, linear: Array) -> Array:
         """Depth in the left and right camera, (2, n) mm: the point of the left ray that the right camera sees best."""
-        turned = self._rotation @ seen[(0, 1, 4), :]  # direction of the left ray in the right camera
-        t, right = self._translation[:, None], seen[2:4]
-        u = right * turned[2] - turned[:2]
-        v = t[:2] - right * t[2]
-        along = (u * v).sum(axis=0) / (u * u).sum(axis=0)
-        return np.stack([along, along * turned[2] + t[2]])
-
-    def _sampson(self, seen: Array) -> Array:
-        """Signed Sampson distance in px, (n,): the epipolar form over the norm of its gradient by the four pixel coordinates."""
-        lines = self._gradient @ seen  # (5, n)
-        value = (seen[2:] * lines[:3]).sum(axis=0)
-        slope = lines[_SLOPES, :] * self._per_px
-        return np.asarray(value / np.sqrt((slope * slope).sum(axis=0)), np.float64)
+        ahead, turned = linear[7], linear[8:10]
+        u = seen[2:4] * ahead
+        u -= turned
+        linear[8:10] = u  # their last use
+        products = linear[8:].reshape(2, 2, -1) * u  # of u by u, and of t_xy - x_right t_z by u
+        squares, along = products[:, 0] + products[:, 1]
+        depth: Array = np.empty((2, seen.shape[1]))
+        np.divide(along, squares, depth[0])
+        np.multiply(depth[0], ahead, depth[1])
+        depth[1] += self._translation[2]
+        return depth
 
 
-_SLOPES = (0, 1, 3, 4)
-"""Rows of the gradient that belong to right x, y and left x, y."""
-
-_A, _B, _C, _D = (
-    np.array([[4 * ((i + di) % 3) + (j + dj) % 3 for j in range(3)] for i in range(3)]).ravel() for di, dj in ((1, 1), (2, 2), (1, 2), (2, 1))
-)
-"""Where the factors of the nine cofactors ``a b - c d`` stand in a flattened 4 x 4 matrix."""
+def _sampson(seen: Array, linear: Array) -> Array:
+    """Signed Sampson distance in px, (n,): the epipolar form over the norm of its gradient by the four pixel coordinates."""
+    value = np.add.reduce(seen[2:] * linear[:3])
+    slope = np.square(linear[_SLOPES])
+    return np.asarray(value / np.sqrt(np.add.reduce(slope)), np.float64)
 
 
-def _inverse_symmetric(normal: Array) -> Array:
-    """Inverses (3, 3, n) of the symmetric upper left parts of (4, 4, n), by cofactors: cheaper than ``np.linalg.inv`` for a few."""
-    flat = normal.reshape(16, -1)
-    cofactors = flat[_A] * flat[_B] - flat[_C] * flat[_D]
-    determinant = (flat[:3] * cofactors[:3]).sum(axis=0)
-    inverse: Array = (cofactors / determinant).reshape(3, 3, -1)
-    return inverse
+_LEFT_RAY = [0, 1, 4]
+"""Rows of what is seen that make up the direction of the left ray."""
+
+_SLOPES = slice(3, 7)
+"""Rows of the linear forms that are the gradient by right x, y and left x, y, per px."""
+
+_UPPER = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
+_SYMMETRIC = np.array([[0, 1, 2], [1, 3, 4], [2, 4, 5]])
+"""Where the elements of a symmetric matrix stand among its upper ones."""
+
+
+def _normal_factors(left: Array, right: Array) -> Array:
+    """What makes the factors of the inverse normal matrix of the weighted sums of the four equations, (30, 12).
+
+    With ``a = x P3 - Pk`` a coordinate x of weight w adds ``w a a^T = w x^2 P3 P3^T - w x (P3 Pk^T + Pk P3^T) + w Pk Pk^T`` to
+    the normal matrix N: linear in the 12 numbers w x^2, w x and w of the four coordinates.  The rows are, six each, the a, b, c and
+    d of the upper cofactors ``a b - c d`` of its 3 x 3 part, then that part's first row and the right-hand side ``-N[:3, 3]``:
+    so the inverses of all pairs come from one matrix product, by cofactors: cheaper than ``np.linalg.inv`` for a few.
+    """
+    by_sum = np.empty((4, 4, 3, 4))
+    for i, (projection, k) in enumerate(((left, 0), (left, 1), (right, 0), (right, 1))):
+        third, own = projection[2], projection[k]
+        mixed = np.outer(third, own)
+        by_sum[:, :, 0, i], by_sum[:, :, 1, i], by_sum[:, :, 2, i] = np.outer(third, third), -mixed - mixed.T, np.outer(own, own)
+    normal = by_sum.reshape(4, 4, 12)
+    rows = [normal[(i + di) % 3, (j + dj) % 3] for di, dj in ((1, 1), (2, 2), (1, 2), (2, 1)) for i, j in _UPPER]
+    return np.asarray(np.stack([*rows, *normal[0, :3], *-normal[:3, 3]]), np.float64)

@@ -36,7 +36,7 @@ def errors(way_px: float, peak_dn: float, count: int, seed: int) -> tuple[dict[s
             assert isinstance(seen, Spot)
             found[name].append((seen.x_px - x, seen.y_px - y))
         levels = fast.levels(frame)
-        left, top, w, h = fast.boxes(frame, levels)[0]
+        left, top, w, h = fast.boxes(frame, levels)[0][0]
         window = frame[top - 2 : top + h + 2, left - 2 : left + w + 2]
         moments = levels.weights.moments(window, int(window.max()))
         found["bare"].append((left - 2 + moments.x - x, top - 2 + moments.y - y))

@@ -1,18 +1,21 @@
 """Rates of detect + pair + triangulate against a plain loop of OpenCV calls, on the same frames in turns.
 
-The plain loop knows the threshold beforehand, takes the largest contour and gates nothing: threshold, findContours,
-moments of the pixels in its box, undistortPoints, triangulatePoints, pair by pair.  Ours estimates background and
-noise, gates, states uncertainties, and triangulates in batches of 16 with covariances and epipolar residuals.  Batches of both alternate;
-what counts is the median of the paired ratios of their processor times, one thread each.  On a machine with other work the
-ratio of the fastest tenths tells more: caches that others empty slow the interpreter more than they slow OpenCV.
+The plain loop knows the threshold beforehand, takes the largest contour and gates nothing: threshold, findContours and
+moments of the pixels in its box frame by frame, then undistortPoints and triangulatePoints once per batch.  Ours estimates
+background and noise, gates, states uncertainties, and triangulates with covariances and epipolar residuals.  Both have the same
+batches of 16 pairs, so neither pays more calls per point than the other; a plain loop that triangulates pair by pair is
+measured beside them.  Batches alternate; what counts is the median of the paired ratios of their processor times, one thread
+each.  On a machine with other work the ratio of the fastest tenths tells more: caches that others empty slow the interpreter
+more than they slow OpenCV.
 """
 
 from __future__ import annotations
 
 import argparse
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import Literal
 
 import cv2
 import numpy as np
@@ -21,7 +24,7 @@ from numpy.typing import NDArray
 from scanner_core.devices.rig import load_preset
 from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.optics.spot import Spot, SpotMiss
-from scanner_core.optics.spot_detection import SpotDetector, SpotDetectorParameters
+from scanner_core.optics.spot_detection import SpotDetector
 from scanner_core.optics.spot_tracking import SpotTracker
 from scanner_core.optics.triangulation import Triangulator
 from tests.bench.optics.spot_images import BENCH, WORKSHOP, Sensor, expose, signals
@@ -29,6 +32,8 @@ from tests.bench.optics.spot_images import BENCH, WORKSHOP, Sensor, expose, sign
 Image = NDArray[np.uint8]
 Pairs = list[tuple[Image, Image]]
 BATCH = 16
+Centroid = Literal["weighted", "gaussian", "border"]
+CENTROIDS: tuple[Centroid, ...] = ("weighted", "gaussian", "border")
 
 
 def frames(calibration: StereoCalibration, sensor: Sensor, distance_mm: float, count: int, seed: int) -> tuple[Pairs, NDArray[np.float64]]:
@@ -51,27 +56,31 @@ def frames(calibration: StereoCalibration, sensor: Sensor, distance_mm: float, c
 
 
 class PlainLoop:
-    """What one writes on an afternoon."""
+    """What one writes on an afternoon; `together` points are triangulated at a time."""
 
-    def __init__(self, calibration: StereoCalibration, threshold_dn: int) -> None:
+    def __init__(self, calibration: StereoCalibration, threshold_dn: int, together: int) -> None:
         self._cameras = calibration.left, calibration.right
         self._projections = calibration.left.projection(), calibration.right.projection()
         self._threshold_dn = threshold_dn
+        self._together = together
 
     def batch(self, pairs: Pairs) -> NDArray[np.float64]:
-        return np.array([self._point(left, right) for left, right in pairs])
+        return np.concatenate([self._points(pairs[i : i + self._together]) for i in range(0, len(pairs), self._together)])
 
-    def _point(self, left: Image, right: Image) -> NDArray[np.float64]:
+    def _points(self, pairs: Pairs) -> NDArray[np.float64]:
         seen = []
-        for image, camera in zip((left, right), self._cameras, strict=True):
-            above = cv2.threshold(image, self._threshold_dn, 255, cv2.THRESH_BINARY)[1]
-            contours = cv2.findContours(above, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE)[0]
-            x, y, w, h = cv2.boundingRect(max(contours, key=cv2.contourArea))
-            m = cv2.moments(image[y : y + h, x : x + w])
-            centroid = np.array([[[x + m["m10"] / m["m00"], y + m["m01"] / m["m00"]]]])
-            seen.append(cv2.undistortPoints(centroid, camera.matrix, camera.distortion).reshape(2, 1))
-        point = cv2.triangulatePoints(*self._projections, *seen)
-        return np.asarray(point[:3, 0] / point[3, 0], np.float64)
+        for images, camera in zip(zip(*pairs, strict=True), self._cameras, strict=True):
+            centroids = np.array([self._centroid(image) for image in images])
+            seen.append(cv2.undistortPoints(centroids, camera.matrix, camera.distortion).reshape(-1, 2).T)
+        points = cv2.triangulatePoints(*self._projections, *seen)
+        return np.asarray((points[:3] / points[3]).T, np.float64)
+
+    def _centroid(self, image: Image) -> tuple[float, float]:
+        above = cv2.threshold(image, self._threshold_dn, 255, cv2.THRESH_BINARY)[1]
+        contours = cv2.findContours(above, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE)[0]
+        x, y, w, h = cv2.boundingRect(max(contours, key=cv2.contourArea))
+        m = cv2.moments(image[y : y + h, x : x + w])
+        return x + m["m10"] / m["m00"], y + m["m01"] / m["m00"]
 
 
 class Measured:
@@ -84,30 +93,30 @@ class Measured:
         self._left, self._right = left, right
 
     def batch(self, pairs: Pairs) -> NDArray[np.float64]:
-        left, right = [], []
+        seen = []
         for images in pairs:
             a, b = self._left(images[0]), self._right(images[1])
             if isinstance(a, Spot) and isinstance(b, Spot):
-                left.append((a.x_px, a.y_px, a.standard_uncertainty_px))
-                right.append((b.x_px, b.y_px, b.standard_uncertainty_px))
-        if not left:
+                seen.append((a.x_px, a.y_px, a.standard_uncertainty_px, b.x_px, b.y_px, b.standard_uncertainty_px))
+        if not seen:
             return np.empty((0, 3))
-        l_px, r_px = np.array(left), np.array(right)
-        return self._triangulator.triangulate(l_px[:, :2], r_px[:, :2], l_px[:, 2], r_px[:, 2]).points
+        px = np.array(seen)
+        return self._triangulator.triangulate(px[:, :2], px[:, 3:5], px[:, 2], px[:, 5]).points
 
 
-def compare(preset: str, sensor: Sensor, distance_mm: float, pairs: int, rounds: int, seed: int) -> None:
+def compare(preset: str, sensor: Sensor, distance_mm: float, pairs: int, rounds: int, seed: int, centroids: Sequence[Centroid]) -> None:
     config = load_preset(preset)
     calibration = config.calibration
     assert calibration is not None
     given, truth = frames(calibration, sensor, distance_mm, pairs, seed)
-    plain = PlainLoop(calibration, round(sensor.black_dn + 10))
+    threshold_dn = round(sensor.black_dn + 10)
+    plain = PlainLoop(calibration, threshold_dn, BATCH)
     runs: dict[str, Callable[[Pairs], NDArray[np.float64]]] = {"plain loop": plain.batch}
-    for name in ("weighted", "gaussian", "border"):
-        parameters: SpotDetectorParameters = replace(config.spot, centroid=name)
-        detector = SpotDetector(parameters)
-        runs[f"{name}, whole frame"] = Measured(calibration, detector.detect, detector.detect).batch
-        runs[f"{name}, tracked"] = Measured(calibration, SpotTracker(detector).detect, SpotTracker(detector).detect).batch
+    runs["plain, pair by pair"] = PlainLoop(calibration, threshold_dn, 1).batch
+    for centroid in centroids:
+        detector = SpotDetector(replace(config.spot, centroid=centroid))
+        runs[f"{centroid}, whole frame"] = Measured(calibration, detector.detect, detector.detect).batch
+        runs[f"{centroid}, tracked"] = Measured(calibration, SpotTracker(detector).detect, SpotTracker(detector).detect).batch
     width, height = calibration.left.size_px
     print(f"{preset}, {width} x {height}, {pairs} pairs x {rounds} rounds, seed {seed}")
     buffers = [(np.empty((height, width), np.uint8), np.empty((height, width), np.uint8)) for _ in range(BATCH)]
@@ -145,10 +154,11 @@ def main() -> int:
     parser.add_argument("--pairs", type=int, default=160)
     parser.add_argument("--rounds", type=int, default=8)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--centroids", nargs="+", choices=CENTROIDS, default=list(CENTROIDS))
     given = parser.parse_args()
     cv2.setNumThreads(1)
-    compare("bench", BENCH, 450.0, given.pairs, given.rounds, given.seed)
-    compare("workshop", WORKSHOP, 615.0, given.pairs, given.rounds, given.seed)
+    compare("bench", BENCH, 450.0, given.pairs, given.rounds, given.seed, given.centroids)
+    compare("workshop", WORKSHOP, 615.0, given.pairs, given.rounds, given.seed, given.centroids)
     return 0
 
 
