@@ -167,6 +167,7 @@ class SpotDetector:
 
     def __init__(self, parameters: SpotDetectorParameters | None = None) -> None:
         self.parameters = parameters or SpotDetectorParameters()
+        self._least_roundness = self.parameters.max_elongation**2 / (1 + self.parameters.max_elongation**2) ** 2
         self._levels: dict[tuple[int, int], SpotLevels] = {}
         self._scratch = _Scratch()
 
@@ -261,9 +262,10 @@ class SpotDetector:
         if moments.saturated_px > (p.max_censored_px if p.centroid == "gaussian" else p.max_saturated_px):
             return SpotMiss(MissReason.SATURATED, peak), flux
         xx, yy = moments.xx, moments.yy
-        # ratio of the principal variances; that of a pixel, added to both, keeps a one-pixel row finite
-        mean, spread = 0.5 * (xx + yy) + PIXEL_VARIANCE_PX2, math.hypot(0.5 * (xx - yy), moments.xy)
-        if mean + spread > p.max_elongation**2 * max(mean - spread, PIXEL_VARIANCE_PX2):
+        # by trace and determinant, for the smaller of the principal variances over the larger one, r, has r / (1 + r)^2 = det / trace^2;
+        # that of a pixel, added to both, keeps a one-pixel row finite
+        wide, high = xx + PIXEL_VARIANCE_PX2, yy + PIXEL_VARIANCE_PX2
+        if wide * high - moments.xy**2 < self._least_roundness * (wide + high) ** 2:
             return SpotMiss(MissReason.ELONGATED, peak), flux
 
         x, y, variance_x, variance_y = moments.x, moments.y, moments.variance_x, moments.variance_y

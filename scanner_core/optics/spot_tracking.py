@@ -11,6 +11,8 @@ from scanner_core.optics.spot_detection import Image, SpotDetector, SpotLevels
 WINDOW_PX = (40, 32)
 """Width and height of the window round the predicted place."""
 
+_REACH_PX = (WINDOW_PX[0] // 2, WINDOW_PX[1] // 2)
+
 WHOLE_FRAME_EVERY = 32
 """At the latest then the whole frame is searched again, and its background estimated."""
 
@@ -99,6 +101,9 @@ class SpotTracker:
 
     def _follow(self, spot: Spot) -> None:
         """Expect the next spot as far from this one as this one is from the last, if that is within reach of the window."""
-        motion = (0.0, 0.0) if self._last is None else (spot.x_px - self._last.x_px, spot.y_px - self._last.y_px)
-        within = abs(motion[0]) < 0.5 * WINDOW_PX[0] and abs(motion[1]) < 0.5 * WINDOW_PX[1]
-        self._last, self._motion = spot, motion if within else (0.0, 0.0)
+        motion = (0.0, 0.0)
+        if self._last is not None:
+            dx, dy = spot.x_px - self._last.x_px, spot.y_px - self._last.y_px
+            if -_REACH_PX[0] < dx < _REACH_PX[0] and -_REACH_PX[1] < dy < _REACH_PX[1]:
+                motion = (dx, dy)
+        self._last, self._motion = spot, motion

@@ -2,8 +2,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import cv2
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from scipy.special import erf
 
 from scanner_core.errors import UsageError
@@ -185,3 +188,18 @@ def test_noise_pixels_are_no_dim_spots() -> None:
     found = DETECTOR.detect(frame)
     assert isinstance(found, SpotMiss)
     assert found.reason is MissReason.NO_SPOT
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.integers(0, 2**31), st.integers(1, 5))
+def test_search_of_few_rows_finds_what_contours_of_the_whole_frame_find(seed: int, count: int) -> None:
+    rng = np.random.default_rng(seed)
+    spots = [(rng.uniform(-3, 607), rng.uniform(-3, 297), rng.uniform(0.3, 5), 10 ** rng.uniform(0.8, 2.8)) for _ in range(count)]
+    image = _frame(*spots, seed=seed)
+    levels = DETECTOR.levels(image)
+    boxes, peak = DETECTOR.boxes(image, levels)
+    above = cv2.threshold(image, levels.extent_dn, 255, cv2.THRESH_BINARY)[1]
+    every = [cv2.boundingRect(blob) for blob in cv2.findContours(above, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE)[0]]
+    bright = [(x, y, w, h) for x, y, w, h in every if image[y : y + h, x : x + w].max() > levels.seed_dn]
+    assert peak == image.max()
+    assert set(bright or every) <= {tuple(box) for box in boxes} <= set(every)
