@@ -36,10 +36,10 @@ def test_reflections_are_settled_without_a_wrong_point() -> None:
     bench = VirtualBench(preset, heart, SteppedClock(), raster, seed=3)
     detector, pairs = SpotDetector(), []
     for i in range(len(raster.directions)):
-        left, right = (detector.detect(bench.image(side, i + 0.1, 2.0, 1.0, i)) for side in (0, 1))
+        left, right = (detector.detect(bench.image(side, i + 0.1, preset.exposure_ms, 1.0, i)) for side in (0, 1))
         pairs.append(StereoPair(i, float(i), left, right))
     ambiguous = [any(isinstance(s, SpotMiss) and s.reason is MissReason.AMBIGUOUS for s in (p.left, p.right)) for p in pairs]
-    seen = StereoEngine(bench.truth_calibration(), VolumeConfig(75.0, 105.0)).evaluate(pairs, 0, 0.0)
+    seen = StereoEngine(bench.truth_calibration(), VolumeConfig(75.0, 105.0), 0.045).evaluate(pairs, 0, 0.0)
     measured = [observation.verdict == MEASURED for observation in seen.observations]
     settled = np.array(ambiguous) & np.array(measured)
     assert sum(ambiguous) > 60
