@@ -194,7 +194,7 @@ class ScanRunner:
                 for finding in self._health.findings:
                     self._store.audit(f"health {finding.code}", json.dumps(finding.as_dict()))
                 if self._tally.measured and not isinstance(error, OSError):
-                    views = register_case(self._store, self._scan_id, self.calibration)
+                    views = register_case(self._store, self._scan_id, self._rig.config, self.calibration)
         except BaseException as fault:
             error = error or self._as_error(fault)
             reason = FinishReason.FAILED

@@ -7,13 +7,18 @@ exposure is shortened and the gain makes up for the light.
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from math import hypot, log10, radians
 
 from scanner_core.acquisition.plan import ScanPlan
 from scanner_core.acquisition.rig_session import OpenRig
+from scanner_core.devices.camera import Camera
 from scanner_core.devices.rig import LaserConfig
+from scanner_core.errors import ImprontaError
+
+_log = logging.getLogger("impronta")
 
 
 def longest_exposure_ms(laser: LaserConfig, sweep_speed_deg_s: float) -> float:
@@ -33,13 +38,22 @@ def exposed_for(rig: OpenRig, plan: ScanPlan) -> Iterator[None]:
         When a camera refuses.
     """
     longest_ms = longest_exposure_ms(rig.config.laser, plan.sweep_speed_deg_s)
-    before = [(camera, camera.exposure_ms, camera.gain_db) for camera in (rig.left, rig.right)]
-    try:
-        for camera, exposure_ms, gain_db in before:
+    with ExitStack() as restoring:
+        for camera in (rig.left, rig.right):
+            exposure_ms, gain_db = camera.exposure_ms, camera.gain_db
             if exposure_ms > longest_ms:
-                camera.exposure_ms = longest_ms
-                camera.gain_db = gain_db + 20 * log10(exposure_ms / longest_ms)
+                restoring.callback(_restore, camera, exposure_ms, gain_db)
+                _set(camera, longest_ms, gain_db + 20 * log10(exposure_ms / longest_ms))
         yield
-    finally:
-        for camera, exposure_ms, gain_db in before:
-            camera.exposure_ms, camera.gain_db = exposure_ms, gain_db
+
+
+def _set(camera: Camera, exposure_ms: float, gain_db: float) -> None:
+    camera.exposure_ms, camera.gain_db = exposure_ms, gain_db
+
+
+def _restore(camera: Camera, exposure_ms: float, gain_db: float) -> None:
+    """A camera that refuses must not hide what ended the sweep: it will refuse again when it is used next."""
+    try:
+        _set(camera, exposure_ms, gain_db)
+    except ImprontaError as refusal:
+        _log.warning("exposure of camera %s not restored: %s", camera.name, refusal)

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from scanner_core.case.points import triangulate_observations
 from scanner_core.case.store import CaseStore
+from scanner_core.devices.rig import RigConfig
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.registration import RegistrationResult, register_views
 from scanner_core.optics.calibration import StereoCalibration
@@ -25,10 +26,10 @@ class RegisteredViews:
     noise: NoiseModel
 
 
-def register_case(store: CaseStore, scan_id: int, calibration: StereoCalibration) -> RegisteredViews:
+def register_case(store: CaseStore, scan_id: int, rig: RigConfig, calibration: StereoCalibration) -> RegisteredViews:
     """Register the views of a scan, keep the corrections in the case, and return the merged cloud."""
     table = store.observations(scan_id)
-    registration = register_views(triangulate_observations(table, calibration).cloud)
+    registration = register_views(triangulate_observations(table, rig, calibration).cloud)
     store.put_corrections(scan_id, registration.corrections)
-    measured = triangulate_observations(table, calibration, store.corrections(scan_id))
+    measured = triangulate_observations(table, rig, calibration, store.corrections(scan_id))
     return RegisteredViews(measured.cloud, registration, measured.noise)

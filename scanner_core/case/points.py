@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from scanner_core.case.observation import ObservationTable
 from scanner_core.case.store import CaseStore
-from scanner_core.devices.rig import parse_rig
+from scanner_core.devices.rig import RigConfig, parse_rig
 from scanner_core.errors import CaseError, CaseFormatError
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.rigid import RigidTransform
@@ -22,9 +22,6 @@ from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.optics.calibration_uncertainty import systematic_covariance
 from scanner_core.optics.noise_model import CentroidNoise, NoiseModel, along_axes, fit_centroid_noise
 from scanner_core.optics.triangulation import Triangulator
-
-_SHARED_MM = 0.6
-"""Points nearer than a laser spot's diameter are measured with partly the same light."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -36,17 +33,19 @@ class MeasuredCloud:
 
 
 def triangulate_observations(
-    table: ObservationTable, calibration: StereoCalibration, corrections: Mapping[int, RigidTransform] | None = None
+    table: ObservationTable, rig: RigConfig, calibration: StereoCalibration, corrections: Mapping[int, RigidTransform] | None = None
 ) -> MeasuredCloud:
     """The cloud in the object frame, with covariances in mm^2 by the scan's own residuals (see :mod:`~scanner_core.optics.noise_model`).
 
     Parameters
     ----------
+    rig : says what a few points do not: the detector's floor and the diameter of the laser spot
     corrections : the registration's motion of each view (object frame to object frame), or None
     """
     triangulator = Triangulator(calibration)
     pixels = CentroidNoise(along_axes(table.left_uncertainty_px, table.left_sigma_px), along_axes(table.right_uncertainty_px, table.right_sigma_px))
-    noise = fit_centroid_noise(triangulator, calibration, table.left_px, table.right_px, pixels)
+    prior = NoiseModel.prior(calibration, rig.spot.floor_px)
+    noise = fit_centroid_noise(triangulator, calibration, table.left_px, table.right_px, pixels, prior)
     seen = triangulator.triangulate(table.left_px, table.right_px, *noise.centroid_sigmas(calibration, pixels))
     points = np.empty_like(seen.points)
     covariances = np.empty_like(seen.covariances)
@@ -59,7 +58,7 @@ def triangulate_observations(
             transform = corrections[int(view)] @ transform
         points[here] = transform.apply(seen.points[here])
         covariances[here] = transform.rotate_covariances(seen.covariances[here])
-    surface_mm = excess_scatter_mm(points, covariances, _SHARED_MM)
+    surface_mm = excess_scatter_mm(points, covariances, rig.laser.spot_diameter_mm)
     covariances += surface_mm**2 * np.eye(3)
     covariances += _by_calibration(calibration, seen.points, table.table_deg)
     cloud = PointCloud(points, covariances, table.view.copy(), table.trigger_id.copy())
@@ -69,8 +68,11 @@ def triangulate_observations(
 def _by_calibration(calibration: StereoCalibration, in_rig: NDArray[np.float64], table_deg: NDArray[np.float64]) -> NDArray[np.float64]:
     """Covariances (n, 3, 3) mm^2, object frame, of points (n, 3) mm of the rig frame by the calibration's uncertainty.
 
-    It is common to neighbouring points, so it is no scatter, and no registration takes it out.
+    It is common to neighbouring points, so it is no scatter, and no registration takes it out.  Zero where the calibration
+    does not tell its uncertainty (those of older versions).
     """
+    if calibration.modes is None:
+        return np.zeros((len(in_rig), 3, 3))
     systematic = systematic_covariance(calibration, in_rig)
     for angle in np.unique(table_deg):
         here = table_deg == angle
@@ -78,12 +80,12 @@ def _by_calibration(calibration: StereoCalibration, in_rig: NDArray[np.float64],
     return systematic
 
 
-def case_calibration(store: CaseStore, calibration_id: str) -> StereoCalibration:
-    """The calibration with which a scan of the case was measured."""
-    calibration = parse_rig(store.calibration_toml(calibration_id), str(store.path)).calibration
-    if calibration is None:
+def case_rig(store: CaseStore, calibration_id: str) -> tuple[RigConfig, StereoCalibration]:
+    """The rig and the calibration with which a scan of the case was measured."""
+    rig = parse_rig(store.calibration_toml(calibration_id), str(store.path))
+    if rig.calibration is None:
         raise CaseFormatError("E-CASE-01", path=store.path, reason=f"its calibration {calibration_id} is empty")
-    return calibration
+    return rig, rig.calibration
 
 
 def case_cloud(store: CaseStore) -> PointCloud:
@@ -98,5 +100,5 @@ def case_cloud(store: CaseStore) -> PointCloud:
         if scan.kind == "scan":
             table = store.observations(scan.id)
             if len(table):
-                return triangulate_observations(table, case_calibration(store, scan.calibration_id), store.corrections(scan.id)).cloud
+                return triangulate_observations(table, *case_rig(store, scan.calibration_id), store.corrections(scan.id)).cloud
     raise CaseError("E-CASE-05", path=store.path, what="points", do="scan first")

@@ -77,7 +77,7 @@ def scan_artefact(rig: OpenRig, request: PlanRequest, told: OnFraction) -> Artef
             raise AcquisitionError("E-SCAN-01", planned=result.counts.planned, reasons=reasons)
         plan = next(scan.plan for scan in store.scans() if scan.id == result.scan_id)
         table = store.observations(result.scan_id)
-    cloud = triangulate_observations(table, runner.calibration).cloud
+    cloud = triangulate_observations(table, rig.config, runner.calibration).cloud
     return ArtefactScan(cloud, table.table_deg, float(str(plan["sweep_speed_deg_s"])), result.views.registration.residual_before_um)
 
 

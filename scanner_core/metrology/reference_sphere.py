@@ -31,6 +31,7 @@ from numpy.typing import NDArray
 
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import OpenRig
+from scanner_core.acquisition.sweep_exposure import longest_exposure_ms
 from scanner_core.devices.rig import AcceptanceLimits
 from scanner_core.errors import AcquisitionError, CalibrationError, UsageError
 from scanner_core.geometry.point_cloud import PointCloud
@@ -172,8 +173,9 @@ class SphereResult:
         size_u = 2e3 * float(np.linalg.norm(parts_mm))
         widths = np.array([a.dispersion_um for a in self.acquisitions])
         points = float(np.mean([a.points for a in self.acquisitions]))
-        # A single acquisition: the width of a normal 95 % interval from n points has about this relative uncertainty.
-        dispersion_u = 2 * (float(np.std(widths, ddof=1)) if n > 1 else self.dispersion_um / np.sqrt(points)) / np.sqrt(n)
+        # The width of a normal 95 % interval from n points has about this relative uncertainty, whatever few acquisitions scatter.
+        single = self.dispersion_um / np.sqrt(points)
+        dispersion_u = 2 * max(float(np.std(widths, ddof=1)) if n > 1 else 0.0, single) / np.sqrt(n)
         return (
             Characteristic("size", "radius, mean against calibrated", size_um, size_u, 0.5 * self.limits.size_um),
             Characteristic("dispersion", "shell of 95 % of the points (D95)", self.dispersion_um, float(dispersion_u), self.limits.dispersion_um),
@@ -247,7 +249,8 @@ class SphereTest:
 
     def _spot_bias(self, scan: ArtefactScan, centre: Array, radius_mm: float) -> Array:
         """Expected radial error of every point of the scan, (n,) mm, by the size and the motion of the spot."""
-        laser, exposure_s = self._rig.config.laser, 1e-3 * self._rig.config.left.exposure_ms
+        laser, cameras = self._rig.config.laser, self._rig.config
+        exposure_s = 1e-3 * min(cameras.left.exposure_ms, longest_exposure_ms(laser, scan.sweep_deg_s))
         spot = SpotOnSphere(laser.position_mm, 0.25 * laser.spot_diameter_mm, float(np.radians(scan.sweep_deg_s)) * exposure_s)
         return radial_bias_mm(scan.cloud.points, scan.table_deg, centre, radius_mm, spot, self._calibration)
 

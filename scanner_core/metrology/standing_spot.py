@@ -74,13 +74,13 @@ class StandingSpot:
             raise CalibrationError("E-CAL-02")
         self._rig = rig
         self._engine = StereoEngine(rig.calibration, rig.config.volume, rig.config.spot.floor_px)
+        self.table_deg = rig.motion.status().table_deg
+        """Where the table stands; to be set anew by who turns it."""
         detector = SpotDetector(rig.config.spot)
         self._captures = [CaptureThread(camera, detector, LatestSlot()) for camera in (rig.left, rig.right)]
         self._next_id = 0
         self._stay = -1
         self._never = threading.Event()
-        self.table_deg = rig.motion.status().table_deg
-        """Where the table stands; to be set anew by who turns it."""
 
     def observe(self, record: SpotRecord, place: int, x_deg: float, y_deg: float, count: int, told: OnPairs) -> None:
         """Point the beam and add `count` pairs to the record; the laser is off afterwards, also when it was interrupted."""

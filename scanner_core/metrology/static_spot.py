@@ -38,7 +38,7 @@ class StaticTest:
     """The test on an open rig; after an interrupt :attr:`record` holds what was measured."""
 
     def __init__(self, rig: OpenRig, repeats: int = REPEATS, places: int = PLACES, operator: ArtefactOperator | None = None) -> None:
-        self._rig, self._repeats, self._places = rig, repeats, min(places, max(1, repeats // LEAST_PER_STAY))
+        self._rig, self._repeats, self._places = rig, repeats, min(places, max(1, repeats // (ROUNDS * LEAST_PER_STAY)))
         self._operator = operator_for(rig, operator)
         self.record = SpotRecord()
         self._table_deg = 0.0

@@ -51,7 +51,7 @@ class NoiseModel:
     pairs: int = 0
 
     @classmethod
-    def prior(cls, calibration: StereoCalibration, floor_px: float = 0.05) -> NoiseModel:
+    def prior(cls, calibration: StereoCalibration, floor_px: float) -> NoiseModel:
         """Before anything was measured: `floor_px` is the rms over x and y of what limits a centroid beside the pixels' noise."""
         return cls(angle_rad=floor_px / float(np.sqrt(np.mean(_focal(calibration) ** 2))))
 
@@ -82,10 +82,9 @@ def along_axes(uncertainty_px: Array, sigma_px: Array) -> Array:
 
 
 def fit_centroid_noise(
-    triangulator: Triangulator, calibration: StereoCalibration, left_px: Array, right_px: Array, pixels: CentroidNoise
+    triangulator: Triangulator, calibration: StereoCalibration, left_px: Array, right_px: Array, pixels: CentroidNoise, prior: NoiseModel
 ) -> NoiseModel:
-    """`pixel_factor` and `angle_rad` of the pairs (n, 2) px that were measured; the prior when they are fewer than :data:`LEAST_PAIRS`."""
-    prior = NoiseModel.prior(calibration)
+    """`pixel_factor` and `angle_rad` of the pairs (n, 2) px that were measured; `prior` when they are fewer than :data:`LEAST_PAIRS`."""
     if len(left_px) < LEAST_PAIRS:
         return prior
     residual = triangulator.epipolar_residual(left_px, right_px)
@@ -112,7 +111,7 @@ def variance_components(squares: Array, parts: Array, start: Array) -> Array:
 
     scale = parts.mean(axis=0)
     unit = parts / np.maximum(scale, 1e-300)
-    factors = np.full(parts.shape[1], float(np.median(squares)) / 0.4549 / parts.shape[1]) if not start.any() else start * scale
+    factors = start * scale
     for _ in range(_ROUNDS):
         variance = np.maximum(unit @ factors, 1e-12 * float(squares.max()) + 1e-300)
         clipped = np.minimum(squares, _CLIP**2 * variance) / _CLIPPED_VARIANCE

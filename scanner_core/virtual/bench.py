@@ -81,6 +81,11 @@ class VirtualBench:
         self._board_images: dict[int, tuple[object, NDArray[np.float32]]] = {}
 
     @property
+    def timeline(self) -> MotionTimeline:
+        """Where beam and table really are; for tests alone."""
+        return self._timeline
+
+    @property
     def specimen(self) -> Specimen | None:
         """What stands on the table."""
         return self._scene.specimen
@@ -180,7 +185,7 @@ class VirtualBench:
         return remembered[1]
 
     def _drifted(self, signal: NDArray[np.float32], index: int, time_s: float) -> NDArray[np.float32]:
-        """The image as the warm camera has it; a few hundredths of a pixel, so that linear interpolation does not blur it."""
+        """The image as the warm camera has it; a few hundredths of a pixel, so that interpolation does not blur it."""
         x, y = warm_up_px(self.preset, index, time_s)
         if x == y == 0:
             return signal

@@ -41,6 +41,10 @@ def open_controller(config: ControllerConfig, clock: Clock, *, standing_laser_s:
     return GrblController(port, config, clock, standing_laser_s=standing_laser_s)
 
 
+APPROACH_DEG = 1.0
+"""More than any sound drive's play."""
+
+
 class GrblController:
     """Implements :class:`scanner_core.devices.motion.MotionController` on a port that is open.
 
@@ -103,10 +107,19 @@ class GrblController:
         self._link.command("G4P0", deadline_s, motion=True)
 
     def rotate_to(self, table_deg: float) -> None:
-        """Turn the table, laser dark; returns when it is there."""
+        """Turn the table, laser dark; returns when it is there.
+
+        It always arrives turning forwards, so that play in the drive does not show: backwards it goes :data:`APPROACH_DEG`
+        too far first.
+        """
         target = _words(**{self._table_axis: table_deg})
         self._ready()
         self._darken()
+        if table_deg < self._here(self._table_index):
+            self._turn(_words(**{self._table_axis: table_deg - APPROACH_DEG}), table_deg - APPROACH_DEG)
+        self._turn(target, table_deg)
+
+    def _turn(self, target: str, table_deg: float) -> None:
         self._link.command(f"M5G0{target}")
         self._link.command("G4P0", self._travel_s({self._table_index: table_deg}), motion=True)
         self._arrived(table_deg=table_deg)

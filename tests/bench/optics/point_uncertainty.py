@@ -62,7 +62,7 @@ def z_scores(preset: str, changes: dict[str, Any], specimen: str, points: int, v
                 if runner.result.error is not None:
                     raise runner.result.error
                 assert runner.result.scan_id is not None
-                measured = triangulate_observations(store.observations(runner.result.scan_id), rig.calibration)
+                measured = triangulate_observations(store.observations(runner.result.scan_id), rig.config, rig.calibration)
     finally:
         presets.PRESETS[preset] = shipped
     surface = ClosestPoint(body.mesh)

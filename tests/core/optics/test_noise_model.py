@@ -10,6 +10,7 @@ from scanner_core.optics.triangulation import Triangulator
 from tests.core.optics.rigs import known_rig
 
 RIG = known_rig()
+PRIOR = NoiseModel.prior(RIG, 0.05)
 
 
 def pairs(count: int, angle_rad: float, pixel_factor: float, seed: int) -> tuple[np.ndarray, np.ndarray, CentroidNoise]:
@@ -27,7 +28,7 @@ def pairs(count: int, angle_rad: float, pixel_factor: float, seed: int) -> tuple
 @pytest.mark.parametrize(("angle_rad", "pixel_factor"), [(6e-5, 1.0), (2e-5, 1.0), (0.0, 1.0), (6e-5, 2.5)])
 def test_both_parts_are_found_from_epipolar_residuals(angle_rad: float, pixel_factor: float) -> None:
     left, right, pixels = pairs(6000, angle_rad, pixel_factor, 3)
-    found = fit_centroid_noise(Triangulator(RIG), RIG, left, right, pixels)
+    found = fit_centroid_noise(Triangulator(RIG), RIG, left, right, pixels, PRIOR)
     assert found.pixel_factor == pytest.approx(pixel_factor, rel=0.1)
     assert found.angle_rad == pytest.approx(angle_rad, rel=0.06, abs=6e-6)
     assert found.pairs == 6000
@@ -37,7 +38,7 @@ def test_predicted_covariances_have_the_size_of_the_errors() -> None:
     left, right, pixels = pairs(4000, 6e-5, 1.5, 4)
     truth = RIG.turntable.origin + np.random.default_rng(4).uniform(-40, 40, (4000, 3))
     triangulator = Triangulator(RIG)
-    noise = fit_centroid_noise(triangulator, RIG, left, right, pixels)
+    noise = fit_centroid_noise(triangulator, RIG, left, right, pixels, PRIOR)
     seen = triangulator.triangulate(left, right, *noise.centroid_sigmas(RIG, pixels))
     error = seen.points - truth
     squared = np.einsum("ni,nij,nj->n", error, np.linalg.inv(seen.covariances), error)
@@ -49,13 +50,13 @@ def test_predicted_covariances_have_the_size_of_the_errors() -> None:
 def test_mismatched_pairs_do_not_count() -> None:
     left, right, pixels = pairs(4000, 6e-5, 1.0, 5)
     right[::50, 1] += 5.0
-    found = fit_centroid_noise(Triangulator(RIG), RIG, left, right, pixels)
+    found = fit_centroid_noise(Triangulator(RIG), RIG, left, right, pixels, PRIOR)
     assert found.angle_rad == pytest.approx(6e-5, rel=0.25)
 
 
 def test_a_handful_of_pairs_leaves_the_prior() -> None:
     left, right, pixels = pairs(LEAST_PAIRS - 1, 6e-5, 1.0, 6)
-    assert fit_centroid_noise(Triangulator(RIG), RIG, left, right, pixels) == NoiseModel.prior(RIG)
+    assert fit_centroid_noise(Triangulator(RIG), RIG, left, right, pixels, PRIOR) == PRIOR
 
 
 def test_the_prior_is_its_floor_over_both_coordinates() -> None:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from scanner_core.acquisition.rig_session import open_rig
+from scanner_core.devices.rig import load_preset
 from scanner_core.virtual.mechanics import PlayTimeline
 from tests.core.virtual.conftest import ScriptedMotion
 
@@ -24,3 +27,12 @@ def test_it_is_never_more_than_the_backlash_away(angles: list[float], backlash_d
     table = PlayTimeline(motion, backlash_deg)
     for motion.table_deg in angles:
         assert 0 <= table.instant(0.0).table_deg - motion.table_deg <= backlash_deg + 1e-9
+
+
+def test_the_driver_arrives_turning_forwards_so_that_play_does_not_show() -> None:
+    with open_rig(load_preset("bench")) as rig:
+        assert rig.bench is not None
+        table = rig.bench.timeline
+        for wanted in (30.0, 0.0, -45.0, 10.0):
+            rig.motion.rotate_to(wanted)
+            assert table.instant(rig.clock.now_s()).table_deg == pytest.approx(wanted, abs=1e-9)
