@@ -9,9 +9,9 @@ import pytest
 from tests.bench.optics.point_uncertainty import z_scores
 
 
-@pytest.mark.parametrize(("preset", "changes"), [("bench", {}), ("bench", {"surface_um": 50.0}), ("workshop", {"speckle": 0.3})])
+@pytest.mark.parametrize(("preset", "changes"), [("bench", {"surface_um": 50.0}), ("workshop", {"speckle": 0.3})])
 def test_errors_have_the_predicted_size(preset: str, changes: dict[str, Any]) -> None:
-    """A short scan: 1,200 points tell a standard deviation to 2 %; the full tables come from the bench."""
-    z, _, noise = z_scores(preset, changes, "sphere", 1200, 5, seed=11)
+    """A short scan: 900 points tell a standard deviation to 3 %; the full tables come from the bench."""
+    z, _, noise = z_scores(preset, changes, "sphere", 900, 4, seed=11)
     assert 0.87 < z.std() < 1.13
-    assert noise.pairs >= 1100
+    assert noise.pairs >= 850

@@ -34,6 +34,7 @@ def calibrated(seed: int, noise_px: float = 0.05) -> StereoCalibration:
     return replace(calibration, modes=joint_modes(calibration, steps, axis, 20.0))
 
 
+@pytest.mark.long
 def test_errors_of_points_are_as_large_as_predicted() -> None:
     """Rms over four calibrations and all points of the cube; neighbours share their error, so the bounds are wide."""
     z = [calibration_z(calibrated(seed), TRUTH) for seed in range(4)]

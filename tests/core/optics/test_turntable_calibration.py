@@ -99,6 +99,7 @@ def test_a_bent_board_rests_on_its_lowest_point() -> None:
     assert down == pytest.approx(0.0, abs=0.01)
 
 
+@pytest.mark.long
 def test_the_axis_knows_its_own_scatter() -> None:
     """Origins of many noisy runs scatter across the axis as the fit predicts."""
     offs, predicted = [], []
