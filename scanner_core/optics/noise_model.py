@@ -10,7 +10,7 @@ below or above itself.  None of it is known beforehand, and all of it shows in w
 - What moves both images alike leaves no epipolar residual, but the points scatter about the **local surface**: what is
   left there beyond the propagated centroids' noise is added to every point (`surface_um`).
 
-Both fits clip residuals at three standard deviations, so that mismatched pairs and edges do not count, and make up for it.
+Both fits are robust against mismatched pairs and edges (:mod:`~scanner_core.geometry.variance_components`).
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from scanner_core.geometry.variance_components import variance_components
 from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.optics.triangulation import Triangulator
 
@@ -27,10 +28,6 @@ Array = NDArray[np.float64]
 
 LEAST_PAIRS = 200
 """Fewer residuals do not tell a variance to 10 %: the prior stays."""
-_CLIP = 3.0
-_CLIPPED_VARIANCE = 0.9950
-"""Of a standard normal variate clipped at three: E[min(z^2, 9)]."""
-_ROUNDS = 30
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,27 +96,6 @@ def fit_centroid_noise(
     centred = residual - np.median(residual)
     factors = variance_components(np.square(centred), parts, np.array([1.0, prior.angle_rad**2]))
     return NoiseModel(float(factors[0]), float(np.sqrt(factors[1])), prior.surface_um, len(left_px))
-
-
-def variance_components(squares: Array, parts: Array, start: Array) -> Array:
-    """Factors (m,) >= 0 of the variances `parts` (n, m) whose sum explains squared residuals (n,) best.
-
-    Maximum likelihood for normal residuals by iterated, weighted non-negative least squares; squares beyond
-    :data:`_CLIP` standard deviations are clipped.
-    """
-    from scipy.optimize import nnls
-
-    scale = parts.mean(axis=0)
-    unit = parts / np.maximum(scale, 1e-300)
-    factors = start * scale
-    for _ in range(_ROUNDS):
-        variance = np.maximum(unit @ factors, 1e-12 * float(squares.max()) + 1e-300)
-        clipped = np.minimum(squares, _CLIP**2 * variance) / _CLIPPED_VARIANCE
-        before = factors
-        factors = nnls(unit / variance[:, None], clipped / variance)[0]
-        if np.abs(factors - before).max() < 1e-4 * factors.max():
-            break
-    return np.asarray(factors / np.maximum(scale, 1e-300), np.float64)
 
 
 def _focal(calibration: StereoCalibration) -> Array:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from scanner_core.optics.noise_model import LEAST_PAIRS, CentroidNoise, NoiseModel, along_axes, fit_centroid_noise, variance_components
+from scanner_core.optics.noise_model import LEAST_PAIRS, CentroidNoise, NoiseModel, along_axes, fit_centroid_noise
 from scanner_core.optics.triangulation import Triangulator
 from tests.core.optics.rigs import known_rig
 
@@ -70,12 +70,3 @@ def test_an_uncertainty_is_split_in_proportion_to_the_spot() -> None:
     split = along_axes(np.array([0.03]), np.array([[1.2, 0.6]]))
     assert split[0, 0] == pytest.approx(2 * split[0, 1])
     assert np.sqrt(np.mean(split**2)) == pytest.approx(0.03)
-
-
-def test_components_that_are_not_there_are_zero() -> None:
-    rng = np.random.default_rng(1)
-    parts = np.stack([rng.uniform(1, 9, 5000), rng.uniform(1, 9, 5000)], axis=1)
-    squares = np.square(rng.standard_normal(5000)) * 4 * parts[:, 1]
-    found = variance_components(squares, parts, np.array([1.0, 1.0]))
-    assert found[0] < 0.3
-    assert found[1] == pytest.approx(4, rel=0.1)
