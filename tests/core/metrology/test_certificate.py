@@ -66,8 +66,15 @@ def test_the_file_is_one_page_with_its_text(tmp_path: Path) -> None:
     assert b"/Subtype /Type0" in content  # letters, not outlines
     with page_style():
         words = " ".join(text.get_text() for text in _sphere(2).figure.texts)
-    expected = ["reference sphere", "PASS", f"{sphere.mean_radius_mm:.4f} mm", "ISO 14253-1", "simulated light", "SHA-256", "Seed"]
+    expected = ["reference sphere", "PASS", f"{sphere.mean_radius_mm:.4f} mm", "ISO 14253-1", "simulated light", "Seed"]
+    expected += ["SHA-256 of the rig's settings", "acquired 3 times, taken away"]
     assert [told for told in expected if told not in words] == []
+
+
+def test_one_acquisition_is_once() -> None:
+    with page_style():
+        page = sphere_page(sphere_result(load_preset("bench"), acquisitions=1), occasion("sphere", {"size": -6.0, "dispersion": 120.0}, 0))
+    assert "acquired once, and fitted" in " ".join(text.get_text() for text in page.figure.texts)
 
 
 def test_lines_are_broken_where_the_page_ends() -> None:
