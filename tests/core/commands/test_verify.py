@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +26,10 @@ def rig(tmp_path: Path) -> Path:
     path = tmp_path / "mine.toml"
     path.write_text(dump_rig(load_preset("bench")), encoding="utf-8")
     return path
+
+
+def _never(*_: object) -> None:
+    raise AssertionError("the rig was opened")
 
 
 def _json(capsys: pytest.CaptureFixture[str]) -> dict[str, Any]:
@@ -96,6 +101,43 @@ def test_a_rig_without_calibration_is_refused(tmp_path: Path, capsys: pytest.Cap
     assert _verify("static", "--rig", bare) == 1
     assert "E-CAL-02" in capsys.readouterr().err
     assert not history_path(str(bare)).exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        ("static --fault camera_kicked", "no fault 'camera_kicked'"),
+        ("static --without fog", "no term 'fog'"),
+        ("static --without speckle,distortion", 'without = ["distortion"] into the table [image_model] of a rig file, calibrate'),
+        ("sphere --reference-mm 1 --reference-uncertainty-mm 2", "no calibrated artefact"),
+        ("sphere --views 1000", "make no plan"),
+        ("acceptance --positions 8", "has 7 positions"),
+        ("acceptance --spacing-mm 5000", "E-USE-01"),
+    ],
+)
+def test_wrong_usage_is_found_before_anything_is_made(
+    words: str, told: str, rig: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("scanner_core.commands.verify.open_rig", _never)
+    assert _verify(*words.split(), "--rig", rig, "--out", tmp_path / "out") == 2
+    assert told in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_specimen_that_is_none_is_found_before_anything_is_made(rig: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert _verify("sphere", "--rig", rig, "--specimen", "nothing.stl", "--out", tmp_path / "out") == 1
+    assert "E-FILE-01" in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("asked", [("--fault", "lamp_on"), ("--without", "speckle")])
+def test_hardware_has_neither_faults_nor_terms(asked: tuple[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "real.toml"
+    path.write_text(dump_rig(replace(load_preset("bench"), virtual=None)), encoding="utf-8")
+    for command in (("verify", "static"), ("scan",)):
+        assert main([*command, "--rig", str(path), "--out", str(tmp_path / "out"), *asked]) == 2
+        assert "virtual rig" in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
 
 
 def test_a_spot_that_is_not_seen_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
