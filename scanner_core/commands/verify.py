@@ -10,8 +10,8 @@ from pathlib import Path
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
 from scanner_core.commands.console import Console
-from scanner_core.commands.scanning import calibrated_rig, faults, specimen_on_table
-from scanner_core.commands.verifying import Bar, Outcome, Session, part
+from scanner_core.commands.scanning import age_warnings, calibrated_rig, faults, specimen_on_table
+from scanner_core.commands.verifying import Bar, Conditions, Outcome, Session, part
 from scanner_core.devices.rig import RigConfig
 from scanner_core.metrology.acceptance import AcceptanceTest, planned_positions
 from scanner_core.metrology.certificate import Occasion, acceptance_certificate, sphere_certificate, static_certificate
@@ -26,7 +26,13 @@ def run(given: argparse.Namespace, console: Console) -> int:
     config, calibration = calibrated_rig(given)
     disturbances = faults(given, config)
     measure = _planned(given, config)
-    session = Session.prepare(console, config, given.rig, calibration, given.test, given.seed, given.out, given.force)
+    conditions = Conditions(tuple(given.without), tuple(given.fault), given.specimen if given.test == "sphere" and config.virtual else None)
+    warnings = age_warnings(calibration)
+    session = Session.prepare(
+        console, config, given.rig, calibration, given.test, given.seed, given.out, given.force, conditions=conditions, warnings=warnings
+    )
+    for warning in warnings:
+        console.say(f"Warning: {warning}")
     with open_rig(config, None, given.speed, given.seed, disturbances) as rig:
         try:
             outcome = measure(rig, Bar(console, given.test))

@@ -182,7 +182,8 @@ def _facts(page: Page, on: Occasion) -> None:
     age = on.age_days()
     calibration = f"{on.calibration.identity()}, {on.calibration.date[:10]}"
     if age is not None:
-        calibration += f" ({age:.0f} days)" if age >= 1 else " (today)"
+        days = f"{age:.0f} days" if age >= 1 else "today"
+        calibration += f" ({days}, expired)" if age > on.calibration.valid_days else f" ({days})"
     kind = f"virtual ({on.rig.virtual}): simulated light" if on.rig.virtual else "hardware"
     page.facts(
         (
