@@ -16,6 +16,13 @@ from collections.abc import Sequence
 from scanner_core import __version__
 from scanner_core.errors import ImprontaError, UsageError
 
+_INTERRUPTED = {
+    "calibrate": "the laser is off, nothing was kept, and the previous calibration stays in use",
+    "verify": "the laser is off, and nothing had been measured that could be kept",
+    "scan": "the laser is off, and what was measured before is kept in the case",
+    "demo": "the laser is off, and what was scanned before is kept in the case",
+}
+"""What is true when a command is interrupted that did not itself say how it ended."""
 _SPECIMENS = "ear, arch, heart, sphere, or a mesh file (STL, PLY, OBJ, VTP; millimetres)"
 
 
@@ -30,7 +37,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         return int(command.run(given, console))
     except KeyboardInterrupt:
-        console.say("Interrupted; what was measured is kept.")
+        console.say(f"Interrupted; {_INTERRUPTED.get(given.command, 'nothing was written')}.")
         return 130
     except UsageError as error:
         console.say(str(error))
@@ -78,7 +85,7 @@ def _parser() -> argparse.ArgumentParser:
     calibrate.add_argument("--square-mm", type=_positive, default=None, metavar="S", help="nominal size of the board's squares (default 25)")
     calibrate.add_argument("--thickness-mm", type=_length, default=0.0, metavar="T", help="of the board, from the table to its printed face")
     calibrate.add_argument("--valid-days", type=_positive, default=None, metavar="N", help="how long it may be used (default: as before, else 30)")
-    calibrate.add_argument("--seed", type=int, default=0, metavar="N", help="of the virtual rig")
+    calibrate.add_argument("--seed", type=_seed, default=0, metavar="N", help="of the virtual rig")
 
     target = _command(commands, "target", "the calibration board as a page to print at true scale")
     target.add_argument("--out", required=True, metavar="BOARD.pdf")
@@ -101,7 +108,7 @@ def _parser() -> argparse.ArgumentParser:
     reconstruct.add_argument("--tolerance-um", type=_positive, default=None, metavar="T", help="95 of 100 facets within T um of the fitted surface")
     reconstruct.add_argument("--open-holes", action="store_true", help="leave away what no point supports, instead of capping it")
     reconstruct.add_argument("--units", choices=("mm", "m", "inch"), default="mm", help="of the input's coordinates")
-    reconstruct.add_argument("--seed", type=int, default=0, metavar="N")
+    reconstruct.add_argument("--seed", type=_seed, default=0, metavar="N")
     reconstruct.add_argument("--force", action="store_true", help="overwrite the output")
 
     info = _command(commands, "info", "what is in a case, mesh or point file")
@@ -124,7 +131,7 @@ def _verify(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> No
     tests = verify.add_subparsers(dest="test", required=True, metavar="TEST")
 
     static = tests.add_parser("static", help="the scatter of a spot at rest on a plate")
-    static.add_argument("--repeats", type=_count, default=32_000, metavar="N", help="pairs of frames (default 32000)")
+    static.add_argument("--repeats", type=_repeats, default=32_000, metavar="N", help="pairs of frames (default 32000)")
     static.add_argument("--places", type=_count, default=256, metavar="K", help="of the spot, among which they are spread (default 256)")
 
     sphere = tests.add_parser("sphere", help="size and dispersion of a calibrated sphere")
@@ -158,7 +165,7 @@ def _command(commands: argparse._SubParsersAction[argparse.ArgumentParser], name
 
 def _virtual(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--speed", type=_speed, default="max", metavar="1, 5, max", help="of the virtual rig (default max)")
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="of every random choice")
+    parser.add_argument("--seed", type=_seed, default=0, metavar="N", help="of every random choice")
     without = "terms of the virtual rig's image model to switch off, to see what limits it: speckle, surface, shot_noise, ..."
     parser.add_argument("--without", type=lambda text: text.split(","), default=[], metavar="TERM,...", help=without)
     parser.add_argument(
@@ -174,31 +181,54 @@ def _virtual(parser: argparse.ArgumentParser) -> None:
 def _speed(text: str) -> float | str:
     if text == "max":
         return text
-    value = float(text)
+    value = _number(text)
     if not 0.1 <= value <= 100:
         raise argparse.ArgumentTypeError("a speed is 1, 5 or max")
     return value
 
 
+def _seed(text: str) -> int:
+    return _whole(text, 0)
+
+
 def _count(text: str) -> int:
-    value = int(text)
-    if value < 1:
-        raise argparse.ArgumentTypeError("must be at least 1")
+    return _whole(text, 1)
+
+
+def _repeats(text: str) -> int:
+    return _whole(text, 3)  # fewer have no scatter within a stay and between stays
+
+
+def _whole(text: str, least: int) -> int:
+    """Argparse would name the function that raised a ValueError; the sentence is for the user."""
+    try:
+        value = int(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"'{text}' is no whole number") from None
+    if value < least:
+        raise argparse.ArgumentTypeError(f"must be at least {least}")
     return value
 
 
 def _positive(text: str) -> float:
-    value = float(text)
+    value = _number(text)
     if not 0 < value < 1e9:
         raise argparse.ArgumentTypeError("must be a positive number")
     return value
 
 
 def _length(text: str) -> float:
-    value = float(text)
+    value = _number(text)
     if not 0 <= value < 1e3:
         raise argparse.ArgumentTypeError("must be a length in millimetres")
     return value
+
+
+def _number(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"'{text}' is no number") from None
 
 
 if __name__ == "__main__":

@@ -88,6 +88,14 @@ SENTENCES: dict[str, Sentence] = {
     "E-CAL-01": Sentence("The calibration failed: {reason}.", "The previous calibration stays in use; take the views again."),
     "E-CAL-02": Sentence("The rig has no calibration.", "Nothing was measured; run 'impronta calibrate' or the Rig page first."),
     "E-CAL-03": Sentence("The calibration was not accepted: {reason}.", "It is not used; take more views with the board filling the volume."),
+    "E-CAL-04": Sentence(
+        "The board's squares measure {measured_mm} mm where {given_mm} mm was given (by the bar of {bar_mm} mm).",
+        "The previous calibration stays in use; give the right size with --square-mm, or the bar's certified length with --length-mm.",
+    ),
+    "E-CAL-05": Sentence(
+        "The cameras are exchanged: what is called the right camera stands to the left of the other.",
+        "The previous calibration stays in use; exchange the two cameras in the rig file, then calibrate again.",
+    ),
     "E-PLAN-01": Sentence("The plan {path} cannot be used: {reason}.", "Nothing was scanned; correct the plan."),
     # ------------------------------------------------------------------------------------------ scan
     "E-SCAN-01": Sentence(

@@ -34,7 +34,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
     specimen = specimen_on_table(given, config)
     asked = {name: getattr(given, name) for name in ("views", "points") if getattr(given, name) is not None}
     request = sized_for(PlanRequest(**asked), specimen)
-    disturbances = faults(given)
+    disturbances = faults(given, config)
     folder = _folder(given.out, specimen.name, given.force)
     with open_rig(config, specimen, given.speed, given.seed) as rig:
         rig.calibration = _calibrate(rig, console)

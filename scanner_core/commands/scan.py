@@ -10,20 +10,17 @@ from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.acquisition.status import FinishReason
 from scanner_core.case.store import CaseStore, Order
 from scanner_core.commands.console import Console
-from scanner_core.commands.scanning import faults, run_scan, scan_json, scan_summary, sized_for, specimen_on_table, without_terms
-from scanner_core.devices.rig import load_rig_or_preset
-from scanner_core.errors import CalibrationError, UsageError
+from scanner_core.commands.scanning import age_warnings, calibrated_rig, faults, run_scan, scan_json, scan_summary, sized_for, specimen_on_table
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
-    config = without_terms(load_rig_or_preset(given.rig), given.without)
+    config, calibration = calibrated_rig(given)
     request = PlanRequest() if given.plan is None else read_plan(Path(given.plan))
     specimen = specimen_on_table(given, config) if config.virtual else None
-    if config.calibration is None:
-        raise CalibrationError("E-CAL-02")
-    disturbances = faults(given)
-    if disturbances and not config.virtual:
-        raise UsageError("E-USE-01", what="Faults happen on the virtual rig only", do="leave --fault away")
+    disturbances = faults(given, config)
+    warnings = age_warnings(calibration)
+    for warning in warnings:
+        console.say(f"Warning: {warning}")
     path = Path(given.out).resolve()
     if given.force and path.exists():
         CaseStore.open(path).close()  # refused while another program has it open, or when it is no case
@@ -33,7 +30,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
             store.put_order(Order(type=specimen.name))
         with open_rig(config, specimen, given.speed, given.seed, disturbances) as rig:
             result = run_scan(console, rig, sized_for(request, specimen), store)
-            values = scan_json(result, rig.left.rate_hz, str(path))
+            values = scan_json(result, rig.left.rate_hz, str(path)) | {"warnings": warnings}
     console.result(values, [*scan_summary(result), f"Kept in {path}."])
     if result.error is not None:
         console.say(str(result.error))

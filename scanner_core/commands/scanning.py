@@ -1,8 +1,9 @@
-"""What ``demo`` and ``scan`` share: the specimen on the table, the run with its progress, and the JSON of it."""
+"""What ``demo``, ``scan`` and ``verify`` share: the rig as asked for, the specimen on the table, the run with its progress, and the JSON of it."""
 
 from __future__ import annotations
 
 import argparse
+import json
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -12,17 +13,53 @@ from scanner_core.acquisition.runner import ScanResult, ScanRunner
 from scanner_core.acquisition.status import ScanState
 from scanner_core.case.store import CaseStore
 from scanner_core.commands.console import Console
-from scanner_core.devices.rig import RigConfig
-from scanner_core.errors import UsageError
+from scanner_core.devices.rig import RigConfig, load_rig_or_preset
+from scanner_core.errors import CalibrationError, UsageError
+from scanner_core.optics.calibration import StereoCalibration
+from scanner_core.optics.calibration_age import AgeState, calibration_age
 from scanner_core.virtual.disturbances import Disturbance, parse_fault
-from scanner_core.virtual.presets import GEOMETRIC_TERMS
+from scanner_core.virtual.presets import GEOMETRIC_TERMS, PRESETS
 from scanner_core.virtual.specimens import Specimen, check_fits, load_specimen
 
 
+def calibrated_rig(given: argparse.Namespace) -> tuple[RigConfig, StereoCalibration]:
+    """The rig to measure with, as it was asked for, and its calibration.
+
+    Raises
+    ------
+    UsageError
+        E-RIG-01; E-USE-01, among others for ``--without`` a term that makes other cameras than were calibrated.
+    CalibrationError
+        E-CAL-02.
+    """
+    config = load_rig_or_preset(given.rig)
+    other_cameras = [term for term in GEOMETRIC_TERMS if term in given.without]
+    if config.virtual is not None and other_cameras:
+        raise UsageError(
+            "E-USE-01",
+            what=f"Without {' and '.join(other_cameras)} the cameras are others than those that were calibrated",
+            do=f"put without = {json.dumps(other_cameras)} into the table [image_model] of a rig file, calibrate that rig, and measure with it",
+        )
+    config = without_terms(config, given.without)
+    if config.calibration is None:
+        raise CalibrationError("E-CAL-02")
+    return config, config.calibration
+
+
 def without_terms(config: RigConfig, terms: Sequence[str]) -> RigConfig:
-    """The virtual rig with terms of its image model switched off; other cameras have no calibration yet."""
-    if terms and config.virtual is None:
-        raise UsageError("E-USE-01", what="Only the virtual rig's image model has terms to switch off", do="leave --without away")
+    """The virtual rig with terms of its image model switched off; other cameras have no calibration yet.
+
+    Raises
+    ------
+    UsageError
+        E-USE-01 when there is no such term, or the image model of the rig file makes no rig.
+    """
+    if config.virtual is None:
+        if terms:
+            raise UsageError("E-USE-01", what="Only the virtual rig's image model has terms to switch off", do="leave --without away")
+        return config
+    if config.virtual in PRESETS:  # what is wrong here is said before anything is written or opened
+        PRESETS[config.virtual].changed(config.image_model).without(*terms)
     changed = config.without(terms)
     return changed.with_calibration(None) if set(terms) & set(GEOMETRIC_TERMS) else changed
 
@@ -34,9 +71,22 @@ def specimen_on_table(given: argparse.Namespace, rig: RigConfig) -> Specimen:
     return specimen
 
 
-def faults(given: argparse.Namespace) -> list[Disturbance]:
-    """What ``--fault`` lets go wrong on the virtual rig."""
+def faults(given: argparse.Namespace, config: RigConfig) -> list[Disturbance]:
+    """What ``--fault`` lets go wrong on the virtual rig; E-USE-01 on hardware."""
+    if given.fault and not config.virtual:
+        raise UsageError("E-USE-01", what="Faults happen on the virtual rig only", do="leave --fault away")
     return [parse_fault(text) for text in given.fault]
+
+
+def age_warnings(calibration: StereoCalibration) -> list[str]:
+    """What is to be said before anything is measured with a calibration: that it has expired."""
+    try:
+        age = calibration_age(calibration)
+    except ValueError:
+        return ["The calibration's date cannot be read, so that nobody knows whether it expired; calibrate anew ('impronta calibrate')."]
+    if age.state is not AgeState.EXPIRED:
+        return []
+    return [f"The calibration is not valid any more: {age.words().lower().rstrip('.')}; calibrate anew ('impronta calibrate')."]
 
 
 def sized_for(request: PlanRequest, specimen: Specimen | None) -> PlanRequest:

@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 from scanner_core.commands.console import Console
+from scanner_core.errors import InputFileError
 from scanner_core.files import check_free, replaced_when_whole
 from scanner_core.optics.board import DEFAULT_TARGET
 from scanner_core.optics.printable_target import PAPERS_MM, RULER_MM, write_target
@@ -13,6 +14,8 @@ from scanner_core.optics.printable_target import PAPERS_MM, RULER_MM, write_targ
 
 def run(given: argparse.Namespace, console: Console) -> int:
     out = Path(given.out).resolve()
+    if out.suffix.lower() != ".pdf":
+        raise InputFileError("E-FILE-06", suffix=out.suffix, known=".pdf")
     check_free(out, given.force)
     with replaced_when_whole(out, given.force) as partial:
         write_target(partial, DEFAULT_TARGET, given.paper)

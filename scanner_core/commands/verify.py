@@ -7,30 +7,35 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
+from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
 from scanner_core.commands.console import Console
-from scanner_core.commands.scanning import faults, without_terms
-from scanner_core.commands.verifying import Bar, Outcome, Session, part
-from scanner_core.devices.rig import load_rig_or_preset
-from scanner_core.errors import CalibrationError
-from scanner_core.metrology.acceptance import AcceptanceTest
+from scanner_core.commands.scanning import age_warnings, calibrated_rig, faults, specimen_on_table
+from scanner_core.commands.verifying import Bar, Conditions, Outcome, Session, part
+from scanner_core.devices.rig import RigConfig
+from scanner_core.metrology.acceptance import AcceptanceTest, planned_positions
 from scanner_core.metrology.certificate import Occasion, acceptance_certificate, sphere_certificate, static_certificate
 from scanner_core.metrology.decision import Characteristic, Verdict
 from scanner_core.metrology.reference_sphere import Reference, SphereTest
 from scanner_core.metrology.static_spot import StaticTest
 from scanner_core.metrology.static_statistics import AXES
-from scanner_core.virtual.specimens import load_specimen
+from scanner_core.virtual.specimens import Specimen
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
-    config = without_terms(load_rig_or_preset(given.rig), given.without)
-    if config.calibration is None:
-        raise CalibrationError("E-CAL-02")
-    session = Session.prepare(console, config, given.rig, config.calibration, given.test, given.seed, given.out, given.force)
-    measure = {"static": _static, "sphere": _sphere, "acceptance": _acceptance}[given.test]
-    with open_rig(config, None, given.speed, given.seed, faults(given) if config.virtual else ()) as rig:
+    config, calibration = calibrated_rig(given)
+    disturbances = faults(given, config)
+    measure = _planned(given, config)
+    conditions = Conditions(tuple(given.without), tuple(given.fault), given.specimen if given.test == "sphere" and config.virtual else None)
+    warnings = age_warnings(calibration)
+    session = Session.prepare(
+        console, config, given.rig, calibration, given.test, given.seed, given.out, given.force, conditions=conditions, warnings=warnings
+    )
+    for warning in warnings:
+        console.say(f"Warning: {warning}")
+    with open_rig(config, None, given.speed, given.seed, disturbances) as rig:
         try:
-            outcome = measure(given, rig, Bar(console, given.test))
+            outcome = measure(rig, Bar(console, given.test))
         finally:
             console.clear()
     if outcome.interrupted:
@@ -38,6 +43,19 @@ def run(given: argparse.Namespace, console: Console) -> int:
         return 130
     session.finish(outcome)
     return 3 if outcome.verdict is Verdict.FAIL else 0
+
+
+def _planned(given: argparse.Namespace, config: RigConfig) -> Callable[[OpenRig, Bar], Outcome]:
+    """The test that was asked for; wrong usage is refused here, before a folder is made or the rig opened."""
+    if given.test == "static":
+        return partial(_static, given)
+    PlanRequest(given.views, given.points)
+    radius = Reference(given.reference_mm, given.reference_uncertainty_mm)
+    if given.test == "sphere":
+        return partial(_sphere, given, radius, specimen_on_table(given, config) if config.virtual else None)
+    spacing = Reference(given.spacing_mm, given.spacing_uncertainty_mm)
+    planned_positions(config.volume, radius, spacing, given.positions)
+    return partial(_acceptance, given, radius, spacing)
 
 
 # ------------------------------------------------------------------------------------------ the three tests
@@ -66,9 +84,7 @@ def _static(given: argparse.Namespace, rig: OpenRig, bar: Bar) -> Outcome:
     return Outcome(result.as_dict(), summary, figures, spread, {}, None, (), partial(static_certificate, result), interrupted)
 
 
-def _sphere(given: argparse.Namespace, rig: OpenRig, bar: Bar) -> Outcome:
-    reference = Reference(given.reference_mm, given.reference_uncertainty_mm)
-    specimen = load_specimen(given.specimen) if rig.bench is not None else None
+def _sphere(given: argparse.Namespace, reference: Reference, specimen: Specimen | None, rig: OpenRig, bar: Bar) -> Outcome:
     test = SphereTest(rig, reference, given.points, given.views, specimen=specimen)
     interrupted = False
     try:
@@ -89,9 +105,7 @@ def _sphere(given: argparse.Namespace, rig: OpenRig, bar: Bar) -> Outcome:
     return _judged(result.as_dict(), summary, result.characteristics(), result.verdict, parameters, write, interrupted)
 
 
-def _acceptance(given: argparse.Namespace, rig: OpenRig, bar: Bar) -> Outcome:
-    radius = Reference(given.reference_mm, given.reference_uncertainty_mm)
-    spacing = Reference(given.spacing_mm, given.spacing_uncertainty_mm)
+def _acceptance(given: argparse.Namespace, radius: Reference, spacing: Reference, rig: OpenRig, bar: Bar) -> Outcome:
     test = AcceptanceTest(rig, radius, spacing, given.points, given.views)
     interrupted = False
     try:

@@ -21,6 +21,8 @@ from scanner_core.metrology.history import HistoryEntry, append_history, history
 from scanner_core.optics.calibration import StereoCalibration
 
 CERTIFICATE, RESULT = "certificate.pdf", "result.json"
+ARTEFACT = "sphere"
+"""The specimen that is the reference sphere."""
 
 T = TypeVar("T")
 
@@ -47,6 +49,45 @@ class Outcome:
     parameters: tuple[tuple[str, str], ...]
     write: Callable[[Occasion, Path], None]
     interrupted: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Conditions:
+    """What the command line changed of a test on the virtual rig.
+
+    Attributes
+    ----------
+    switched_off : terms of the image model
+    faults : as they were given
+    specimen : what was put down as the reference sphere; None in the other tests and on hardware
+    """
+
+    switched_off: tuple[str, ...]
+    faults: tuple[str, ...]
+    specimen: str | None
+
+    def foreign(self) -> str | None:
+        """Why the result says nothing about the rig as its file describes it, or None when it does."""
+        reasons = []
+        if self.switched_off:
+            reasons.append(f"without {', '.join(self.switched_off)} it is another rig")
+        if self.faults:
+            reasons.append(f"it was disturbed by {', '.join(self.faults)}")
+        if self.specimen not in (None, ARTEFACT):
+            reasons.append(f"the specimen '{self.specimen}' is not the reference sphere")
+        return "; ".join(reasons) or None
+
+    def parameters(self, config: RigConfig) -> tuple[tuple[str, str], ...]:
+        """The same for the certificate, with what the rig file says of the image model."""
+        off = config.image_model.get("without", ())
+        numbers = [f"{name} {value:g}" for name, value in config.image_model.items() if name != "without"]
+        facts = (
+            ("Switched off", ", ".join(off)),
+            ("Image model", ", ".join(numbers)),
+            ("Faults", ", ".join(self.faults)),
+            ("Specimen", "" if self.specimen in (None, ARTEFACT) else self.specimen or ""),
+        )
+        return tuple((label, value) for label, value in facts if value)
 
 
 class Bar:
@@ -91,11 +132,24 @@ class Session:
     seed: int
     folder: Path | None
     force: bool
+    conditions: Conditions
+    warnings: list[str]
     began_s: float
 
     @classmethod
     def prepare(
-        cls, console: Console, config: RigConfig, rig: str, calibration: StereoCalibration, test: str, seed: int, out: str | None, force: bool
+        cls,
+        console: Console,
+        config: RigConfig,
+        rig: str,
+        calibration: StereoCalibration,
+        test: str,
+        seed: int,
+        out: str | None,
+        force: bool,
+        *,
+        conditions: Conditions,
+        warnings: list[str],
     ) -> Session:
         """Make the folder, and refuse before the measurement what would be refused after it.
 
@@ -114,7 +168,7 @@ class Session:
                 raise storage_error(folder, fault) from fault
             for name in (CERTIFICATE, RESULT):
                 check_free(folder / name, force)
-        return cls(console, config, rig, calibration, test, seed, folder, force, time.monotonic())
+        return cls(console, config, rig, calibration, test, seed, folder, force, conditions, warnings, time.monotonic())
 
     def finish(self, outcome: Outcome) -> None:
         """History, certificate, JSON and summary of a whole test."""
@@ -131,12 +185,15 @@ class Session:
             rig_sha256=rig_sha256(self.config),
             seed=self.seed,
         )
-        history, kept_in = self._remember(entry)
-        values = self._values(date, outcome, "completed") | {"history": kept_in}
+        history, kept_in, left_out = self._remember(entry)
+        values = self._values(date, outcome, "completed") | {"history": kept_in, "history_left_out": left_out}
         summary = list(outcome.summary)
+        if left_out is not None:
+            summary.append(f"Not added to the rig's history: {left_out}.")
         if self.folder is not None:
             source = self.rig if self.config.name == self.rig else Path(self.rig).name
-            occasion = Occasion(self.config, source, self.calibration, date, self.seed, outcome.parameters, tuple(history))
+            parameters = (*outcome.parameters, *self.conditions.parameters(self.config))
+            occasion = Occasion(self.config, source, self.calibration, date, self.seed, parameters, tuple(history))
             with replaced_when_whole(self.folder / CERTIFICATE, self.force) as partial_file:
                 outcome.write(occasion, partial_file)
             self._write_json(values)
@@ -160,6 +217,10 @@ class Session:
             "rig_file": self.rig,
             "rig_sha256": rig_sha256(self.config),
             "virtual": self.config.virtual,
+            "image_model": dict(self.config.image_model),
+            "faults": list(self.conditions.faults),
+            "specimen": self.conditions.specimen,
+            "warnings": self.warnings,
             "calibration": {"id": self.calibration.identity(), "date": self.calibration.date},
             "date": date,
             "seed": self.seed,
@@ -167,20 +228,22 @@ class Session:
         }
         return about | outcome.values | {"seconds": round(time.monotonic() - self.began_s, 2)}
 
-    def _remember(self, entry: HistoryEntry) -> tuple[list[HistoryEntry], str | None]:
-        """Append to the rig's history; where that is not possible, say so and go on with this result alone.
+    def _remember(self, entry: HistoryEntry) -> tuple[list[HistoryEntry], str | None, str | None]:
+        """Append to the rig's history; where that is not possible or not right, go on with this result alone.
 
-        A virtual rig with parts of its image model changed is another rig: its results are not the history's.
+        Returns
+        -------
+        The results to show, the file that they are kept in, and why this one is not kept.
         """
-        if self.config.image_model:
-            return [entry], None
+        if (foreign := self.conditions.foreign()) is not None:
+            return [entry], None, foreign
         path = history_path(self.rig)
         try:
             append_history(path, entry)
-            return read_history(path, self.test), str(path)
+            return read_history(path, self.test), str(path), None
         except StorageError as error:
             self.console.say(f"The history was not kept: {error}")
-            return [entry], None
+            return [entry], None, error.message.rstrip(".")
 
     def _write_json(self, values: dict[str, object]) -> None:
         if self.folder is not None:

@@ -159,11 +159,7 @@ def load_rig(path: Path) -> RigConfig:
     UsageError
         E-RIG-01 with the place in the file.
     """
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, ValueError) as fault:
-        raise UsageError("E-RIG-01", path=path, reason=fault) from fault
-    return parse_rig(text, str(path))
+    return parse_rig(_read(path), str(path))
 
 
 def parse_rig(text: str, source: str) -> RigConfig:
@@ -218,10 +214,17 @@ def rig_text(name: str) -> str:
     """
     if name in PRESETS:
         return (resources.files("resources") / "rigs" / f"{name}.toml").read_text(encoding="utf-8")
+    return _read(Path(name))
+
+
+def _read(path: Path) -> str:
     try:
-        return Path(name).read_text(encoding="utf-8")
+        return path.read_text(encoding="utf-8")
+    except FileNotFoundError as fault:
+        reason = f"there is no such file, and the presets are called {', '.join(PRESETS)}"
+        raise UsageError("E-RIG-01", path=path, reason=reason) from fault
     except (OSError, ValueError) as fault:
-        raise UsageError("E-RIG-01", path=name, reason=fault) from fault
+        raise UsageError("E-RIG-01", path=path, reason=fault) from fault
 
 
 def recalibrated(text: str, calibration: StereoCalibration) -> str:

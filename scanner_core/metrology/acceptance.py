@@ -31,7 +31,7 @@ from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.devices.rig import AcceptanceLimits, VolumeConfig
 from scanner_core.errors import UsageError
 from scanner_core.metrology.artefact_scan import OnFraction, scan_artefact
-from scanner_core.metrology.ball_bar import BarMeasurement, BarSphere, bar_positions, measure_bar
+from scanner_core.metrology.ball_bar import BarMeasurement, BarPosition, BarSphere, bar_positions, measure_bar
 from scanner_core.metrology.decision import Characteristic, Verdict, overall
 from scanner_core.metrology.placing import ArtefactOperator, operator_for
 from scanner_core.metrology.reference_sphere import Reference
@@ -148,6 +148,20 @@ class AcceptanceResult:
         }
 
 
+def planned_positions(volume: VolumeConfig, radius: Reference, spacing: Reference, count: int) -> list[BarPosition]:
+    """The first `count` positions of the bar in the rig's volume.
+
+    Raises
+    ------
+    UsageError
+        E-USE-01: there are not so many, or the bar does not fit.
+    """
+    positions = bar_positions(volume, spacing.value_mm, radius.value_mm)
+    if not 1 <= count <= len(positions):
+        raise UsageError("E-USE-01", what=f"The test has {len(positions)} positions, not {count}", do="ask for fewer")
+    return positions[:count]
+
+
 class AcceptanceTest:
     """The test on an open rig; after an interrupt :attr:`done` holds the positions that were finished."""
 
@@ -157,7 +171,6 @@ class AcceptanceTest:
         """`points` and `views` are of each position."""
         self._rig, self._radius, self._spacing = rig, radius, spacing
         self._views, self._points = views, points
-        self.positions = bar_positions(rig.config.volume, spacing.value_mm, radius.value_mm)
         self._operator = operator_for(rig, operator)
         self.done: list[BarMeasurement] = []
 
@@ -169,12 +182,11 @@ class AcceptanceTest:
         AcquisitionError
             E-SCAN-01, E-MET-05 to E-MET-07.
         UsageError
-            E-USE-01: there are not so many positions.
+            E-USE-01: there are not so many positions, or the bar does not fit.
         """
-        if not 1 <= count <= len(self.positions):
-            raise UsageError("E-USE-01", what=f"The test has {len(self.positions)} positions, not {count}", do="ask for fewer")
+        positions = planned_positions(self._rig.config.volume, self._radius, self._spacing, count)
         radius, spacing = self._radius.value_mm, self._spacing.value_mm
-        for index, position in enumerate(self.positions[:count]):
+        for index, position in enumerate(positions):
             self._rig.motion.rotate_to(0.0)  # the plan's directions are the table's at 0 degrees
             self._operator.put_bar(position.centres(spacing), radius)
             region = position.region_mm(spacing, radius, self._rig.config.volume)

@@ -117,8 +117,8 @@ def sphere_page(result: SphereResult, on: Occasion) -> Page:
     page.section("Procedure")
     each = result.acquisitions
     page.paragraph(
-        f"The sphere was acquired {len(each)} times, taken away and put down anew in between, and fitted by least squares; the turntable's "
-        "axis alone brings the views together. Points farther from the sphere than five robust standard deviations were left out "
+        f"The sphere was acquired {_repeated(len(each))}, and fitted by least squares; the turntable's axis alone "
+        "brings the views together. Points farther from the sphere than five robust standard deviations were left out "
         f"({sum(a.rejected for a in each)} of {sum(a.points + a.rejected for a in each)}), points of stem and table likewise "
         f"({sum(a.foreign for a in each)}). U holds the standard error of the mean, the sphere's calibration and a fifth "
         f"of the correction for the size of the spot. {_RULE}"
@@ -182,7 +182,8 @@ def _facts(page: Page, on: Occasion) -> None:
     age = on.age_days()
     calibration = f"{on.calibration.identity()}, {on.calibration.date[:10]}"
     if age is not None:
-        calibration += f" ({age:.0f} days)" if age >= 1 else " (today)"
+        days = f"{age:.0f} days" if age >= 1 else "today"
+        calibration += f" ({days}, expired)" if age > on.calibration.valid_days else f" ({days})"
     kind = f"virtual ({on.rig.virtual}): simulated light" if on.rig.virtual else "hardware"
     page.facts(
         (
@@ -214,8 +215,12 @@ def _signed(value: float, digits: int) -> str:
     return f"{value:+.{digits}f}".replace("-", "−")
 
 
+def _repeated(count: int) -> str:
+    return "once" if count == 1 else f"{count} times, taken away and put down anew in between"
+
+
 def _footer(page: Page, on: Occasion) -> None:
-    page.footer(f"SHA-256 of the rig file: {rig_sha256(on.rig)}", "page 1 of 1")
+    page.footer(f"SHA-256 of the rig's settings and calibration: {rig_sha256(on.rig)}", "page 1 of 1")
 
 
 def _with_zone(moment: datetime) -> datetime:

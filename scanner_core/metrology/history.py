@@ -137,8 +137,11 @@ def read_history(path: Path, test: str | None = None) -> list[HistoryEntry]:
 
 
 def last_reference_sphere(path: Path) -> SphereTrend | None:
-    """The newest result of the reference sphere and how it stands against those before it, or None."""
-    entries = read_history(path, "sphere")
+    """The newest result of the reference sphere and how it stands against those before it, or None.
+
+    Lines without both of its figures (of another version, or edited by hand) do not count.
+    """
+    entries = [entry for entry in read_history(path, "sphere") if {"size", "dispersion"} <= entry.figures.keys()]
     if not entries:
         return None
     *before, last = entries

@@ -68,7 +68,8 @@ class CalibrationChange:
         if self.uncertainty_um is None:
             verdict = "the previous calibration does not state its uncertainty"
         else:
-            verdict = f"{'more than' if self.significant else 'no more than'} the calibrations' uncertainty of {self.uncertainty_um:.1f} um explains"
+            where = "more than" if self.significant else "within"
+            verdict = f"{where} three standard uncertainties of the calibrations ({self.uncertainty_um:.1f} um each)"
         return f"Since the previous calibration: {'; '.join(parts)}. {effect}, {verdict}."
 
 

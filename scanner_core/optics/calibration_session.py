@@ -148,7 +148,8 @@ def run_calibration(
     Raises
     ------
     CalibrationError
-        E-CAL-01 when there is no calibration, E-CAL-03 when it was not accepted, each with the reason.
+        E-CAL-01 when there is no calibration, E-CAL-03 when it was not accepted, each with the reason; E-CAL-04 wrong squares,
+        E-CAL-05 exchanged cameras.
     DeviceError
         From the cameras or the controller.
     Cancelled

@@ -92,7 +92,7 @@ def scale_by_bar(fit: StereoCalibrationFit, views: Sequence[StereoView], bar: Le
     Raises
     ------
     CalibrationError
-        E-CAL-01 when the bar was seen too rarely or the board's squares are not what they were said to be; E-CAL-03 when the
+        E-CAL-01 when the bar was seen too rarely; E-CAL-04 when the board's squares are not what they were said to be; E-CAL-03 when the
         held-out views do not measure the certified length.
     """
     whole = [view for view in views if len(measure_bar(fit.left, fit.right, [view], bar))]
@@ -103,11 +103,8 @@ def scale_by_bar(fit: StereoCalibrationFit, views: Sequence[StereoView], bar: Le
     measured = measure_bar(fit.left, fit.right, fitted, bar)
     factor = bar.length_mm / float(measured.mean())
     if abs(factor - 1) > MAX_RATIO:
-        reason = (
-            f"the board's squares measure {factor * target.square_mm:.2f} mm where {target.square_mm:.2f} mm was given "
-            f"(by the bar of {bar.length_mm:.3f} mm)"
-        )
-        raise CalibrationError("E-CAL-01", reason=reason)
+        measured_mm, given_mm = f"{factor * target.square_mm:.2f}", f"{target.square_mm:.2f}"
+        raise CalibrationError("E-CAL-04", measured_mm=measured_mm, given_mm=given_mm, bar_mm=f"{bar.length_mm:.3f}")
     judged = factor * measure_bar(fit.left, fit.right, judging, bar)
     # One scatter of both halves about their own means: four lengths alone say little of their own spread.
     freedom = len(measured) + len(judged) - 2

@@ -127,8 +127,8 @@ def calibrate_stereo(views: Sequence[StereoView], size_px: tuple[int, int], targ
     Raises
     ------
     CalibrationError
-        E-CAL-01 when the views are too few or too alike, or the cameras are exchanged; E-CAL-03 when the held-out error
-        is too large.
+        E-CAL-01 when the views are too few or too alike; E-CAL-05 when the cameras are exchanged; E-CAL-03 when the
+        held-out error is too large.
     """
     usable = [view for view in views if len(view.common()[0]) >= MIN_CORNERS]
     if len(usable) < MIN_VIEWS:
@@ -149,8 +149,7 @@ def calibrate_stereo(views: Sequence[StereoView], size_px: tuple[int, int], targ
         raise CalibrationError("E-CAL-01", reason="the views contradict each other", details=str(fault)) from fault
     left, right = bundle.state.cameras(size_px)
     if right.centre_mm()[0] < 0:
-        reason = "the cameras are exchanged: what is called the right camera stands to the left of the other; exchange their ids in the rig file"
-        raise CalibrationError("E-CAL-01", reason=reason)
+        raise CalibrationError("E-CAL-05")
 
     rms_px = float(np.sqrt(np.mean(bundle.residuals_px[used] ** 2)))
     if rms_px > MAX_REPROJECTION_PX:

@@ -164,7 +164,8 @@ class VirtualPreset:
         """The same rig with what a rig file's table ``[image_model]`` says.
 
         `image_model` holds numbers of this class by their names, and under ``without`` a list of terms to switch off.
-        The spot's size stays when `f_number` changes: the lens is focused anew.
+        The spot's size stays when `f_number` changes: the lens is focused anew.  The distance and the rate belong to the
+        cameras and cannot be set.
 
         Raises
         ------
@@ -173,18 +174,31 @@ class VirtualPreset:
         """
         numbers = {name: value for name, value in image_model.items() if name != "without"}
         for name, value in numbers.items():
-            if not isinstance(getattr(self, name, None), float):
-                raise UsageError("E-USE-01", what=f"The image model has no number '{name}'", do=f"choose from {', '.join(_NUMBERS)}")
-            if isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value < 1e9:
-                raise UsageError("E-USE-01", what=f"'{name}' of the image model is {value}", do="choose a number that is not negative")
+            if name not in _NUMBERS:
+                raise UsageError("E-USE-01", what=f"The image model has no number '{name}' to set", do=f"choose from {', '.join(_NUMBERS)}")
+            number = isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value < 1e9
+            if not number or (value == 0 and name not in _MAY_BE_OFF):
+                least = "a number that is not negative" if name in _MAY_BE_OFF else "a number greater than zero"
+                raise UsageError("E-USE-01", what=f"'{name}' of the image model is {value}", do=f"choose {least}")
         terms = image_model.get("without", ())
         if not isinstance(terms, list | tuple):
             raise UsageError("E-USE-01", what="'without' of the image model is no list", do=f"choose from {', '.join(TERMS)}")
         changes: dict[str, Any] = {name: float(value) for name, value in numbers.items()}
-        return replace(self, **changes).without(*map(str, terms))
+        rig = replace(self, **changes)
+        if rig.focus_mm == rig.distance_mm:
+            raise UsageError(
+                "E-USE-01",
+                what=f"'focus_mm' of the image model is the cameras' distance, {rig.distance_mm:g} mm, where nothing is out of focus",
+                do="choose another focus, or switch the term 'defocus' off",
+            )
+        if rig.sin_aperture >= 1:
+            raise UsageError("E-USE-01", what="The image model's lens is wider than it is far away", do="choose a larger 'f_number'")
+        return rig.without(*map(str, terms))
 
 
-_NUMBERS = tuple(item.name for item in fields(VirtualPreset) if item.type == "float")
+_NUMBERS = tuple(item.name for item in fields(VirtualPreset) if item.type == "float" and item.name not in ("distance_mm", "rate_hz"))
+_MAY_BE_OFF = ("speckle", "surface_um", "specular", "ambient_dn", "backlash_deg", "read_noise_dn")
+"""Numbers that may be zero."""
 
 TERMS: dict[str, dict[str, Any]] = {
     "speckle": {"speckle": 0.0},

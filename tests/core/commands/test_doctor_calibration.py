@@ -24,6 +24,7 @@ def test_age(days: int, verdict: str, words: str) -> None:
     check = calibration_check(CONFIG.with_calibration(replace(known_rig(), date=made.isoformat(), valid_days=30.0)))
     assert check.verdict == verdict
     assert words in check.detail
+    assert bool(check.remedy) is (verdict != "pass")
 
 
 def test_an_unverified_scale_is_a_warning() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import combinations
 from pathlib import Path
 
@@ -16,7 +17,14 @@ from scanner_core.metrology.certificate import acceptance_page, sphere_certifica
 from scanner_core.metrology.certificate_page import Page, page_style, text_width_mm, wrapped
 from tests.core.metrology.artefacts import acceptance_result, occasion, sphere_result, static_result
 
-PARAMETERS = (("Views", "8 per acquisition"), ("Asked for", "3500 points per acquisition"))
+PARAMETERS = (
+    ("Views", "8 per acquisition"),
+    ("Asked for", "3500 points per acquisition"),
+    ("Switched off", "speckle, surface, spot_size, lens_blur, defocus, shot_noise, read_noise, stray_light"),
+    ("Image model", "f_number 2.8, electrons_per_dn 40"),
+    ("Faults", "camera_bumped@12, lamp_on"),
+    ("Specimen", "ear"),
+)
 
 
 def _static(earlier: int) -> Page:
@@ -66,8 +74,24 @@ def test_the_file_is_one_page_with_its_text(tmp_path: Path) -> None:
     assert b"/Subtype /Type0" in content  # letters, not outlines
     with page_style():
         words = " ".join(text.get_text() for text in _sphere(2).figure.texts)
-    expected = ["reference sphere", "PASS", f"{sphere.mean_radius_mm:.4f} mm", "ISO 14253-1", "simulated light", "SHA-256", "Seed"]
+    expected = ["reference sphere", "PASS", f"{sphere.mean_radius_mm:.4f} mm", "ISO 14253-1", "simulated light", "Seed"]
+    expected += ["SHA-256 of the rig's settings", "acquired 3 times, taken away"]
     assert [told for told in expected if told not in words] == []
+
+
+def test_an_expired_calibration_is_called_so() -> None:
+    on = occasion("static", {"sd_x": 13.9, "sd_y": 11.5, "sd_z": 10.6}, 1)
+    with page_style():
+        for date, valid_days, expired in (("2026-01-01T00:00:00+00:00", 30.0, True), ("2026-02-01T00:00:00+00:00", 30.0, False)):
+            aged = replace(on, calibration=replace(on.calibration, date=date, valid_days=valid_days))
+            words = " ".join(text.get_text() for text in static_page(static_result(), aged).figure.texts)
+            assert ("days, expired)" in words) is expired
+
+
+def test_one_acquisition_is_once() -> None:
+    with page_style():
+        page = sphere_page(sphere_result(load_preset("bench"), acquisitions=1), occasion("sphere", {"size": -6.0, "dispersion": 120.0}, 0))
+    assert "acquired once, and fitted" in " ".join(text.get_text() for text in page.figure.texts)
 
 
 def test_lines_are_broken_where_the_page_ends() -> None:

@@ -77,6 +77,17 @@ def test_the_trend_tells_a_drift_from_scatter(tmp_path: Path) -> None:
     assert drifted.dispersion_um == 120.0
 
 
+def test_a_sphere_without_its_figures_does_not_count(tmp_path: Path) -> None:
+    path = tmp_path / "rig.history.jsonl"
+    append_history(path, replace(_on(1, 0.0), figures={}))
+    assert last_reference_sphere(path) is None
+    append_history(path, _on(2, -4.0))
+    append_history(path, replace(_on(3, 0.0), figures={"dispersion": 120.0}))
+    found = last_reference_sphere(path)
+    assert found is not None
+    assert (found.size_um, found.size_change_um) == (-4.0, None)
+
+
 def test_a_preset_s_history_lies_in_the_user_s_folder_and_a_file_s_beside_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
     monkeypatch.setenv("LOCALAPPDATA", str(tmp_path))

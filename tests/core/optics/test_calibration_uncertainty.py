@@ -86,7 +86,8 @@ def test_a_change_within_the_uncertainty_is_not_significant_and_a_bump_is() -> N
     loud = compare_calibrations(first, moved_calibration(first, bumped))
     assert loud.significant
     assert loud.turned_deg == pytest.approx(np.degrees(4e-4), rel=0.01)
-    assert "more than the calibrations' uncertainty" in loud.words()
+    assert f"within three standard uncertainties of the calibrations ({quiet.uncertainty_um:.1f} um each)" in quiet.words()
+    assert "more than three standard uncertainties of the calibrations" in loud.words()
     assert f"{loud.turned_deg:.4f} degrees turned" in loud.words()
 
 

@@ -130,7 +130,7 @@ def test_k3_is_used_where_the_views_ask_for_it() -> None:
 
 
 def test_exchanged_cameras_are_named() -> None:
-    _refused([StereoView(view.right, view.left) for view in shown(TRUTH, 12, 0.02, seed=17)], "E-CAL-01", "cameras are exchanged")
+    _refused([StereoView(view.right, view.left) for view in shown(TRUTH, 12, 0.02, seed=17)], "E-CAL-05", "exchange the two cameras in the rig file")
 
 
 def test_a_board_that_never_moves_is_named() -> None:
