@@ -9,6 +9,7 @@ from PySide6.QtGui import QColor, QImage, QMouseEvent, QPainter, QPaintEvent, QP
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.theme import ACCENT, GROUND, MUTED, SEAM, TEXT, WARNING
+from app.views import format as fmt
 from scanner_core.acquisition.handover import Preview
 from scanner_core.devices.camera import Frame
 from scanner_core.optics.spot import Spot
@@ -18,6 +19,7 @@ LENS_PX = 24
 _LIFT = 0.6
 """Gamma that makes the dark object just visible behind the spot."""
 _MOST_ZOOM = 24.0
+FULL_SCALE_DN = 255.0
 
 
 class CameraPreview(QWidget):
@@ -29,7 +31,7 @@ class CameraPreview(QWidget):
         self._image: QImage | None = None
         self._pixels: NDArray[np.uint8] | None = None
         self._spot: Spot | None = None
-        self._miss = ""
+        self._miss = self._advice = ""
         self._zoom = 1.0
         self._middle = QPointF(0.5, 0.5)
         self._grip: QPointF | None = None
@@ -53,15 +55,20 @@ class CameraPreview(QWidget):
     def spot(self) -> Spot | None:
         return self._spot
 
-    def show_preview(self, preview: Preview, miss: str = "") -> None:
-        """A new frame; `miss` says why it holds no spot."""
+    @property
+    def advice(self) -> str:
+        """What is said about the spot, or nothing."""
+        return self._advice
+
+    def show_preview(self, preview: Preview, miss: str = "", advice: str = "") -> None:
+        """A new frame; `miss` says why it holds no spot, `advice` what would make the spot a better one."""
         self._spot = preview.seen if isinstance(preview.seen, Spot) else None
-        self._miss = miss
+        self._miss, self._advice = miss, advice
         self._put(preview.frame)
 
     def show_frame(self, frame: Frame) -> None:
         """A frame in which nobody looked for a spot."""
-        self._spot, self._miss = None, ""
+        self._spot, self._miss, self._advice = None, "", ""
         self._put(frame)
 
     def _put(self, frame: Frame) -> None:
@@ -73,7 +80,7 @@ class CameraPreview(QWidget):
 
     def clear(self) -> None:
         self._image = self._pixels = self._spot = None
-        self._miss = ""
+        self._miss = self._advice = ""
         self.update()
 
     # -------------------------------------------------------------------------------- painting
@@ -133,7 +140,7 @@ class CameraPreview(QWidget):
         painter.drawRect(frame)
 
     def _caption(self, painter: QPainter) -> None:
-        painter.fillRect(0, 0, self.width(), 24, QColor(16, 18, 20, 150))
+        painter.fillRect(0, 0, self.width(), 42 if self._advice else 24, QColor(16, 18, 20, 150))
         painter.setPen(QColor(TEXT))
         font = painter.font()
         font.setPixelSize(12)
@@ -142,13 +149,17 @@ class CameraPreview(QWidget):
         painter.drawText(area, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, self._name)
         if self._spot is not None:
             painter.setPen(QColor(MUTED))
-            sizes = self.tr("σ {x:.2f} × {y:.2f} px   peak {peak:.0f}").format(
-                x=self._spot.sigma_x_px, y=self._spot.sigma_y_px, peak=self._spot.peak_dn
+            sizes = self.tr("σ {x:.1f} × {y:.1f} px · peak {peak} %").format(
+                x=self._spot.sigma_x_px, y=self._spot.sigma_y_px, peak=fmt.percent(self._spot.peak_dn / FULL_SCALE_DN)
             )
             painter.drawText(area, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop, sizes)
         elif self._miss:
             painter.setPen(QColor(WARNING))
             painter.drawText(area, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop, self._miss)
+        if self._advice:
+            painter.setPen(QColor(WARNING))
+            advice = painter.fontMetrics().elidedText(self._advice, Qt.TextElideMode.ElideRight, area.width())
+            painter.drawText(area.adjusted(0, 18, 0, 0), Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop, advice)
 
     # -------------------------------------------------------------------------------- zoom
     def wheelEvent(self, event: QWheelEvent) -> None:  # noqa: N802 - Qt's name

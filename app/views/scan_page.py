@@ -14,9 +14,10 @@ from app.views.camera_preview import CameraPreview
 from app.views.page import Page
 from app.views.parts import BigNumber, button, label, number_field, row, seam
 from app.views.reasons import reason_text
+from app.views.spot_advice import advice_text
 from scanner_core.acquisition.handover import Preview
 from scanner_core.acquisition.status import FinishReason, ScanState, ScanStatus
-from scanner_core.optics.spot import MissReason, SpotMiss
+from scanner_core.optics.spot import MissReason, Spot, SpotMiss
 
 SHOWN_REASONS = 5
 STATUS_PERIOD_S = 0.1
@@ -118,10 +119,19 @@ class ScanPage(Page):
         if widget is None or not self.isVisible() or now - self._shown_s[camera] < PREVIEW_PERIOD_S:
             return
         self._shown_s[camera] = now
-        widget.show_preview(preview, self._miss_text(preview.seen) if isinstance(preview.seen, SpotMiss) else "")
+        if isinstance(preview.seen, SpotMiss):
+            widget.show_preview(preview, miss=self._miss_text(preview.seen))
+        else:
+            widget.show_preview(preview, advice=self._advice_text(preview.seen))
 
     def _miss_text(self, miss: SpotMiss) -> str:
         return self.tr("no spot") if miss.reason is MissReason.NO_SPOT else reason_text(miss.reason.value)
+
+    def _advice_text(self, spot: Spot) -> str:
+        from scanner_core.optics.spot_quality import judge_spot  # brings OpenCV: not before the window stands
+
+        config = self.services.rig.snapshot.config
+        return "" if config is None else advice_text(judge_spot(spot, config.spot).code)
 
     def _tick(self) -> None:
         now = time.monotonic()

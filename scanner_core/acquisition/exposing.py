@@ -1,9 +1,10 @@
-"""Automatic exposure of a camera for the laser spot that it sees."""
+"""Automatic exposure of a camera, or of both cameras of a rig, for the laser spot that they see."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
+from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.devices.camera import Camera
 from scanner_core.optics.auto_exposure import (
     ExposureLimits,
@@ -17,6 +18,7 @@ from scanner_core.optics.auto_exposure import (
 from scanner_core.optics.spot_detection import SpotDetector
 
 _MOST_STEPS = 10
+_SHORTEST_MS = 0.01
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,3 +50,25 @@ def expose_automatically(camera: Camera, detector: SpotDetector, limits: Exposur
         camera.exposure_ms, camera.gain_db = proposal.exposure_ms, proposal.gain_db
         if (camera.exposure_ms, camera.gain_db) == setting:  # the camera does not go as far as the limits say
             return ExposureResult(at_the_limit(reading), tuple(readings))
+
+
+def propose_for_rig(rig: OpenRig) -> dict[str, ExposureResult]:
+    """What both cameras need for the spot at the centre of the laser's field, by camera; they are left as they were, the laser off.
+
+    Raises
+    ------
+    DeviceError
+    """
+    detector = SpotDetector(rig.config.spot)
+    before = [(camera, camera.exposure_ms, camera.gain_db) for camera in (rig.left, rig.right)]
+    try:
+        rig.motion.aim(0.0, 0.0)
+        rig.motion.laser(True)
+        # no longer than a frame lasts: the scan runs at that rate
+        return {camera.name: expose_automatically(camera, detector, ExposureLimits(_SHORTEST_MS, 1e3 / camera.rate_hz)) for camera, _, _ in before}
+    finally:
+        try:
+            rig.motion.laser(False)
+        finally:
+            for camera, exposure_ms, gain_db in before:
+                camera.exposure_ms, camera.gain_db = exposure_ms, gain_db

@@ -11,15 +11,18 @@ from dataclasses import asdict
 from importlib import metadata
 from pathlib import Path
 
+from scanner_core.acquisition.exposing import propose_for_rig
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
 from scanner_core.commands.console import Console
 from scanner_core.devices.camera import Camera
 from scanner_core.devices.check import Check
 from scanner_core.devices.rig import RigConfig, load_rig_or_preset
 from scanner_core.errors import ImprontaError
+from scanner_core.optics.auto_exposure import FULL_SCALE_DN, HIGHEST_BACKGROUND, HIGHEST_PEAK, LOWEST_PEAK, ExposureVerdict
 from scanner_core.optics.calibration_age import AgeState, calibration_age
-from scanner_core.optics.spot import Spot
+from scanner_core.optics.spot import Spot, SpotMiss
 from scanner_core.optics.spot_detection import SpotDetector
+from scanner_core.optics.spot_quality import SpotGrade, judge_spot
 from scanner_core.virtual.specimens import load_specimen
 
 _LIBRARIES = ("numpy", "scipy", "opencv-contrib-python-headless", "vtk", "pyserial", "pyvista", "pyvistaqt", "PySide6_Essentials")
@@ -36,7 +39,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
         with open_rig(config, specimen) as rig:
             checks += rig.motion.self_checks()
             checks += [camera_check(camera, cameras) for camera in (rig.left, rig.right)]
-            checks.append(spot_check(rig))
+            checks += [spot_check(rig), exposure_check(rig)]
             controller = rig.motion.description()
     except ImprontaError as error:
         checks.append(Check("controller handshake" if error.code.startswith("E-MOT") else "open the rig", "fail", error.message, error.hint))
@@ -105,19 +108,42 @@ def camera_check(camera: Camera, cameras: list[dict[str, object]]) -> Check:
 
 
 def spot_check(rig: OpenRig) -> Check:
-    """The laser as both cameras see it; left off."""
+    """The laser as both cameras see it, and whether its spot can be measured well; left off."""
     detector = SpotDetector(rig.config.spot)
     rig.motion.aim(0.0, 0.0)
-    rig.motion.laser(True)
     try:
+        rig.motion.laser(True)
         seen = {camera.name: detector.detect(camera.grab().image) for camera in (rig.left, rig.right)}
     finally:
         rig.motion.laser(False)
-    dark = [name for name, spot in seen.items() if not isinstance(spot, Spot)]
-    if dark:
-        return Check("laser seen", "warn", f"camera {' and '.join(dark)} saw no spot.", "Put an object on the table; check lens caps and aim.")
     after = [detector.detect(camera.grab().image) for camera in (rig.left, rig.right)]
     if any(isinstance(spot, Spot) for spot in after):
         return Check("laser seen", "fail", "a spot stays after the laser was switched off.", "Disconnect the laser and check its driver.")
-    peaks = ", ".join(f"{name} {spot.peak_dn:.0f} DN" for name, spot in seen.items() if isinstance(spot, Spot))
-    return Check("laser seen", "pass", f"by both cameras ({peaks}), dark after switching off.")
+    shown = "; ".join(f"{name} {_spot_words(spot)}" for name, spot in seen.items())
+    judged = {name: judge_spot(spot, detector.parameters) for name, spot in seen.items()}
+    advised: dict[str, list[str]] = {}
+    for name, quality in judged.items():
+        if quality.grade is not SpotGrade.GOOD:
+            advised.setdefault(quality.advice, []).append(name)
+    remedy = " ".join(f"Camera {' and '.join(names)}: {advice}" for advice, names in advised.items())
+    return Check("laser seen", "warn" if remedy else "pass", f"{shown}; dark after switching off.", remedy)
+
+
+def _spot_words(seen: Spot | SpotMiss) -> str:
+    if isinstance(seen, SpotMiss):
+        return "no spot"
+    return f"sigma {seen.sigma_x_px:.2f} x {seen.sigma_y_px:.2f} px, peak {100 * seen.peak_dn / FULL_SCALE_DN:.0f} %"
+
+
+def exposure_check(rig: OpenRig) -> Check:
+    """Peak and background at the rig file's exposure and gain, and what they should be; cameras left as they were, laser off."""
+    shown, remedies = [], []
+    for name, result in propose_for_rig(rig).items():
+        now, best = result.readings[0], result.readings[-1]
+        shown.append(f"{name} peak {100 * now.peak_dn / FULL_SCALE_DN:.0f} %, background {100 * now.background_dn / FULL_SCALE_DN:.1f} %")
+        if result.verdict is not ExposureVerdict.GOOD:
+            remedies.append(f"Camera {name}: {result.verdict.advice}")
+        elif len(result.readings) > 1:
+            remedies.append(f"In the rig file, [camera.{name}]: exposure_ms = {best.exposure_ms:.2f}, gain_db = {best.gain_db:.1f}.")
+    wanted = f"{100 * LOWEST_PEAK:.0f} to {100 * HIGHEST_PEAK:.0f} % and below {100 * HIGHEST_BACKGROUND:.0f} % are wanted"
+    return Check("exposure", "warn" if remedies else "pass", f"{'; '.join(shown)} ({wanted}).", " ".join(remedies))

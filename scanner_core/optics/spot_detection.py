@@ -180,10 +180,6 @@ class SpotDetector:
         spots, miss = self.candidates(image, self.levels(image))
         return self.choose(spots, miss)
 
-    def detect_all(self, image: Image) -> tuple[Spot, ...]:
-        """All blobs of an image (H, W) uint8 that look like a spot, brightest first: candidates for an epipolar match."""
-        return tuple(self.candidates(image, self.levels(image))[0])
-
     def levels(self, image: Image) -> SpotLevels:
         """Thresholds and weights for a frame (H, W) uint8."""
         background = estimate_background(image)
