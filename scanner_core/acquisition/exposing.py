@@ -57,11 +57,12 @@ def expose_automatically(camera: Camera, detector: SpotDetector, limits: Exposur
             return ExposureResult(at_the_limit(reading), tuple(readings))
 
 
+Place = tuple[float, float]
+"""Aim of the beam, deg."""
+
+
 def propose_for_rig(rig: OpenRig) -> dict[str, ExposureResult]:
     """What both cameras need for the object on the table, by camera; they are left as they were, the laser off.
-
-    A camera is exposed for the place that is brighter to it than nine in ten of those that it sees, of a grid over the
-    laser's field: what faces the camera must not clip, and a single place says nothing of it.
 
     Raises
     ------
@@ -72,10 +73,9 @@ def propose_for_rig(rig: OpenRig) -> dict[str, ExposureResult]:
     before = [(camera, camera.exposure_ms, camera.gain_db) for camera in cameras]
     results = {}
     try:
-        seen = _spots_by_place(rig, detector)
+        places = typical_places(rig, detector)
         for camera in cameras:
-            by_peak = sorted((peak_dn, place) for place, peak_dn in seen[camera.name].items()) or [(0.0, (0.0, 0.0))]
-            _light(rig, by_peak[math.ceil(0.9 * (len(by_peak) - 1))][1])
+            light(rig, places[camera.name])
             # no longer than a frame lasts: the scan runs at that rate
             results[camera.name] = expose_automatically(camera, detector, ExposureLimits(_SHORTEST_MS, 1e3 / camera.rate_hz))
         return results
@@ -87,18 +87,27 @@ def propose_for_rig(rig: OpenRig) -> dict[str, ExposureResult]:
                 camera.exposure_ms, camera.gain_db = exposure_ms, gain_db
 
 
-def _spots_by_place(rig: OpenRig, detector: SpotDetector) -> dict[str, dict[tuple[float, float], float]]:
-    """Peak of the spot, DN, by camera and by the place that the beam was aimed at; only where the spot was seen."""
-    seen: dict[str, dict[tuple[float, float], float]] = {rig.left.name: {}, rig.right.name: {}}
+def typical_places(rig: OpenRig, detector: SpotDetector) -> dict[str, Place]:
+    """Where to judge the spot, by camera: brighter to it than nine in ten of the places that it sees, of a grid over the field.
+
+    What faces the camera must not clip, and a single place says nothing of it.  Leaves the laser on; the centre of the
+    field where the camera sees no spot at all.
+
+    Raises
+    ------
+    DeviceError
+    """
+    seen: dict[str, list[tuple[float, Place]]] = {rig.left.name: [], rig.right.name: []}
     for place in itertools.product(_PLACES_DEG, _PLACES_DEG):
-        _light(rig, place)
+        light(rig, place)
         for camera in (rig.left, rig.right):
             spot = detector.detect(camera.grab().image)
             if isinstance(spot, Spot) or spot.reason is MissReason.SATURATED:
-                seen[camera.name][place] = spot.peak_dn
-    return seen
+                seen[camera.name].append((spot.peak_dn, place))
+    return {name: sorted(spots)[math.ceil(0.9 * (len(spots) - 1))][1] if spots else (0.0, 0.0) for name, spots in seen.items()}
 
 
-def _light(rig: OpenRig, place: tuple[float, float]) -> None:
+def light(rig: OpenRig, place: Place) -> None:
+    """The laser on, at a place."""
     rig.motion.aim(*place)
     rig.motion.laser(True)
