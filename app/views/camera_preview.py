@@ -19,7 +19,8 @@ LENS_PX = 24
 _LIFT = 0.6
 """Gamma that makes the dark object just visible behind the spot."""
 _MOST_ZOOM = 24.0
-FULL_SCALE_DN = 255.0
+_FULL_SCALE_DN = 255.0
+"""Of 8 bits; the module of the core that names it brings OpenCV."""
 
 
 class CameraPreview(QWidget):
@@ -150,7 +151,7 @@ class CameraPreview(QWidget):
         if self._spot is not None:
             painter.setPen(QColor(MUTED))
             sizes = self.tr("σ {x:.1f} × {y:.1f} px · peak {peak} %").format(
-                x=self._spot.sigma_x_px, y=self._spot.sigma_y_px, peak=fmt.percent(self._spot.peak_dn / FULL_SCALE_DN)
+                x=self._spot.sigma_x_px, y=self._spot.sigma_y_px, peak=fmt.percent(self._spot.peak_dn / _FULL_SCALE_DN)
             )
             painter.drawText(area, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop, sizes)
         elif self._miss:

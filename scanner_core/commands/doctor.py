@@ -11,7 +11,7 @@ from dataclasses import asdict
 from importlib import metadata
 from pathlib import Path
 
-from scanner_core.acquisition.exposing import propose_for_rig
+from scanner_core.acquisition.exposing import light, propose_for_rig, typical_places
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
 from scanner_core.commands.console import Console
 from scanner_core.devices.camera import Camera
@@ -110,10 +110,12 @@ def camera_check(camera: Camera, cameras: list[dict[str, object]]) -> Check:
 def spot_check(rig: OpenRig) -> Check:
     """The laser as both cameras see it, and whether its spot can be measured well; left off."""
     detector = SpotDetector(rig.config.spot)
-    rig.motion.aim(0.0, 0.0)
+    seen: dict[str, Spot | SpotMiss] = {}
     try:
-        rig.motion.laser(True)
-        seen = {camera.name: detector.detect(camera.grab().image) for camera in (rig.left, rig.right)}
+        places = typical_places(rig, detector)
+        for camera in (rig.left, rig.right):
+            light(rig, places[camera.name])
+            seen[camera.name] = detector.detect(camera.grab().image)
     finally:
         rig.motion.laser(False)
     after = [detector.detect(camera.grab().image) for camera in (rig.left, rig.right)]
