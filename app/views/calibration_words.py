@@ -112,8 +112,8 @@ def change_text(change: CalibrationChange) -> str:
     )
     if change.uncertainty_um is None:
         return f"{effect}; " + _tr(QT_TRANSLATE_NOOP("calibration", "the previous one does not state its uncertainty."))
-    more = QT_TRANSLATE_NOOP("calibration", "more than the uncertainty of {u} µm explains: something has moved.")
-    no_more = QT_TRANSLATE_NOOP("calibration", "no more than the uncertainty of {u} µm explains.")
+    more = QT_TRANSLATE_NOOP("calibration", "more than three standard uncertainties of {u} µm explain: something has moved.")
+    no_more = QT_TRANSLATE_NOOP("calibration", "within three standard uncertainties of {u} µm each.")
     return f"{effect}; " + _tr(more if change.significant else no_more).format(u=f"{change.uncertainty_um:.1f}")
 
 

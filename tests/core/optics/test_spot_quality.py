@@ -19,7 +19,7 @@ GOOD = Spot(80.0, 60.0, 1.0, 0.9, 190.0, 1500.0, 20, 0.02)
     [
         (GOOD, SpotGrade.GOOD, "good", "well exposed"),
         (GOOD._replace(sigma_x_px=0.3), SpotGrade.POOR, "sharp", "0.3 px wide (sigma): its centroid locks to the pixels; defocus"),
-        (GOOD._replace(sigma_y_px=0.8), SpotGrade.WEAK, "sharp", "at least 0.85 px"),
+        (GOOD._replace(sigma_y_px=0.7), SpotGrade.WEAK, "sharp", "at least 0.75 px"),
         (GOOD._replace(sigma_x_px=3.4), SpotGrade.WEAK, "blurred", "focus the lens"),
         (GOOD._replace(peak_dn=255.0), SpotGrade.WEAK, "clipped", "shorten the exposure"),
         (GOOD._replace(peak_dn=60.0), SpotGrade.WEAK, "dim", "60 of 255"),
