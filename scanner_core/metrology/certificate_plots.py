@@ -162,7 +162,7 @@ def acceptance_plots(page: Page, result: AcceptanceResult, history: Sequence[His
     for name, colour in (("form", GREY), ("dispersion", GREEN), ("size", BLUE), ("spacing", ORANGE)):
         kept = [e for e in history if name in e.figures and e.limits.get(name)]
         shares_of_limit = [abs(e.figures[name]) / e.limits[name] for e in kept]
-        trend.plot([e.moment for e in kept], shares_of_limit, marker="o", markersize=2.5, linewidth=0.9, color=colour, label=name)  # type: ignore[arg-type]
+        trend.plot([_day(e) for e in kept], shares_of_limit, marker="o", markersize=2.5, linewidth=0.9, color=colour, label=name)
     trend.axhline(1.0, color=COLOURS[Verdict.FAIL], linewidth=0.9)
     _from_zero(trend, 1.3)
     trend.legend(fontsize=6, frameon=False, loc="upper left", ncols=4, handlelength=0.9, columnspacing=0.9, borderpad=0.1)
@@ -258,12 +258,17 @@ def _symmetric(axes: Axes, values: Array, spread: Array, limit: float) -> None:
     axes.set_ylim(-reach, reach)
 
 
+def _day(entry: HistoryEntry) -> float:
+    """Days since 1970, as matplotlib counts dates."""
+    return entry.moment.timestamp() / 86_400
+
+
 def _trend(axes: Axes, history: Sequence[HistoryEntry], name: str, colour: str, errors: bool = True) -> None:
     kept = [entry for entry in history if name in entry.figures]
-    moments = [entry.moment for entry in kept]
+    days = [_day(entry) for entry in kept]
     values = [entry.figures[name] for entry in kept]
     spread = [entry.uncertainties.get(name, 0.0) for entry in kept] if errors else None
-    axes.errorbar(moments, values, spread, fmt="o-", markersize=2.8, linewidth=0.9, elinewidth=0.8, capsize=1.5, color=colour)  # type: ignore[arg-type]
+    axes.errorbar(days, values, spread, fmt="o-", markersize=2.8, linewidth=0.9, elinewidth=0.8, capsize=1.5, color=colour)
 
 
 def _limit_history(axes: Axes, history: Sequence[HistoryEntry], name: str, both: bool) -> None:
@@ -273,7 +278,7 @@ def _limit_history(axes: Axes, history: Sequence[HistoryEntry], name: str, both:
     limits = np.array([entry.limits[name] for entry in kept])
     for sign in (-1, 1) if both else (1,):
         if len(kept) > 1:
-            axes.step([entry.moment for entry in kept], sign * limits, where="mid", color=COLOURS[Verdict.FAIL], linewidth=0.9)  # type: ignore[arg-type]
+            axes.step([_day(entry) for entry in kept], sign * limits, where="mid", color=COLOURS[Verdict.FAIL], linewidth=0.9)
         else:
             axes.axhline(sign * float(limits[0]), color=COLOURS[Verdict.FAIL], linewidth=0.9)
     if both:
@@ -291,20 +296,18 @@ def _from_zero(axes: Axes, room: float = 1.12) -> None:
 
 def _dates(axes: Axes, history: Sequence[HistoryEntry]) -> None:
     """Few dates, none of them over another, also when all results are of one day or there is one alone."""
-    from datetime import timedelta
-
     from matplotlib.dates import AutoDateLocator, ConciseDateFormatter
 
-    moments = [entry.moment for entry in history]
-    if not moments:
+    if not history:
         return
-    span = max(moments) - min(moments)
-    margin = 0.06 * span if span > timedelta(0) else timedelta(hours=12)
-    axes.set_xlim(min(moments) - margin, max(moments) + margin)  # type: ignore[arg-type]
-    if span == timedelta(0):
-        axes.set_xticks([moments[0]], [moments[0].strftime("%Y-%m-%d")])  # type: ignore[arg-type]
+    days = [_day(entry) for entry in history]
+    span = max(days) - min(days)
+    margin = 0.06 * span if span > 0 else 0.5
+    axes.set_xlim(min(days) - margin, max(days) + margin)
+    if span == 0:
+        axes.set_xticks([days[0]], [history[0].moment.strftime("%Y-%m-%d")])
         return
-    locator = AutoDateLocator(minticks=2, maxticks=5)  # type: ignore[no-untyped-call]
+    locator = AutoDateLocator(minticks=2, maxticks=5)
     axes.xaxis.set_major_locator(locator)
-    axes.xaxis.set_major_formatter(ConciseDateFormatter(locator, tz=moments[-1].tzinfo))  # type: ignore[no-untyped-call]
+    axes.xaxis.set_major_formatter(ConciseDateFormatter(locator, tz=history[-1].moment.tzinfo))
     axes.xaxis.get_offset_text().set_fontsize(6)
