@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from datetime import datetime, timedelta
 from pathlib import Path
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -21,6 +22,7 @@ from app.views.calibrating_panel import CalibratingPanel
 from app.views.calibration_panel import CalibrationPanel
 from app.views.coverage_map import CoverageMap
 from app.views.rig_page import RigPage
+from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.devices.camera import Frame
 from scanner_core.devices.rig import load_preset
 from scanner_core.errors import CalibrationError
@@ -84,13 +86,13 @@ def _result(calibration: StereoCalibration, previous: StereoCalibration) -> Cali
     return CalibrationResult(calibration, fit, table, compare_calibrations(previous, calibration))
 
 
-def _look(verdict: ViewVerdict = ViewVerdict.TAKEN, **changes: object) -> BoardLook:
+def _look(verdict: ViewVerdict = ViewVerdict.TAKEN, **changes: Any) -> BoardLook:
     covered = np.zeros((6, 8), bool)
     covered[:3] = True
     wishes = (Wish(WishKind.TILT_MORE), Wish(WishKind.COVER, "left", 1, -1), Wish(WishKind.MORE_VIEWS, count=18))
     watch = BoardWatch(Phase.BOARD, 6, 25, SEEN, SEEN, verdict, covered, covered, 21.4, (398.0, 470.2), wishes)
     image = np.full((294, 604), 40, np.uint8)
-    return BoardLook({side: Frame(image, 1, 0.0, side) for side in ("left", "right")}, replace(watch, **changes))  # type: ignore[arg-type]
+    return BoardLook({side: Frame(image, 1, 0.0, side) for side in ("left", "right")}, replace(watch, **changes))
 
 
 # ------------------------------------------------------------------------------------------ while it runs
@@ -221,7 +223,7 @@ def test_one_that_is_not_accepted_is_told_on_the_page_and_the_one_before_stays(
     fault = CalibrationError("E-CAL-03", reason="the bar measures +40 um too much")
     before = _calibration(rig)
     monkeypatch.setattr(rig.calibration, "run", lambda *_: (_ for _ in ()).throw(fault))
-    rig._rig = _Standing()  # type: ignore[assignment]
+    rig._rig = cast(OpenRig, _Standing())
     rig.watching.set()
     rig.calibrate()
     assert rig.snapshot.calibrating == 0.0
@@ -243,7 +245,7 @@ def test_one_that_is_not_accepted_is_told_on_the_page_and_the_one_before_stays(
 def test_a_fault_of_a_device_ends_the_calibration_and_is_told(rig: RigController, told: list[BaseException], monkeypatch: pytest.MonkeyPatch) -> None:
     fault = RuntimeError("camera gone")
     monkeypatch.setattr(rig.calibration, "run", lambda *_: (_ for _ in ()).throw(fault))
-    rig._rig = _Standing()  # type: ignore[assignment]
+    rig._rig = cast(OpenRig, _Standing())
     rig.calibrate()
     _drained(rig)
     assert told == [fault]

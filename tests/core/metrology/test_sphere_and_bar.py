@@ -26,7 +26,9 @@ def test_a_good_sphere_passes_with_its_figures() -> None:
     assert result.dispersion_um == pytest.approx(2 * 1.96 * 25, rel=0.03)
     assert result.coverage_deg > 110
     told = result.as_dict()
-    assert {"points", "radius_mm", "residual_rms_um", "coverage_deg"} <= told["acquisitions"][0].keys()  # type: ignore[index]
+    acquisitions = told["acquisitions"]
+    assert isinstance(acquisitions, list)
+    assert {"points", "radius_mm", "residual_rms_um", "coverage_deg"} <= acquisitions[0].keys()
 
 
 @pytest.mark.parametrize(("bias_um", "verdict"), [(5.0, Verdict.PASS), (10.5, Verdict.UNDECIDED), (20.0, Verdict.FAIL), (-20.0, Verdict.FAIL)])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import cv2
 import numpy as np
@@ -55,9 +56,9 @@ def detected_once(monkeypatch: pytest.MonkeyPatch, recording: Recording) -> None
     monkeypatch.setattr(calibration_session, "detect_board", detect)
 
 
-def calibrate(replay: Replay, settings: CalibrationSettings = SETTINGS, target: CharucoTarget | None = None, **more: object) -> CalibrationResult:
+def calibrate(replay: Replay, settings: CalibrationSettings = SETTINGS, target: CharucoTarget | None = None, **more: Any) -> CalibrationResult:
     return run_calibration(
-        replay.camera(0), replay.camera(1), replay.table, replay, target or CharucoTarget(), settings, date="2026-01-01", **more  # type: ignore[arg-type]
+        replay.camera(0), replay.camera(1), replay.table, replay, target or CharucoTarget(), settings, date="2026-01-01", **more
     )
 
 

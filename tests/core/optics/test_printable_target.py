@@ -56,7 +56,7 @@ def test_the_program_reads_the_page_at_true_scale(tmp_path: Path) -> None:
     image = np.full((height, width), 230, np.uint8)
     for left, bottom, right, top in quads:
         image[round(height - top * per_mm) : round(height - bottom * per_mm), round(left * per_mm) : round(right * per_mm)] = 20
-    view = detect_board(cv2.GaussianBlur(image, (0, 0), 1.2), TARGET)  # type: ignore[arg-type]
+    view = detect_board(np.asarray(cv2.GaussianBlur(image, (0, 0), 1.2), np.uint8), TARGET)
     assert isinstance(view, BoardView)
     assert len(view.ids) == 48
     drawn = TARGET.object_points[view.ids][:, :2]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -128,8 +129,9 @@ def test_frames_full_of_spots_have_an_answer(seed: int, count: int, detector: Sp
 
 
 def test_unknown_centroid_is_refused_and_old_keys_are_enough() -> None:
+    unknown: dict[str, Any] = {"centroid": "middle"}
     with pytest.raises(UsageError, match="weighted, gaussian or border"):
-        SpotDetectorParameters(centroid="middle")  # type: ignore[arg-type]
+        SpotDetectorParameters(**unknown)
     old = dict(threshold_sigmas=4.5, min_contrast_dn=4.0, min_peak_dn=10.0, min_area_px=2, max_area_px=600, max_elongation=4.0)
     old |= dict(saturation_dn=254, max_saturated_px=6, dominance=4.0, max_background_dn=100.0, read_noise_dn=1.4, shot_dn=0.0125)
     assert SpotDetectorParameters(**old, floor_px=0.045, centroid="border").max_censored_px == SpotDetectorParameters().max_censored_px
