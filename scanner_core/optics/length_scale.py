@@ -15,11 +15,11 @@ from numpy.typing import NDArray
 
 from scanner_core.errors import CalibrationError
 from scanner_core.optics.board import CharucoTarget, LengthBar
-from scanner_core.optics.calibration import ScaleReference, StereoCalibration, TurntableAxis
+from scanner_core.optics.calibration import ScaleReference
 from scanner_core.optics.camera_model import CameraModel
 from scanner_core.optics.stereo_calibration import StereoCalibrationFit
 from scanner_core.optics.stereo_view import StereoView
-from scanner_core.optics.triangulation import Triangulator
+from scanner_core.optics.triangulation import CameraPair, Triangulator
 
 Array = NDArray[np.float64]
 
@@ -79,7 +79,7 @@ class BarImages:
 
     def lengths(self, left: CameraModel, right: CameraModel) -> Array:
         """Distance of the groups' middles by every view, (n,) mm."""
-        triangulator = Triangulator(StereoCalibration(left, right, TurntableAxis(np.zeros(3), np.array([0.0, -1.0, 0.0])), "", 0, 0.0, 0.0))
+        triangulator = Triangulator(CameraPair(left, right))
         ones = np.ones(self.left_px.size // 2)
         points = triangulator.triangulate(self.left_px.reshape(-1, 2), self.right_px.reshape(-1, 2), ones, ones).points
         middles = points.reshape(*self.left_px.shape[:3], 3).mean(axis=2)

@@ -30,7 +30,7 @@ from scanner_core.optics.bundle_adjustment import STEREO, Bundle, BundleState, C
 from scanner_core.optics.calibration import StereoCalibration, TurntableAxis
 from scanner_core.optics.camera_model import CameraModel
 from scanner_core.optics.stereo_view import StereoView
-from scanner_core.optics.triangulation import Triangulator
+from scanner_core.optics.triangulation import CameraPair, Triangulator
 
 Array = NDArray[np.float64]
 
@@ -300,7 +300,7 @@ def _held_out_error(left: CameraModel, right: CameraModel, held_out: Sequence[Pa
     A single view whose two images do not belong together at all (by its epipolar residuals, which are not what is judged)
     is left out like a misread corner.
     """
-    triangulator = Triangulator(StereoCalibration(left, right, TurntableAxis(np.zeros(3), np.array([0, -1.0, 0])), "", 0, 0.0, 0.0))
+    triangulator = Triangulator(CameraPair(left, right))
     squares, count, measured, known, depths = 0.0, 0, 0.0, 0.0, []
     seen = []
     for ids, left_px, right_px in held_out:

@@ -11,11 +11,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.optics.calibration import StereoCalibration
+from scanner_core.optics.camera_model import CameraModel
 
 Array = NDArray[np.float64]
 
@@ -66,11 +67,28 @@ def _mean_square(sigma_px: Array) -> Array:
     return np.asarray(square if square.ndim == 1 else square.mean(axis=1), np.float64)
 
 
+class StereoCameras(Protocol):
+    """Whatever has two calibrated cameras: a whole calibration, or what is there before the turntable is known."""
+
+    @property
+    def left(self) -> CameraModel: ...
+
+    @property
+    def right(self) -> CameraModel: ...
+
+
+class CameraPair(NamedTuple):
+    """Two calibrated cameras and nothing else."""
+
+    left: CameraModel
+    right: CameraModel
+
+
 class Triangulator:
     """Turns pairs of centroids into points of the rig frame; immutable, so threads may share it."""
 
-    def __init__(self, calibration: StereoCalibration) -> None:
-        left, right = calibration.left, calibration.right
+    def __init__(self, cameras: StereoCameras) -> None:
+        left, right = cameras.left, cameras.right
         self._left, self._right = left, right
         self._normal = _normal_factors(left.projection(), right.projection())
         self._focal = np.stack([np.diag(left.matrix)[:2], np.diag(right.matrix)[:2]])[:, :, None]

@@ -25,10 +25,10 @@ from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.board import CharucoTarget
 from scanner_core.optics.board_view import MIN_CORNERS
 from scanner_core.optics.bundle_adjustment import STEREO, moved_cameras
-from scanner_core.optics.calibration import StereoCalibration, TurntableAxis
+from scanner_core.optics.calibration import TurntableAxis
 from scanner_core.optics.stereo_calibration import Pair, StereoCalibrationFit
 from scanner_core.optics.stereo_view import StereoView
-from scanner_core.optics.triangulation import Triangulator
+from scanner_core.optics.triangulation import CameraPair, Triangulator
 
 Array = NDArray[np.float64]
 
@@ -163,8 +163,7 @@ def calibrate_turntable(
 
 
 def _triangulator(fit: StereoCalibrationFit, step: Array | None = None) -> Triangulator:
-    left, right = (fit.left, fit.right) if step is None else moved_cameras(fit.left, fit.right, step)
-    return Triangulator(StereoCalibration(left, right, TurntableAxis(np.zeros(3), np.array([0.0, -1.0, 0.0])), "", 0, 0.0, 0.0))
+    return Triangulator(fit if step is None else CameraPair(*moved_cameras(fit.left, fit.right, step)))
 
 
 def _measure(fit: StereoCalibrationFit, view: TableView) -> _Measured:
