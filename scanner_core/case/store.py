@@ -15,13 +15,12 @@ import zlib
 from collections.abc import Iterator, Sequence
 from contextlib import closing, contextmanager
 from dataclasses import asdict, dataclass
-from datetime import datetime
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from scanner_core import __version__
+from scanner_core import __version__, wall_clock
 from scanner_core.acquisition.status import FinishReason, ScanCounts
 from scanner_core.case.observation import MEASURED, ObservationTable, StereoObservation
 from scanner_core.case.schema import APPLICATION_ID, MIGRATIONS, VERSION
@@ -372,4 +371,4 @@ def _sentences(path: Path) -> Iterator[None]:
 
 
 def _now() -> str:
-    return datetime.now().astimezone().isoformat(timespec="seconds")
+    return wall_clock.stamp()
