@@ -18,6 +18,7 @@ import json
 import threading
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 
@@ -176,6 +177,7 @@ class ScanRunner:
             self._scan(captures[0], captures[1])
         except BaseException as fault:
             error = self._as_error(fault)
+            self._darken()  # before anything that takes time
         steps: list[Callable[[], None]] = [capture.close for capture in captures]
         steps += [partial(self._rest, error is not None), self._keeper.keep]
         for step in steps:
@@ -292,7 +294,8 @@ class ScanRunner:
                 break
             self._rig.motion.aim(row.x_from_deg, row.y_deg)
             self._rig.motion.sweep(row.x_to_deg, row.y_deg, run.plan.sweep_speed_deg_s)
-            scan = RowScan(left, right, row, self._rig.clock.now_s(), self._cancelled, self._poll)
+            at_rest = partial(self._rig.motion.wait_idle, _MOVE_DEADLINE_S)
+            scan = RowScan(left, right, row, self._rig.clock.now_s(), self._cancelled, self._poll, at_rest)
             try:
                 for pairs in scan.batches():
                     seen = self._engine.evaluate(pairs, row.view, table_deg)
@@ -306,7 +309,7 @@ class ScanRunner:
                         break
             finally:
                 scan.finish()
-            self._rig.motion.wait_idle(_MOVE_DEADLINE_S)
+            at_rest()
         return measured
 
     def _record(self, run: _Pass, row: Row, seen: EvaluatedPairs) -> None:
@@ -336,6 +339,10 @@ class ScanRunner:
         with self._lock:
             self._motion = status
         return status
+
+    def _darken(self) -> None:
+        with suppress(ImprontaError):  # what cannot be reached is told by :meth:`_rest`
+            self._rig.motion.stop()
 
     def _rest(self, failed: bool) -> None:
         """Laser off and motion at rest, whatever happened."""
