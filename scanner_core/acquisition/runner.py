@@ -116,6 +116,7 @@ class ScanRunner:
         self._located = ScanCounts()
         self._begin_s = self._end_s = rig.clock.now_s()
         self._scan_id: int | None = None
+        self._open: Pass | None = None
         self._resumed: int | None = None
         self._health = HealthMonitor(rig.calibration, rig.left.rate_hz)
         engine = StereoEngine(rig.calibration, rig.config.volume, rig.config.spot.floor_px)
@@ -197,6 +198,8 @@ class ScanRunner:
         self._control.enter(ScanState.FINISHING)
         reason = FinishReason.FAILED if error else FinishReason.CANCELLED if self._control.cancelled.is_set() else FinishReason.COMPLETED
         try:
+            if self._open is not None and self._open.scan_id != self._scan_id:  # a pass beside the scan did not come to its end
+                self._store.end_scan(self._open.scan_id, reason, self._open.tally.counts())
             if self._scan_id is not None:
                 self._store.end_scan(self._scan_id, reason, self._tally.counts())
                 for finding in self._health.findings:
@@ -321,12 +324,14 @@ class ScanRunner:
         record = plan.as_dict() | {"request": asdict(self._request)}
         scan_id = self._store.begin_scan(kind, bare, calibration.identity(), toml, record)
         self._health.begin(plan, kind)
-        return Pass(scan_id, plan, Tally(plan.planned, wanted, self._rig.clock.now_s()), cloud)
+        self._open = Pass(scan_id, plan, Tally(plan.planned, wanted, self._rig.clock.now_s()), cloud)
+        return self._open
 
     def _end_pass(self, run: Pass) -> None:
         self._follower.keep()
         finished = FinishReason.CANCELLED if self._control.cancelled.is_set() else FinishReason.COMPLETED
         self._store.end_scan(run.scan_id, finished, run.tally.counts())
+        self._open = None
 
     def _darken(self) -> None:
         with suppress(ImprontaError):  # what cannot be reached is told by :meth:`_rest`
