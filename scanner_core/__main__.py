@@ -34,6 +34,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     if threading.current_thread() is threading.main_thread():
         for number in (signal.SIGINT, signal.SIGTERM):  # a shell starts its background jobs with SIGINT ignored
             signal.signal(number, _as_interrupt)
+        hang_up = getattr(signal, "SIGHUP", None)  # the terminal was closed; nohup has it ignored, and Windows has none
+        if hang_up is not None and signal.getsignal(hang_up) is not signal.SIG_IGN:
+            signal.signal(hang_up, _as_interrupt)
     try:
         return int(command.run(given, console))
     except KeyboardInterrupt:
@@ -92,12 +95,13 @@ def _parser() -> argparse.ArgumentParser:
     target.add_argument("--paper", choices=("a4", "letter", "a3"), default="a4", help="landscape (default a4)")
     target.add_argument("--force", action="store_true", help="overwrite the output")
 
-    scan = _command(commands, "scan", "acquire into a new case")
+    scan = _command(commands, "scan", "acquire into a new case, or go on with an interrupted one")
     scan.add_argument("--rig", required=True, metavar="RIG.toml", help="a rig file, or the name of a preset")
     scan.add_argument("--plan", metavar="PLAN.toml", help="views, points, object_radius_mm, object_height_mm")
     scan.add_argument("--out", required=True, metavar="CASE.impronta")
     scan.add_argument("--specimen", default="ear", metavar="NAME or FILE", help=f"virtual rig only: {_SPECIMENS}")
     scan.add_argument("--treated", action="store_true", help="virtual rig only: the arch after treatment")
+    scan.add_argument("--resume", action="store_true", help="go on with the interrupted scan of CASE: known points first, then what is missing")
     scan.add_argument("--force", action="store_true", help="overwrite a case that is there")
     _virtual(scan)
 

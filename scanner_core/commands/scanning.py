@@ -11,6 +11,7 @@ from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.acquisition.runner import ScanResult, ScanRunner
 from scanner_core.acquisition.status import ScanState
+from scanner_core.case.recovery import Interruption
 from scanner_core.case.store import CaseStore
 from scanner_core.commands.console import Console
 from scanner_core.devices.rig import RigConfig, load_rig_or_preset
@@ -97,10 +98,10 @@ def sized_for(request: PlanRequest, specimen: Specimen | None) -> PlanRequest:
     return replace(request, object_radius_mm=specimen.radius_mm, object_height_mm=specimen.height_mm)
 
 
-def run_scan(console: Console, rig: OpenRig, request: PlanRequest, store: CaseStore) -> ScanResult:
-    """Run a scan to its end, also when Ctrl-C ends it; the result says how it ended."""
+def run_scan(console: Console, rig: OpenRig, request: PlanRequest, store: CaseStore, interrupted: Interruption | None = None) -> ScanResult:
+    """Run a scan, or the rest of one, to its end, also when Ctrl-C ends it; the result says how it ended."""
     rig.concern(store)
-    runner = ScanRunner(rig, request, store)
+    runner = ScanRunner(rig, request, store, interruption=interrupted)
     runner.start()
     told: set[str] = set()
     while True:
@@ -110,8 +111,8 @@ def run_scan(console: Console, rig: OpenRig, request: PlanRequest, store: CaseSt
                 _warn(console, runner, told)
             break
         except KeyboardInterrupt:
+            runner.cancel()  # first: a terminal that was closed takes no sentence any more
             console.say("Stopping: the laser is off, what was measured is kept.")
-            runner.cancel()
     console.clear()
     _warn(console, runner, told)
     if runner.result is None:
@@ -145,6 +146,8 @@ def scan_json(result: ScanResult, rate_hz: float, case: str) -> dict[str, object
         "registration": None if registration is None else registration.as_dict(),
         "health": result.health.as_dict(),
     }
+    if result.resumed is not None:
+        values["resumed"] = {"points_before": result.resumed}
     if result.error is not None:
         values["error"] = {"code": result.error.code, "sentence": str(result.error)}
     return values
@@ -158,6 +161,8 @@ def scan_summary(result: ScanResult) -> list[str]:
         f"Scan {result.finish_reason.value}: {counts.measured} points of {counts.planned} planned measurements, "
         f"{sum(counts.rejected.values())} rejected ({rejected}), {counts.skipped} skipped.",
     ]
+    if result.resumed is not None:
+        lines.append(f"{result.resumed} of the points were there before the interruption.")
     if result.views is not None:
         said = result.views.registration
         lines.append(f"Views registered: residual {said.residual_before_um:.1f} um before, {said.residual_after_um:.1f} um after the refinement.")
