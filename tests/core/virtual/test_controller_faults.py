@@ -105,16 +105,19 @@ def test_a_position_with_a_wrong_digit_is_not_believed() -> None:
         bench = Bench(near, near.clock)
         bench.inject(SerialNoise(share=0.02, noise_s=1e6))
         near.clock.sleep(0.01)
-        asked = 0
-        try:
-            while asked < 300:
-                assert controller.status().table_deg == 22.5
-                asked += 1
-        except DeviceError as fault:
-            assert fault.code == "E-MOT-18"  # a digit of the laser's power: to darken it comes before to ask again
-        assert asked > 20
+        places: list[float] = []
+        with pytest.raises(DeviceError) as ended:
+            _watch(controller, places)
+        assert ended.value.code == "E-MOT-18"  # a digit of the laser's power: to darken it comes before to ask again
+        assert len(places) > 20
+        assert set(places) == {22.5}
         said = [line["line"] for line in controller.transcript() if line["direction"] == "in"]
         assert any("22.500" not in str(line) for line in said)
+
+
+def _watch(controller: GrblController, places: list[float]) -> None:
+    while True:
+        places.append(controller.status().table_deg)
 
 
 def _sweep(controller: GrblController) -> None:
