@@ -5,9 +5,9 @@ Python for every operation on a file.  What the store does to files by itself (t
 place) is noted as well.  From any prefix of the sequence the files can be made again, as a kill leaves them or as a power
 cut may.
 
-That SQLite is the one inside apsw, not the one inside Python.  Both were compared with ``strace -f -e
-trace=openat,pwrite64,ftruncate,fsync,fdatasync,unlink,link`` over the same life of a case (SQLite 3.40.1 and 3.54.1): the
-same kinds of calls in the same order.
+That SQLite (3.54.1) is the one inside apsw, not the one inside Python (3.40.1 when this was written).  Both went through
+the same life under ``strace -f -e trace=openat,pwrite64,ftruncate,fsync,fdatasync,unlink,link``: the same 236 calls in the
+same order, with the same offsets and lengths.
 """
 
 from __future__ import annotations
