@@ -79,6 +79,14 @@ SENTENCES: dict[str, Sentence] = {
     "E-MOT-17": Sentence(
         "The laser did not light although it was asked to.", "It was switched off again; check the controller's settings $30 to $32."
     ),
+    "E-MOT-18": Sentence(
+        "The controller reports a lit laser (S{power}) where it must be dark.",
+        "A reset was sent to switch it off; see that it is dark, then check the controller's laser mode ($32).",
+    ),
+    "E-MOT-19": Sentence(
+        "The program did not look after the lit laser for {seconds} s.",
+        "The laser was switched off and the points so far are kept; free the machine of other work, then resume.",
+    ),
     # ------------------------------------------------------------------------------------------ rig, calibration, plan
     "E-RIG-01": Sentence("The rig file {path} cannot be used: {reason}.", "Nothing was moved; correct the file or take one of the presets."),
     "E-RIG-02": Sentence(

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import dataclass
+from functools import partial
 
 from scanner_core.acquisition.capture import CaptureThread
 from scanner_core.acquisition.control import ScanControl
@@ -87,7 +88,8 @@ class PlanFollower:
                 break
             self._rig.motion.aim(row.x_from_deg, row.y_deg)
             self._rig.motion.sweep(row.x_to_deg, row.y_deg, run.plan.sweep_speed_deg_s)
-            scan = RowScan(left, right, row, self._rig.clock.now_s(), self._control.cancelled, self._poll)
+            at_rest = partial(self._rig.motion.wait_idle, _MOVE_DEADLINE_S)
+            scan = RowScan(left, right, row, self._rig.clock.now_s(), self._control.cancelled, self._poll, at_rest)
             try:
                 for pairs in scan.batches():
                     seen = self._engine.evaluate(pairs, row.view, table_deg)
@@ -101,7 +103,7 @@ class PlanFollower:
                         break
             finally:
                 scan.finish()
-            self._rig.motion.wait_idle(_MOVE_DEADLINE_S)
+            at_rest()
         return measured
 
     def _record(self, run: Pass, row: Row, seen: EvaluatedPairs) -> None:

@@ -19,6 +19,7 @@ import json
 import threading
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import asdict, dataclass
 from functools import partial
 
@@ -115,6 +116,7 @@ class ScanRunner:
         self._located = ScanCounts()
         self._begin_s = self._end_s = rig.clock.now_s()
         self._scan_id: int | None = None
+        self._open: Pass | None = None
         self._resumed: int | None = None
         self._health = HealthMonitor(rig.calibration, rig.left.rate_hz)
         engine = StereoEngine(rig.calibration, rig.config.volume, rig.config.spot.floor_px)
@@ -182,6 +184,7 @@ class ScanRunner:
             self._scan(captures[0], captures[1])
         except BaseException as fault:
             error = self._as_error(fault)
+            self._darken()  # before anything that takes time
         steps: list[Callable[[], None]] = [capture.close for capture in captures]
         steps += [partial(self._rest, error is not None), self._follower.keep]
         for step in steps:
@@ -195,6 +198,8 @@ class ScanRunner:
         self._control.enter(ScanState.FINISHING)
         reason = FinishReason.FAILED if error else FinishReason.CANCELLED if self._control.cancelled.is_set() else FinishReason.COMPLETED
         try:
+            if self._open is not None and self._open.scan_id != self._scan_id:  # a pass beside the scan did not come to its end
+                self._store.end_scan(self._open.scan_id, reason, self._open.tally.counts())
             if self._scan_id is not None:
                 self._store.end_scan(self._scan_id, reason, self._tally.counts())
                 for finding in self._health.findings:
@@ -318,12 +323,18 @@ class ScanRunner:
         record = plan.as_dict() | {"request": asdict(self._request)}
         scan_id = self._store.begin_scan(kind, bare, calibration.identity(), toml, record)
         self._health.begin(plan, kind)
-        return Pass(scan_id, plan, Tally(plan.planned, wanted, self._rig.clock.now_s()), cloud)
+        self._open = Pass(scan_id, plan, Tally(plan.planned, wanted, self._rig.clock.now_s()), cloud)
+        return self._open
 
     def _end_pass(self, run: Pass) -> None:
         self._follower.keep()
         finished = FinishReason.CANCELLED if self._control.cancelled.is_set() else FinishReason.COMPLETED
         self._store.end_scan(run.scan_id, finished, run.tally.counts())
+        self._open = None
+
+    def _darken(self) -> None:
+        with suppress(ImprontaError):  # what cannot be reached is told by :meth:`_rest`
+            self._rig.motion.stop()
 
     def _rest(self, failed: bool) -> None:
         """Laser off and motion at rest, whatever happened."""

@@ -111,8 +111,8 @@ def run_scan(console: Console, rig: OpenRig, request: PlanRequest, store: CaseSt
                 _warn(console, runner, told)
             break
         except KeyboardInterrupt:
+            runner.cancel()  # first: a terminal that was closed takes no sentence any more
             console.say("Stopping: the laser is off, what was measured is kept.")
-            runner.cancel()
     console.clear()
     _warn(console, runner, told)
     if runner.result is None:
