@@ -14,7 +14,6 @@ DEEPEST = 16
 """Tables and arrays inside each other; a rig has 5."""
 LARGEST = 2**63 - 1
 """Of a whole number, as TOML says."""
-_LONGEST_REASON = 300
 
 # The parser's time grows with the square of the parts of a dotted key.  The quantifiers are possessive: no step is tried twice.
 _LONG_KEY = re.compile(r"(?<![\w-])(?:(?:[A-Za-z0-9_-]++|\"[^\"\n]*+\"|'[^'\n]*+')[ \t]*+\.[ \t]*+)" + f"{{{DEEPEST}}}")
@@ -68,10 +67,3 @@ def parse_toml(text: str) -> dict[str, Any]:
         if not level:
             return tree
     raise ValueError(f"it is nested more than {DEEPEST} deep")
-
-
-def in_words(fault: object) -> str:
-    """A fault's text in one printable line of bounded length: what a hostile file says must not steer a terminal."""
-    text = " ".join(str(fault).split())
-    text = "".join(c if c.isprintable() else "?" for c in text[: _LONGEST_REASON + 1])
-    return text if len(text) <= _LONGEST_REASON else text[:_LONGEST_REASON] + "..."

@@ -11,7 +11,8 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from scanner_core.errors import UsageError
-from scanner_core.toml_text import in_words, parse_toml, read_text
+from scanner_core.one_line import one_line
+from scanner_core.toml_text import parse_toml, read_text
 
 COARSE_TO_FINE = (0, 4, 2, 6, 1, 5, 3, 7)
 """Order of the eight interleaved combs of rows (bit-reversed)."""
@@ -113,4 +114,4 @@ def read_plan(path: Path) -> PlanRequest:
     except UsageError:
         raise
     except (OSError, ValueError) as fault:
-        raise UsageError("E-PLAN-01", path=path, reason=in_words(getattr(fault, "strerror", None) or fault)) from fault
+        raise UsageError("E-PLAN-01", path=path, reason=one_line(getattr(fault, "strerror", None) or fault)) from fault

@@ -19,10 +19,11 @@ from numpy.typing import NDArray
 
 from scanner_core.devices.rig_values import FAR_MM, array, axis, number, only, plain, port, table, text, whole
 from scanner_core.errors import UsageError
+from scanner_core.one_line import one_line
 from scanner_core.optics.calibration import VALID_DAYS, ScaleReference, StereoCalibration, TurntableAxis
 from scanner_core.optics.camera_model import CameraModel
 from scanner_core.optics.spot_detection import SpotDetectorParameters
-from scanner_core.toml_text import in_words, parse_toml, read_text
+from scanner_core.toml_text import parse_toml, read_text
 
 Array = NDArray[np.float64]
 
@@ -177,9 +178,9 @@ def parse_rig(content: str, source: str) -> RigConfig:
     except KeyError as fault:
         raise UsageError("E-RIG-01", path=source, reason=f"the key {fault} is missing") from fault
     except UsageError as fault:
-        raise UsageError("E-RIG-01", path=source, reason=in_words(fault.message.rstrip("."))) from fault
+        raise UsageError("E-RIG-01", path=source, reason=one_line(fault.message.rstrip("."))) from fault
     except (ValueError, TypeError) as fault:
-        raise UsageError("E-RIG-01", path=source, reason=in_words(fault)) from fault
+        raise UsageError("E-RIG-01", path=source, reason=one_line(fault)) from fault
 
 
 def dump_rig(rig: RigConfig) -> str:
@@ -228,7 +229,7 @@ def _read(path: Path) -> str:
         reason = f"there is no such file, and the presets are called {', '.join(PRESETS)}"
         raise UsageError("E-RIG-01", path=path, reason=reason) from fault
     except (OSError, ValueError) as fault:
-        raise UsageError("E-RIG-01", path=path, reason=in_words(getattr(fault, "strerror", None) or fault)) from fault
+        raise UsageError("E-RIG-01", path=path, reason=one_line(getattr(fault, "strerror", None) or fault)) from fault
 
 
 def recalibrated(text: str, calibration: StereoCalibration) -> str:
