@@ -1,10 +1,38 @@
 """The tables of a case file, version by version.
 
 A case is one SQLite database with ``application_id`` 0x494D5052 ("IMPR") and its schema version in ``user_version``.
-What was measured stands in ``observation``: one row a trigger id that was exposed, with the 2D centroids and the table
-angle as read back.  Points, clouds and meshes can be computed from it again; they are kept for convenience and
-provenance.  A migration is one entry of :data:`MIGRATIONS`: it brings version *n* to *n + 1* and never changes
-afterwards.
+
+===================  =========================================================================================
+info                 who wrote the file, and when
+order_entry          the order: number, patient code, side, type, remarks
+calibration          every calibration that was used, whole, by its identity
+scan                 one run of the runner: the rig as it was used, the calibration's identity, the plan, the end
+view                 a position of the table, and the correction that the registration gave it
+verdict              the words of the verdicts: ``measured``, or the reason of the rejection
+observation          what was measured: one row a trigger id that was exposed, with both 2D centroids, their sizes,
+                     peaks and uncertainties, the table angle as read back, the time and the verdict
+registration         the report of every registration
+mesh                 every mesh, with its provenance: parameters, versions, seed, scans, calibration
+mask                 every mask, one bit a vertex
+comparison           every comparison: inputs with hashes, parameters, result, deviation by vertex
+current_value, edit  what a person has chosen (the order, the mesh, ...), and the journal that undoes it
+audit                what happened when, in words; nothing is ever taken out of it
+===================  =========================================================================================
+
+*Derived or measured.*  Everything derived (corrections, points, meshes) can be computed again from ``observation``,
+``scan`` and ``calibration``; it is kept for convenience and provenance.  Nothing measured is ever changed or deleted:
+what a person undoes or discards is a choice in ``current_value``.
+
+*Pragmas* and what they are for stand in :mod:`scanner_core.case.connection`.  While a case is open its newest part may
+lie in ``CASE-wal`` beside it; at rest it is one single file.
+
+*Migrations.*  An entry of :data:`MIGRATIONS` brings version *n* to *n + 1* and never changes afterwards.  All that are
+missing run in one transaction when an older case is opened for writing; one that is opened for reading alone is
+migrated in a private copy.  A program that is older than the file refuses it (E-CASE-03).
+
+*Limits.*  Trigger ids, scans, meshes: 2^63 - 1.  A mesh or deviation: 10^9 bytes compressed (SQLite's largest value),
+some 40 million vertices.  An observation takes 125 bytes at rest, centroids as float64 included (100,000 observations:
+12.5 MB); at most 150 is a test.
 """
 
 from __future__ import annotations
@@ -41,6 +69,26 @@ MIGRATIONS: tuple[str, ...] = (
         vertices BLOB NOT NULL, triangles BLOB NOT NULL, attributes_json TEXT NOT NULL, attributes BLOB NOT NULL);
     CREATE TABLE audit (
         id INTEGER PRIMARY KEY, time TEXT NOT NULL, event TEXT NOT NULL, detail TEXT NOT NULL);
+    """,
+    # ---- version 2
+    """
+    CREATE TABLE current_value (            -- what a person has chosen, by key, as it is now; see edits.py
+        key TEXT PRIMARY KEY, value_json TEXT NOT NULL) WITHOUT ROWID;
+    CREATE TABLE edit (                     -- the journal of undo; NULL: the key had no value
+        id INTEGER PRIMARY KEY, time TEXT NOT NULL, key TEXT NOT NULL, words TEXT NOT NULL,
+        before_json TEXT, after_json TEXT, undone INTEGER NOT NULL DEFAULT 0);
+    CREATE TABLE registration (             -- how the views of a scan were brought together, every time it was done
+        id INTEGER PRIMARY KEY, scan_id INTEGER NOT NULL REFERENCES scan (id), created TEXT NOT NULL,
+        calibration_id TEXT NOT NULL, report_json TEXT NOT NULL);
+    CREATE TABLE mask (                     -- one bit an element, packed (big endian), compressed with zlib
+        id INTEGER PRIMARY KEY, name TEXT NOT NULL, created TEXT NOT NULL, applies_to_json TEXT NOT NULL,
+        count INTEGER NOT NULL, bits BLOB NOT NULL);
+    CREATE TABLE comparison (               -- inputs with their hashes; the deviation is float64, um, little endian, zlib
+        id INTEGER PRIMARY KEY, created TEXT NOT NULL, before_json TEXT NOT NULL, after_json TEXT NOT NULL,
+        parameters_json TEXT NOT NULL, result_json TEXT NOT NULL, deviation BLOB NOT NULL);
+    INSERT INTO current_value
+        SELECT 'order', json_object('number', number, 'patient_code', patient_code, 'side', side, 'type', type, 'remarks', remarks)
+        FROM order_entry;
     """,
 )
 

@@ -1,0 +1,119 @@
+"""Looking into a case without leaving a trace: neither the file nor its folder is changed.
+
+A case at rest is read in its place.  What a kill left behind (a log beside the file) and cases of an older version need
+work before they can be read; that is done in a private copy, which is gone when the case is closed.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sqlite3
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+from scanner_core.case.connection import SIDECARS, connect, database, looking, refuse_open
+from scanner_core.case.schema import VERSION
+from scanner_core.errors import CaseLockedError, StorageError
+
+_WAL = 2
+"""In bytes 18 and 19 of the header: the database is read together with its log."""
+
+
+def open_for_reading(path: Path) -> tuple[sqlite3.Connection, Callable[[], None]]:
+    """A connection that only reads, and what closes it.
+
+    Raises
+    ------
+    CaseLockedError
+        E-CASE-02 while a program has the case open for writing.
+    """
+    place = Path(os.path.realpath(path))
+    if _at_rest(place):
+        connection = database(place, "mode=ro")
+        try:
+            connection.execute("PRAGMA trusted_schema = OFF")
+            connection.execute("SELECT count(*) FROM sqlite_schema").fetchone()  # says whether it is locked or damaged
+        except BaseException:
+            connection.close()
+            raise
+        return connection, connection.close
+    return _open_copy(place)
+
+
+def _at_rest(place: Path) -> bool:
+    """One single file of this program's version."""
+    if any(_size(Path(f"{place}{sidecar}")) for sidecar in SIDECARS[:2]):
+        return False
+    with looking:
+        refuse_open(place)
+        with place.open("rb") as file:
+            header = file.read(100)
+    return _WAL not in header[18:20] and int.from_bytes(header[60:64], "big") == VERSION
+
+
+def _open_copy(place: Path) -> tuple[sqlite3.Connection, Callable[[], None]]:
+    folder = tempfile.TemporaryDirectory(prefix="impronta-look-", ignore_cleanup_errors=True)
+    try:
+        copy = Path(folder.name) / "case.impronta"
+        with looking:
+            refuse_open(place)
+            _refuse_locked(place)
+            before = _state(place)
+            for sidecar in ("", *SIDECARS[:2]):
+                if os.path.exists(f"{place}{sidecar}"):
+                    shutil.copyfile(f"{place}{sidecar}", f"{copy}{sidecar}")
+            if _state(place) != before:
+                raise CaseLockedError("E-CASE-02", path=place, details="it changed while it was copied")
+        connection = connect(copy)
+    except OSError as fault:
+        folder.cleanup()
+        if isinstance(fault, StorageError):
+            raise
+        raise StorageError("E-DISK-02", path=folder.name, reason=fault.strerror or fault) from fault
+    except BaseException:
+        folder.cleanup()
+        raise
+
+    def end() -> None:
+        connection.close()
+        folder.cleanup()
+
+    return connection, end
+
+
+def _refuse_locked(place: Path) -> None:
+    """E-CASE-02 (as SQLITE_BUSY) when another program holds the case.
+
+    With an exclusive lock in mind SQLite makes no ``-shm`` file; a connection that may only read does not get that lock,
+    and whatever it says instead of "busy" means that nobody else has it.
+    """
+    connection = database(place, "mode=ro")
+    try:
+        connection.execute("PRAGMA locking_mode = EXCLUSIVE")
+        connection.execute("SELECT count(*) FROM sqlite_schema").fetchone()
+    except sqlite3.OperationalError as fault:
+        if (fault.sqlite_errorname or "").startswith(("SQLITE_BUSY", "SQLITE_LOCKED")):
+            raise
+    finally:
+        connection.close()
+
+
+def _state(place: Path) -> list[tuple[int, int] | None]:
+    """Sizes and times of change of the file and of what lies beside it."""
+    found: list[tuple[int, int] | None] = []
+    for sidecar in ("", *SIDECARS[:2]):
+        try:
+            told = os.stat(f"{place}{sidecar}")
+            found.append((told.st_size, told.st_mtime_ns))
+        except FileNotFoundError:
+            found.append(None)
+    return found
+
+
+def _size(path: Path) -> int:
+    try:
+        return path.stat().st_size
+    except FileNotFoundError:
+        return 0

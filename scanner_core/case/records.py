@@ -1,0 +1,77 @@
+"""What a case tells of its order, scans, edits, registrations and comparisons."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """What the scan is for; `patient_code` is a code, never a name; `side` is left, right or empty."""
+
+    number: str = ""
+    patient_code: str = ""
+    side: str = ""
+    type: str = ""
+    remarks: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class ScanRecord:
+    """A scan of a case as it was recorded; `finish_reason` is None when it was interrupted."""
+
+    id: int
+    kind: str
+    calibration_id: str
+    plan: dict[str, object]
+    started: str
+    ended: str | None
+    finish_reason: str | None
+    counts: dict[str, object] | None
+
+
+@dataclass(frozen=True, slots=True)
+class CaseEdit:
+    """A change that a person made, as it was undone or redone.
+
+    Attributes
+    ----------
+    key : what was changed
+    words : for the menu: "Undo: `words`"
+    value : of the key from now on; None when it has none
+    """
+
+    key: str
+    words: str
+    value: object
+
+
+@dataclass(frozen=True, slots=True)
+class RegistrationRecord:
+    """How the views of a scan were brought together, once."""
+
+    scan_id: int
+    created: str
+    calibration_id: str
+    report: dict[str, object]
+
+
+@dataclass(frozen=True, slots=True)
+class ComparisonRecord:
+    """A comparison of two surfaces; `before` and `after` tell what they were, with their hashes."""
+
+    id: int
+    created: str
+    before: dict[str, object]
+    after: dict[str, object]
+    parameters: dict[str, object]
+    result: dict[str, object]
+
+
+@dataclass(frozen=True, slots=True)
+class AuditLine:
+    """One line of the audit trail."""
+
+    time: str
+    event: str
+    detail: str

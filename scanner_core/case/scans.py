@@ -1,0 +1,164 @@
+"""The scans of a case: plan, rig and calibration as used, observations, views and registrations."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scanner_core.acquisition.status import FinishReason, ScanCounts
+from scanner_core.case.database import CaseDatabase
+from scanner_core.case.moment import now
+from scanner_core.case.observation import MEASURED, ObservationTable, StereoObservation
+from scanner_core.case.records import RegistrationRecord, ScanRecord
+from scanner_core.errors import CaseFormatError
+from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.optics.spot import Spot
+
+_INSERT = "INSERT INTO observation VALUES (" + ",".join("?" * 18) + ")"
+
+
+class ScanTables(CaseDatabase):
+    """The measured part of a case; nothing in it is ever changed or deleted."""
+
+    # ------------------------------------------------------------------------------------------ a scan
+    def next_trigger_id(self) -> int:
+        """The first trigger id that no scan of this case has used or planned."""
+        used = [0]
+        for (plan_json,) in self._rows("SELECT plan_json FROM scan"):
+            used += [row["first_id"] + row["count"] for view in json.loads(plan_json)["views"] for row in view["rows"]]
+        return int(max(used))
+
+    def begin_scan(self, kind: str, rig_toml: str, calibration_id: str, calibration_toml: str, plan: dict[str, object]) -> int:
+        """Record that a scan begins; returns its id."""
+        with self._transaction() as connection:
+            connection.execute("INSERT OR IGNORE INTO calibration VALUES (?, ?)", (calibration_id, calibration_toml))
+            cursor = connection.execute(
+                "INSERT INTO scan (kind, rig_toml, calibration_id, plan_json, started) VALUES (?, ?, ?, ?, ?)",
+                (kind, rig_toml, calibration_id, json.dumps(plan), now()),
+            )
+            return int(cursor.lastrowid or 0)
+
+    def append(self, scan_id: int, observations: Sequence[StereoObservation]) -> None:
+        """Keep observations; once this returns they survive the death of the program and of the machine."""
+        with self._transaction() as connection:
+            verdicts: dict[str, int] = {name: key for key, name in connection.execute("SELECT id, name FROM verdict")}
+            for seen in observations:
+                if seen.verdict not in verdicts:
+                    cursor = connection.execute("INSERT INTO verdict (name) VALUES (?)", (seen.verdict,))
+                    verdicts[seen.verdict] = int(cursor.lastrowid or 0)
+            connection.executemany(_INSERT, [_row(scan_id, verdicts[seen.verdict], seen) for seen in observations])
+
+    def put_view(self, scan_id: int, view: int, table_deg: float) -> None:
+        with self._transaction() as connection:
+            connection.execute("INSERT OR REPLACE INTO view VALUES (?, ?, ?, NULL)", (scan_id, view, table_deg))
+
+    def end_scan(self, scan_id: int, reason: FinishReason, counts: ScanCounts) -> None:
+        """Record how a scan ended."""
+        tally = {"planned": counts.planned, "measured": counts.measured, "rejected": counts.rejected, "skipped": counts.skipped}
+        with self._transaction() as connection:
+            connection.execute(
+                "UPDATE scan SET ended = ?, finish_reason = ?, counts_json = ? WHERE id = ?", (now(), reason.value, json.dumps(tally), scan_id)
+            )
+
+    def scans(self) -> list[ScanRecord]:
+        """All scans in the order of their beginning."""
+        rows = self._rows("SELECT id, kind, calibration_id, plan_json, started, ended, finish_reason, counts_json FROM scan ORDER BY id")
+        return [
+            ScanRecord(number, kind, calibration, json.loads(plan), started, ended, reason, json.loads(counts) if counts else None)
+            for number, kind, calibration, plan, started, ended, reason, counts in rows
+        ]
+
+    def rig_toml(self, scan_id: int) -> str:
+        """The rig as it was used, a rig file's text."""
+        return str(self._one("SELECT rig_toml FROM scan WHERE id = ?", scan_id, f"its scan {scan_id} is missing"))
+
+    def calibration_toml(self, calibration_id: str) -> str:
+        """The calibration as it was used, a rig file's text."""
+        return str(self._one("SELECT toml FROM calibration WHERE id = ?", calibration_id, f"its calibration {calibration_id} is missing"))
+
+    def _one(self, query: str, key: object, reason: str) -> object:
+        rows = self._rows(query, (key,))
+        if not rows:
+            raise CaseFormatError("E-CASE-01", path=self.path, reason=reason)
+        return rows[0][0]
+
+    # ------------------------------------------------------------------------------------------ observations
+    def verdict_counts(self, scan_id: int) -> dict[str, int]:
+        """How many observations have which verdict."""
+        query = "SELECT name, count(*) FROM observation JOIN verdict ON verdict.id = verdict WHERE scan_id = ? GROUP BY name"
+        return {str(name): int(count) for name, count in self._rows(query, (scan_id,))}
+
+    def exposed_ids(self, scan_id: int) -> NDArray[np.int64]:
+        """Trigger ids (n,) of a scan that were exposed, whatever their verdict, ascending."""
+        rows = self._rows("SELECT trigger_id FROM observation WHERE scan_id = ? ORDER BY trigger_id", (scan_id,))
+        return np.array(rows, np.int64).reshape(-1)
+
+    def observations(self, scan_id: int) -> ObservationTable:
+        """The measured observations of a scan in the order of their trigger ids."""
+        rows = self._rows(
+            "SELECT trigger_id, view, table_deg, left_x_px, left_y_px, right_x_px, right_y_px, left_u_upx, right_u_upx, "
+            "left_sx_mpx, left_sy_mpx, right_sx_mpx, right_sy_mpx FROM observation "
+            "WHERE scan_id = ? AND verdict = (SELECT id FROM verdict WHERE name = ?) ORDER BY trigger_id",
+            (scan_id, MEASURED),
+        )
+        table = np.array(rows, np.float64).reshape(-1, 13)
+        return ObservationTable(
+            trigger_id=table[:, 0].astype(np.int64),
+            view=table[:, 1].astype(np.int32),
+            table_deg=table[:, 2].copy(),
+            left_px=table[:, 3:5].copy(),
+            right_px=table[:, 5:7].copy(),
+            left_uncertainty_px=table[:, 7] * 1e-6,
+            right_uncertainty_px=table[:, 8] * 1e-6,
+            left_sigma_px=table[:, 9:11] * 1e-3,
+            right_sigma_px=table[:, 11:13] * 1e-3,
+        )
+
+    # ------------------------------------------------------------------------------------------ registration
+    def put_corrections(self, scan_id: int, corrections: Sequence[RigidTransform]) -> None:
+        """The registration's correction of every view: object frame to object frame, (4, 4), mm."""
+        with self._transaction() as connection:
+            for view, correction in enumerate(corrections):
+                text = json.dumps(correction.matrix().tolist())
+                connection.execute("UPDATE view SET correction_json = ? WHERE scan_id = ? AND view = ?", (text, scan_id, view))
+
+    def corrections(self, scan_id: int) -> dict[int, RigidTransform]:
+        """The registration's corrections by view; empty before the views were registered."""
+        rows = self._rows("SELECT view, correction_json FROM view WHERE scan_id = ? AND correction_json IS NOT NULL", (scan_id,))
+        return {int(view): RigidTransform.from_matrix(json.loads(text)) for view, text in rows}
+
+    def put_registration(self, scan_id: int, calibration_id: str, report: dict[str, object]) -> None:
+        """Keep how the views of a scan were brought together; the reports before it stay.
+
+        Parameters
+        ----------
+        calibration_id : of the calibration that the points were triangulated with
+        report : residuals, overlaps, whether the corrections were applied and why not
+        """
+        with self._transaction() as connection:
+            connection.execute(
+                "INSERT INTO registration (scan_id, created, calibration_id, report_json) VALUES (?, ?, ?, ?)",
+                (scan_id, now(), calibration_id, json.dumps(report)),
+            )
+
+    def registrations(self, scan_id: int) -> list[RegistrationRecord]:
+        """All registrations of a scan, oldest first."""
+        rows = self._rows("SELECT scan_id, created, calibration_id, report_json FROM registration WHERE scan_id = ? ORDER BY id", (scan_id,))
+        return [RegistrationRecord(scan, created, calibration, json.loads(report)) for scan, created, calibration, report in rows]
+
+
+def _row(scan_id: int, verdict: int, seen: StereoObservation) -> tuple[object, ...]:
+    left, right = _columns(seen.left), _columns(seen.right)
+    head = (seen.trigger_id, scan_id, seen.view, verdict, seen.time_s, seen.table_deg)
+    return (*head, *left[:2], *right[:2], left[2], right[2], left[3], right[3], *left[4:], *right[4:])
+
+
+def _columns(spot: Spot | None) -> tuple[object, ...]:
+    """x, y, uncertainty, peak, sigma x, sigma y."""
+    if spot is None:
+        return (None,) * 6
+    uncertainty = round(1e6 * spot.standard_uncertainty_px)
+    return spot.x_px, spot.y_px, uncertainty, round(spot.peak_dn), round(1000 * spot.sigma_x_px), round(1000 * spot.sigma_y_px)
