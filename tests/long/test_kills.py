@@ -34,7 +34,7 @@ from tests.core.devices.boards import RemoteBoard, remote_board
 from tests.core.devices.test_guardian import OFF_WITHIN_S, off_after_s
 from tests.system.impronta import environment
 
-SCANNING_S = 24.0
+SCANNING_S = 30.0
 """A scan of the program takes about so long; it is killed somewhere in between, its start included."""
 WORKING_S = 4.0
 PATIENCE_S = 60.0
