@@ -168,6 +168,8 @@ def _command(commands: argparse._SubParsersAction[argparse.ArgumentParser], name
 
 
 def _virtual(parser: argparse.ArgumentParser) -> None:
+    from scanner_core.virtual.faults import FAULTS
+
     parser.add_argument("--speed", type=_speed, default="max", metavar="1, 5, max", help="of the virtual rig (default max)")
     parser.add_argument("--seed", type=_seed, default=0, metavar="N", help="of every random choice")
     without = "terms of the virtual rig's image model to switch off, to see what limits it: speckle, surface, shot_noise, ..."
@@ -177,8 +179,7 @@ def _virtual(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="NAME[@TIME]",
-        help="let something go wrong on the virtual rig, TIME seconds after the scan began: "
-        "camera_bumped, lost_steps, lamp_on, frames_dropped, camera_skew, trigger_lost; may be repeated",
+        help=f"let something go wrong on the virtual rig, TIME seconds after the scan began: {', '.join(FAULTS)}; may be repeated",
     )
 
 

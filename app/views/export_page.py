@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from datetime import date
 from functools import partial
 from pathlib import Path
 
@@ -17,6 +16,7 @@ from app.views import format as fmt
 from app.views.file_dialogs import choose_folder
 from app.views.page import Page
 from app.views.parts import button, label, row, seam
+from scanner_core import wall_clock
 
 
 class ExportPage(Page):
@@ -92,7 +92,8 @@ class ExportPage(Page):
 
     def path(self) -> Path:
         """Where the next export goes."""
-        return free_name(Path(self._folder.text()).expanduser(), self._template.text(), self.services.draft.values, self._format.suffix, date.today())
+        folder, template = Path(self._folder.text()).expanduser(), self._template.text()
+        return free_name(folder, template, self.services.draft.values, self._format.suffix, wall_clock.today())
 
     # -------------------------------------------------------------------------------- inside
     def _choose(self, kind: ExportFormat) -> None:

@@ -299,8 +299,7 @@ class ScanRunner:
         found = agreement(known, again, self._store.exposed_ids(run.scan_id), check, self._health.compare)
         self._store.audit("known points measured again", json.dumps(asdict(found)))
         if not found.agrees:
-            fields: dict[str, object] = {"seen": found.seen, "known": found.known, "shift_um": f"{found.shift_um:.0f}"}
-            raise AcquisitionError("E-SCAN-03", **fields)
+            raise AcquisitionError("E-SCAN-03", seen=found.seen, known=found.known, shift_um=f"{found.shift_um:.0f}")
 
     def _finish_plan(self, run: Pass, plan: ScanPlan, left: CaptureThread, right: CaptureThread) -> None:
         """Follow `run`, the whole of `plan` or the rest of it, and close the turn."""

@@ -1,4 +1,7 @@
-"""Arrays as they stand in a case: little endian, compressed with zlib.  Nothing is unpacked beyond the size that is expected."""
+"""Arrays as they stand in a case: little endian, compressed with zlib.  What is unpacked is checked; a case may be damaged.
+
+Every function that unpacks raises ValueError or zlib.error for what cannot be right.
+"""
 
 from __future__ import annotations
 
@@ -13,14 +16,17 @@ from scanner_core.geometry.mesh import TriangleMesh
 _LEVEL = 1
 """Coordinates hardly compress; the higher levels take ten times as long for three percent."""
 
+_LARGEST = 1 << 30
+"""Bytes of an unpacked array; the coordinates of 45 million vertices."""
+
 
 def packed(array: NDArray[np.generic], kind: str) -> bytes:
     return zlib.compress(np.ascontiguousarray(array, np.dtype(kind)).tobytes(), _LEVEL)
 
 
 def unpacked(data: bytes, kind: str) -> NDArray[np.generic]:
-    """One-dimensional, writable; ValueError or zlib.error when it is damaged."""
-    return np.frombuffer(zlib.decompress(data), np.dtype(kind)).copy()
+    """One-dimensional."""
+    return np.frombuffer(_inflated(data), np.dtype(kind))
 
 
 def packed_bits(flags: NDArray[np.bool_]) -> bytes:
@@ -28,7 +34,7 @@ def packed_bits(flags: NDArray[np.bool_]) -> bytes:
 
 
 def unpacked_bits(data: bytes, count: int) -> NDArray[np.bool_]:
-    flat = np.frombuffer(zlib.decompress(data), np.uint8)
+    flat = np.frombuffer(_inflated(data), np.uint8)
     if len(flat) != (count + 7) // 8:
         raise ValueError(f"{len(flat)} bytes for {count} elements")
     return np.unpackbits(flat, count=count).astype(np.bool_)
@@ -43,11 +49,27 @@ def mesh_columns(mesh: TriangleMesh) -> tuple[bytes, bytes, str, bytes]:
 
 
 def mesh_of(vertices: bytes, triangles: bytes, header: str, body: bytes) -> TriangleMesh:
-    """The reverse of :func:`mesh_columns`; ValueError or zlib.error when it is damaged."""
-    points = np.frombuffer(zlib.decompress(vertices), "<f8").reshape(-1, 3).astype(np.float64)
-    faces = np.frombuffer(zlib.decompress(triangles), "<i4").reshape(-1, 3).astype(np.int64)
-    flat, attributes, offset = zlib.decompress(body), {}, 0
+    """The reverse of :func:`mesh_columns`."""
+    points = unpacked(vertices, "<f8").reshape(-1, 3).astype(np.float64)
+    faces = unpacked(triangles, "<i4").reshape(-1, 3).astype(np.int64)
+    if not np.isfinite(points).all():
+        raise ValueError("a vertex is not finite")
+    if len(faces) and not 0 <= faces.min() <= faces.max() < len(points):
+        raise ValueError("a triangle has a vertex that is not there")
+    flat, attributes, offset = _inflated(body), {}, 0
     for name, kind in json.loads(header):
-        attributes[name] = np.frombuffer(flat, np.dtype(kind), len(points), offset).copy()
-        offset += attributes[name].nbytes
+        if np.dtype(kind).kind not in "biuf":
+            raise ValueError(f"the attribute {name} holds no numbers")
+        attributes[str(name)] = np.frombuffer(flat, np.dtype(kind), len(points), offset).copy()
+        offset += attributes[str(name)].nbytes
     return TriangleMesh(points, faces, attributes)
+
+
+def _inflated(data: bytes) -> bytes:
+    stream = zlib.decompressobj()
+    content = stream.decompress(data, _LARGEST)
+    if stream.unconsumed_tail:
+        raise ValueError("an array is larger than 1 GiB")
+    if not stream.eof:
+        raise ValueError("an array is cut short")
+    return content

@@ -58,7 +58,7 @@ class SurfaceTables(EditJournal):
         try:
             provenance, *columns = rows[0]
             return mesh_of(*columns), json.loads(provenance)
-        except (LookupError, ValueError, zlib.error) as fault:
+        except (LookupError, TypeError, ValueError, zlib.error) as fault:
             raise CaseFormatError("E-CASE-01", path=self.path, reason=f"its mesh {number} is damaged ({fault})") from fault
 
     def mesh_id(self) -> int | None:
@@ -96,7 +96,7 @@ class SurfaceTables(EditJournal):
         try:
             applies_to, bits, count = rows[0]
             return json.loads(applies_to), unpacked_bits(bits, count)
-        except (LookupError, ValueError, zlib.error) as fault:
+        except (LookupError, TypeError, ValueError, zlib.error) as fault:
             raise CaseFormatError("E-CASE-01", path=self.path, reason=f"its mask {name} is damaged ({fault})") from fault
 
     def mask_names(self) -> list[str]:
@@ -147,7 +147,7 @@ class SurfaceTables(EditJournal):
         rows = self._rows("SELECT deviation FROM comparison WHERE id = ?", (comparison_id,))
         try:
             return unpacked(rows[0][0], "<f8").astype(np.float64)
-        except (LookupError, ValueError, zlib.error) as fault:
+        except (LookupError, TypeError, ValueError, zlib.error) as fault:
             raise CaseFormatError("E-CASE-01", path=self.path, reason=f"its comparison {comparison_id} is damaged ({fault})") from fault
 
     # ------------------------------------------------------------------------------------------ choices

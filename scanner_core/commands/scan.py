@@ -24,12 +24,12 @@ def run(given: argparse.Namespace, console: Console) -> int:
     config, calibration = calibrated_rig(given)
     request = PlanRequest() if given.plan is None else read_plan(Path(given.plan))
     specimen = specimen_on_table(given, config) if config.virtual else None
-    disturbances = faults(given, config)
+    to_come = faults(given, config)
     warnings = age_warnings(calibration)
     for warning in warnings:
         console.say(f"Warning: {warning}")
     path = Path(given.out).resolve()
-    with _case(path, given, specimen) as (store, interrupted), open_rig(config, specimen, given.speed, given.seed, disturbances) as rig:
+    with _case(path, given, specimen) as (store, interrupted), open_rig(config, specimen, given.speed, given.seed, to_come) as rig:
         result = run_scan(console, rig, sized_for(request, specimen), store, interrupted)
         values = scan_json(result, rig.left.rate_hz, str(path)) | {"warnings": warnings}
     console.result(values, [*scan_summary(result), f"Kept in {path}."])

@@ -18,7 +18,8 @@ from scanner_core.devices.rig import RigConfig, load_rig_or_preset
 from scanner_core.errors import CalibrationError, UsageError
 from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.optics.calibration_age import AgeState, calibration_age
-from scanner_core.virtual.disturbances import Disturbance, parse_fault
+from scanner_core.virtual.fault import Fault
+from scanner_core.virtual.faults import parse_fault
 from scanner_core.virtual.presets import GEOMETRIC_TERMS, PRESETS
 from scanner_core.virtual.specimens import Specimen, check_fits, load_specimen
 
@@ -72,7 +73,7 @@ def specimen_on_table(given: argparse.Namespace, rig: RigConfig) -> Specimen:
     return specimen
 
 
-def faults(given: argparse.Namespace, config: RigConfig) -> list[Disturbance]:
+def faults(given: argparse.Namespace, config: RigConfig) -> list[Fault]:
     """What ``--fault`` lets go wrong on the virtual rig; E-USE-01 on hardware."""
     if given.fault and not config.virtual:
         raise UsageError("E-USE-01", what="Faults happen on the virtual rig only", do="leave --fault away")
@@ -99,6 +100,7 @@ def sized_for(request: PlanRequest, specimen: Specimen | None) -> PlanRequest:
 
 def run_scan(console: Console, rig: OpenRig, request: PlanRequest, store: CaseStore, interrupted: Interruption | None = None) -> ScanResult:
     """Run a scan, or the rest of one, to its end, also when Ctrl-C ends it; the result says how it ended."""
+    rig.concern(store)
     runner = ScanRunner(rig, request, store, interruption=interrupted)
     runner.start()
     told: set[str] = set()

@@ -8,19 +8,9 @@ import pytest
 from scanner_core.clock import SteppedClock
 from scanner_core.errors import UsageError
 from scanner_core.virtual.bench import VirtualBench
-from scanner_core.virtual.disturbances import (
-    FAULTS,
-    CameraBumped,
-    CameraSkew,
-    Disturbance,
-    Disturbed,
-    FramesDropped,
-    LampOn,
-    LostSteps,
-    SlippingTable,
-    TriggerLost,
-    parse_fault,
-)
+from scanner_core.virtual.bench_faults import BenchFault, CameraBumped, CameraSkew, FramesDropped, LampOn, LostSteps, TriggerLost
+from scanner_core.virtual.disturbed import Disturbed, SlippingTable
+from scanner_core.virtual.faults import FAULTS, parse_fault
 from scanner_core.virtual.motion_state import MotionInstant
 from scanner_core.virtual.presets import PRESETS, TARGET
 
@@ -32,9 +22,10 @@ class Mechanics:
         return MotionInstant(0.0, 0.0, max(0.0, 10 * (time_s - 2.0)), 1.0)
 
 
-def _disturbed(*disturbances: Disturbance, origin_s: float = 0.0, preset: str = "bench") -> Disturbed:
+def _disturbed(*faults: BenchFault, now_s: float = 0.0, preset: str = "bench") -> Disturbed:
     disturbed = Disturbed(PRESETS[preset])
-    disturbed.happen(disturbances, origin_s)
+    for fault in faults:
+        disturbed.let_happen(fault.from_now(now_s))
     return disturbed
 
 
@@ -42,7 +33,8 @@ def _disturbed(*disturbances: Disturbance, origin_s: float = 0.0, preset: str = 
 def test_every_fault_has_a_name_for_the_command_line(name: str) -> None:
     assert parse_fault(name) == FAULTS[name]
     assert parse_fault(f"{name}@12.5").at_s == 12.5
-    assert type(parse_fault(name)).__name__ == "".join(word.capitalize() for word in name.split("_"))
+    assert FAULTS[name].name == name
+    assert all(text and not text.endswith(".") for text in (FAULTS[name].title, FAULTS[name].happens, FAULTS[name].expected))
 
 
 @pytest.mark.parametrize("text", ["camera_kicked", "lamp_on@", "lamp_on@-1", "lamp_on@nan", "lamp_on@soon", ""])
@@ -79,12 +71,12 @@ def test_steps_are_lost_in_a_move() -> None:
 
 
 def test_times_count_from_when_they_were_given() -> None:
-    disturbed = _disturbed(LampOn(60.0, duration_s=2.0, at_s=1.0), origin_s=100.0)
+    disturbed = _disturbed(LampOn(60.0, duration_s=2.0, at_s=1.0), now_s=100.0)
     assert [disturbed.ambient_dn(t) for t in (1.5, 100.5, 101.5, 103.5)] == [0.0, 0.0, 60.0, 0.0]
 
 
 def test_each_camera_has_its_own_delay() -> None:
-    disturbed = _disturbed(CameraSkew(8.0, "left", at_s=1.0), TriggerLost("right", stamped=False, at_s=1.0))
+    disturbed = _disturbed(CameraSkew(8.0, camera="left", at_s=1.0), TriggerLost(camera="right", stamped=False, at_s=1.0))
     assert [disturbed.late_s(side, 2.0, 0.02) for side in (0, 1)] == pytest.approx([0.008, 0.02])
     assert disturbed.late_s(0, 0.5, 0.02) == 0.0
     assert disturbed.stamped(0, 2.0)
@@ -92,6 +84,6 @@ def test_each_camera_has_its_own_delay() -> None:
 
 
 def test_a_share_of_the_frames_is_dropped() -> None:
-    disturbed = _disturbed(FramesDropped(0.2, "left", at_s=1.0))
+    disturbed = _disturbed(FramesDropped(0.2, camera="left", at_s=1.0))
     assert not any(disturbed.drops(0, 0.5, key) or disturbed.drops(1, 2.0, key) for key in range(500))
     assert 0.15 < np.mean([disturbed.drops(0, 2.0, (3 << 40) + key) for key in range(2000)]) < 0.25
