@@ -87,6 +87,10 @@ SENTENCES: dict[str, Sentence] = {
         "The program did not look after the lit laser for {seconds} s.",
         "The laser was switched off and the points so far are kept; free the machine of other work, then resume.",
     ),
+    "E-MOT-20": Sentence(
+        "The controller on {port} reports another position each time although it rests.",
+        "A reset was sent and the points so far are kept; check the cable (length, shield, plugs) and resume.",
+    ),
     # ------------------------------------------------------------------------------------------ rig, calibration, plan
     "E-RIG-01": Sentence("The rig file {path} cannot be used: {reason}.", "Nothing was moved; correct the file or take one of the presets."),
     "E-RIG-02": Sentence(

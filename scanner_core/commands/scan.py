@@ -13,7 +13,17 @@ from scanner_core.acquisition.status import FinishReason
 from scanner_core.case.recovery import Interruption, interruption
 from scanner_core.case.store import CaseStore, Order
 from scanner_core.commands.console import Console
-from scanner_core.commands.scanning import age_warnings, calibrated_rig, faults, run_scan, scan_json, scan_summary, sized_for, specimen_on_table
+from scanner_core.commands.scanning import (
+    age_warnings,
+    calibrated_rig,
+    case_as_found,
+    faults,
+    run_scan,
+    scan_json,
+    scan_summary,
+    sized_for,
+    specimen_on_table,
+)
 from scanner_core.errors import AcquisitionError, UsageError
 from scanner_core.virtual.specimens import Specimen
 
@@ -29,7 +39,11 @@ def run(given: argparse.Namespace, console: Console) -> int:
     for warning in warnings:
         console.say(f"Warning: {warning}")
     path = Path(given.out).resolve()
-    with _case(path, given, specimen) as (store, interrupted), open_rig(config, specimen, given.speed, given.seed, to_come) as rig:
+    with (
+        case_as_found(path, to_come),
+        _case(path, given, specimen) as (store, interrupted),
+        open_rig(config, specimen, given.speed, given.seed, to_come) as rig,
+    ):
         result = run_scan(console, rig, sized_for(request, specimen), store, interrupted)
         values = scan_json(result, rig.left.rate_hz, str(path)) | {"warnings": warnings}
     console.result(values, [*scan_summary(result), f"Kept in {path}."])

@@ -5,7 +5,9 @@ from __future__ import annotations
 import argparse
 import json
 from collections.abc import Sequence
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
+from pathlib import Path
 
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import OpenRig
@@ -20,6 +22,7 @@ from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.optics.calibration_age import AgeState, calibration_age
 from scanner_core.virtual.fault import Fault
 from scanner_core.virtual.faults import parse_fault
+from scanner_core.virtual.host_faults import CaseLocked
 from scanner_core.virtual.presets import GEOMETRIC_TERMS, PRESETS
 from scanner_core.virtual.specimens import Specimen, check_fits, load_specimen
 
@@ -78,6 +81,12 @@ def faults(given: argparse.Namespace, config: RigConfig) -> list[Fault]:
     if given.fault and not config.virtual:
         raise UsageError("E-USE-01", what="Faults happen on the virtual rig only", do="leave --fault away")
     return [parse_fault(text) for text in given.fault]
+
+
+def case_as_found(path: Path, to_come: Sequence[Fault]) -> AbstractContextManager[None]:
+    """An existing case as it is found: open in another program where ``case_locked`` is to happen from the first moment on."""
+    locked = any(isinstance(fault, CaseLocked) and fault.at_s == 0.0 for fault in to_come)
+    return CaseLocked.held(path) if locked and path.exists() else nullcontext()
 
 
 def age_warnings(calibration: StereoCalibration) -> list[str]:

@@ -9,6 +9,7 @@ from contextlib import suppress
 
 from scanner_core.case.store import CaseStore
 from scanner_core.clock import Clock
+from scanner_core.errors import CaseError
 from scanner_core.jobs.worker import begun_watchers
 from scanner_core.virtual.host_faults import HostFault, WorkerFault
 
@@ -53,7 +54,8 @@ class Host:
         for thread in self._threads:
             thread.join()
         for fault in self._struck:
-            fault.put_right(self.case)
+            with suppress(CaseError):
+                fault.put_right(self.case)
 
     def _start(self, name: str, target: Callable[[], None]) -> None:
         thread = threading.Thread(target=target, name=name)
@@ -68,7 +70,8 @@ class Host:
                 self._coming = [fault for fault in self._coming if fault.at_s > now_s]
                 self._struck += due
             for fault in due:
-                fault.strike(self.case)
+                with suppress(CaseError):  # the case has been closed
+                    fault.strike(self.case)
 
     def _worker_begins(self, pid: int) -> None:
         """In the thread that listens to the worker."""

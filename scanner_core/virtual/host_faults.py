@@ -7,9 +7,12 @@ import signal
 import sqlite3
 import sys
 from abc import ABC, abstractmethod
-from contextlib import closing
+from collections.abc import Iterator
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from multiprocessing import get_context
+from multiprocessing.process import BaseProcess
+from multiprocessing.synchronize import Event
 from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar, Self
 
@@ -68,9 +71,23 @@ class CaseLocked(HostFault):
             other = get_context("spawn").Process(target=_take_case, args=(str(case.path),), name="other-program", daemon=True)
             other.start()
             other.join(10 * _TRIES_S)
-            other.kill()
-            other.join()
-            other.close()
+            _end(other)
+
+    @staticmethod
+    @contextmanager
+    def held(path: Path) -> Iterator[None]:
+        """Another program has the case at `path` open meanwhile."""
+        context = get_context("spawn")
+        ready, leave = context.Event(), context.Event()
+        other = context.Process(target=_hold_case, args=(str(path), ready, leave), name="other-program", daemon=True)
+        other.start()
+        try:
+            ready.wait(10 * _TRIES_S)
+            yield
+        finally:
+            leave.set()
+            other.join(_TRIES_S)
+            _end(other)
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,6 +171,21 @@ HOST_FAULTS: dict[str, Fault] = {
     fault.name: fault for fault in (DiskFull(), CaseLocked(), ClockJump(), WorkerKilled(), WorkerOutOfMemory(), ProgramKilled())
 }
 """By the name that the command line knows."""
+
+
+def _end(process: BaseProcess) -> None:
+    process.kill()
+    process.join()
+    process.close()
+
+
+def _hold_case(path: str, ready: Event, leave: Event) -> None:
+    """What a program does that has the case open."""
+    with closing(sqlite3.connect(path, isolation_level=None)) as connection:
+        connection.execute("PRAGMA locking_mode = EXCLUSIVE")
+        connection.execute("BEGIN EXCLUSIVE")
+        ready.set()
+        leave.wait(60.0)
 
 
 def _take_case(path: str) -> None:

@@ -24,7 +24,9 @@ class FaultInjection:
     """The faults of one open virtual rig."""
 
     def __init__(self, clock: Clock, bench: VirtualBench, board: FaultyBoard) -> None:
-        self._clock, self._bench, self._board = clock, bench, board
+        self._clock, self._bench = clock, bench
+        self.board = board
+        """The witness of beam and laser; for tests alone."""
         self._host = Host(clock)
 
     def inject(self, fault: Fault) -> None:
@@ -41,7 +43,7 @@ class FaultInjection:
             case BenchFault():
                 self._bench.let_happen(coming)
             case ControllerFault():
-                self._board.let_happen(coming)
+                self.board.let_happen(coming)
             case HostFault():
                 self._host.let_happen(coming)
             case WorkerFault():

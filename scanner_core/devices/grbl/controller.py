@@ -19,6 +19,9 @@ from scanner_core.errors import ControllerAlarmError, DeviceError, UsageError
 
 _HOME_DEADLINE_S = 120.0
 _SPARE_S = 5.0
+_LOOKS = 5
+_SAME_PLACE_DEG = 0.02
+"""More than a motor's step."""
 _MODES = "G21G90G94M5"
 
 
@@ -180,8 +183,19 @@ class GrblController:
         ------
         DeviceError
             E-MOT-05, E-MOT-16, E-MOT-18: the report breaks a rule of :mod:`scanner_core.devices.laser_safety`; a reset was sent.
-            E-MOT-01, E-MOT-02, E-MOT-09: there is no report to be had.
+            E-MOT-01, E-MOT-02, E-MOT-09: there is no report to be had.  E-MOT-20: noise on the line.
         """
+        expected = self._last
+        said = self._asked()
+        looks = 0
+        # A digit that noise has changed makes a report like any other: where the board rests elsewhere than expected, two must agree.
+        while said.state is MotionState.IDLE and not _same_place(said, expected):
+            if looks == _LOOKS:
+                raise self._link.fault(DeviceError("E-MOT-20", port=self._link.port_name))
+            expected, said, looks = said, self._asked(), looks + 1
+        return said
+
+    def _asked(self) -> MotionStatus:
         report = self._link.report(ANSWER_S if self._watch.light is Light.DARK else LIT_ANSWER_S)
         return self._newest or self._understood(report)
 
@@ -331,6 +345,12 @@ class GrblController:
                     what=f"A sweep of {speed_deg_s:g} deg/s is faster than axis {'XY'[axis]} of the controller ({self._rate_deg_s(axis):g} deg/s)",
                     do="lower the sweep speed in the rig file",
                 )
+
+
+def _same_place(a: MotionStatus, b: MotionStatus | None) -> bool:
+    """Also where neither knows the place."""
+    pairs = [] if b is None else [(a.x_deg, b.x_deg), (a.y_deg, b.y_deg), (a.table_deg, b.table_deg)]
+    return bool(pairs) and not any(abs(p - q) > _SAME_PLACE_DEG or math.isnan(p) != math.isnan(q) for p, q in pairs)
 
 
 def _words(**values: float) -> str:

@@ -16,7 +16,7 @@ from enum import Enum
 
 from scanner_core.clock import Clock
 from scanner_core.devices.grbl.line_buffer import LineBuffer
-from scanner_core.devices.grbl.lines import Alarm, Banner, Line, Ok, Refusal, Report, parse_line
+from scanner_core.devices.grbl.lines import Alarm, Banner, Line, Ok, Other, Refusal, Report, parse_line
 from scanner_core.devices.grbl.meanings import LOCKED, alarm_meaning, refusal_meaning
 from scanner_core.devices.laser_safety import UNWATCHED_S, Darkened
 from scanner_core.devices.motion import MotionState
@@ -36,6 +36,10 @@ ANSWER_S = 2.0
 
 _SLICE_S = 0.2
 _ALIVE_PERIOD_S = 0.5
+_AGAIN_S = 0.4
+"""After so much silence a question that costs nothing is asked again."""
+_GARBLED = 2
+"""Reports in a row of which a part cannot be understood; after that the board speaks so."""
 _QUIET_S = 0.1
 _TRANSCRIPT_LINES = 200
 _LOCKED_NUMBER = 9
@@ -92,7 +96,8 @@ class GrblLink:
         """Send a line and wait for its answer; the lines that came before ``ok``.
 
         Meanwhile the board is asked twice a second whether it is still there, whether its door is open and its laser dark,
-        unless it answers no questions (`mute`: it homes).
+        unless it answers no questions (`mute`: it homes).  A board that has been idle for :data:`ANSWER_S` has nothing left to
+        answer: its ``ok`` is lost, and no longer waited for.
 
         Raises
         ------
@@ -102,6 +107,7 @@ class GrblLink:
         self._send(f"{text}\n".encode("ascii"), text)
         now_s = self.clock.now_s()
         end_s, asked_s, heard_s = now_s + deadline_s, now_s, now_s
+        idle_s: float | None = None
         before: list[Line] = []
         while True:
             wake_s = end_s if mute else min(end_s, asked_s + _ALIVE_PERIOD_S)
@@ -116,6 +122,9 @@ class GrblLink:
                 self._check_report(line)
                 if line.state is MotionState.DOOR:
                     raise self.fault(ControllerAlarmError("E-MOT-16"))
+                idle_s = None if line.state is not MotionState.IDLE else now_s if idle_s is None else idle_s
+                if idle_s is not None and now_s - idle_s > ANSWER_S:
+                    raise self.fault(self._timeout(text, now_s - end_s + deadline_s))
             elif line is not None:
                 self._expect_no_reset(line, text)
                 before.append(line)
@@ -128,25 +137,29 @@ class GrblLink:
                 self._send(b"?", "?", even_when_halted=True)
 
     def report(self, deadline_s: float = ANSWER_S) -> Report:
-        """Ask for the status; also while halted.
+        """Ask for the status; also while halted.  What comes garbled, or not at all, is asked for again until the deadline.
 
         Raises
         ------
         DeviceTimeoutError, DeviceLostError, ControllerAlarmError
         """
-        self._send(b"?", "?", even_when_halted=True)
-        end_s = self.clock.now_s() + deadline_s
+        self._lines = deque(line for line in self._lines if not isinstance(line, Report))  # of a question before this one
+        end_s, garbled = self.clock.now_s() + deadline_s, 0
         while True:
-            line = self._next_line(end_s, "?", even_when_halted=True)
-            if isinstance(line, Report):
+            self._send(b"?", "?", even_when_halted=True)
+            line = self._next_line(min(end_s, self.clock.now_s() + _AGAIN_S), "?", even_when_halted=True)
+            while not (line is None or isinstance(line, Report | Other | Banner)):
+                if self._halt is None:
+                    self._expect_no_reset(line, "?")
+                line = self._next_line(min(end_s, self.clock.now_s() + _AGAIN_S), "?", even_when_halted=True)
+            if isinstance(line, Report) and (line.whole or garbled == _GARBLED):
                 self._check_report(line)
                 return line
-            if line is None:
-                raise self.fault(self._timeout("?", deadline_s))
-            if self._halt is None:
+            garbled += isinstance(line, Report)
+            if isinstance(line, Banner) and self._halt is None:
                 self._expect_no_reset(line, "?")
-            elif isinstance(line, Banner):  # a question that came just before a reset is forgotten by it
-                self._send(b"?", "?", even_when_halted=True)
+            if self.clock.now_s() >= end_s:
+                raise self.fault(self._timeout("?", deadline_s))
 
     def listen(self, deadline_s: float) -> Line | None:
         """The next line whatever it is, or None; for handshake and recovery."""
@@ -181,10 +194,14 @@ class GrblLink:
         with self._write_lock:
             self.stop(Halt.FAULT)
             self._halt = None
-        alarmed, greeted = False, False
+        alarmed, greeted, again = False, False, False
         end_s = self.clock.now_s() + deadline_s
         while not greeted:
-            line = self._next_line(end_s, "reset")
+            line = self._next_line(end_s if again else end_s - 0.5 * deadline_s, "reset")
+            if line is None and not again:  # its greeting was garbled, or it has just been reset by itself
+                self._port.write(RESET)
+                again = True
+                continue
             if line is None:
                 raise self.fault(self._timeout("reset", deadline_s))
             greeted = isinstance(line, Banner)
