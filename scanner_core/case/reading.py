@@ -15,6 +15,7 @@ from pathlib import Path
 
 from scanner_core.case.connection import SIDECARS, connect, database, looking, refuse_open
 from scanner_core.case.schema import VERSION
+from scanner_core.case.vetting import vet
 from scanner_core.errors import CaseLockedError, StorageError
 
 _WAL = 2
@@ -33,8 +34,7 @@ def open_for_reading(path: Path) -> tuple[sqlite3.Connection, Callable[[], None]
     if _at_rest(place):
         connection = database(place, "mode=ro")
         try:
-            connection.execute("PRAGMA trusted_schema = OFF")
-            connection.execute("SELECT count(*) FROM sqlite_schema").fetchone()  # says whether it is locked or damaged
+            vet(connection, path)  # also says whether it is locked
         except BaseException:
             connection.close()
             raise
@@ -66,7 +66,7 @@ def _open_copy(place: Path) -> tuple[sqlite3.Connection, Callable[[], None]]:
                     shutil.copyfile(f"{place}{sidecar}", f"{copy}{sidecar}")
             if _state(place) != before:
                 raise CaseLockedError("E-CASE-02", path=place, details="it changed while it was copied")
-        connection = connect(copy)
+        connection = connect(copy, place)
     except OSError as fault:
         folder.cleanup()
         if isinstance(fault, StorageError):
