@@ -6,7 +6,7 @@ Why these pragmas
 - ``synchronous=FULL`` syncs that log at every commit, so that a transaction that returned also survives a power cut.
 - ``locking_mode=EXCLUSIVE`` makes the second program that opens the case fail at once, and frees the lock by itself when
   the first one is killed.  Set before WAL it also keeps the log's index in memory: no ``-shm`` file.
-- ``trusted_schema=OFF``: a case from outside may hold views and triggers; they cannot call functions.
+- what a hostile file could make SQLite do is restricted in :mod:`scanner_core.case.vetting`.
 
 POSIX locks have a trap: closing any handle of a file drops all locks that this *process* holds on it.  So the files that
 are open for writing are known by their identity, and a file among them is refused before anything else touches it.
@@ -23,7 +23,9 @@ from dataclasses import dataclass
 from pathlib import Path, PurePath
 
 from scanner_core.case.schema import APPLICATION_ID, MIGRATIONS, VERSION
+from scanner_core.case.vetting import harden, vet
 from scanner_core.errors import CaseError, CaseFormatError, CaseLockedError, InputFileError, StorageError
+from scanner_core.one_line import one_line
 
 _TIMEOUT_S = 0.2
 _MAGIC = b"SQLite format 3\x00"
@@ -70,18 +72,20 @@ def uri(path: PurePath) -> str:
 def database(path: Path, mode: str = "rw") -> sqlite3.Connection:
     """A connection in autocommit mode to a file that exists; `mode` is rw or ro."""
     place = f"{uri(Path(os.path.abspath(path)))}?mode={mode}"
-    return sqlite3.connect(place, timeout=_TIMEOUT_S, isolation_level=None, check_same_thread=False, uri=True)
+    connection = sqlite3.connect(place, timeout=_TIMEOUT_S, isolation_level=None, check_same_thread=False, uri=True)
+    harden(connection)
+    return connection
 
 
 def connect(path: Path, asked: Path | None = None) -> sqlite3.Connection:
     """The case for writing; nobody else has it from now on.  Where it is a private copy, `asked` is what errors name."""
     connection = database(path)
     try:
-        connection.execute("PRAGMA trusted_schema = OFF")
         connection.execute("PRAGMA locking_mode = EXCLUSIVE")
         # The exclusive lock is taken now, so that a second program is refused at once.
         connection.execute("BEGIN EXCLUSIVE")
         connection.execute("COMMIT")
+        vet(connection, asked or path)
         connection.execute("PRAGMA journal_mode = WAL")
         connection.execute("PRAGMA synchronous = FULL")
         migrate(asked or path, connection)
@@ -166,7 +170,7 @@ def sentences(path: Path) -> Iterator[None]:
     """Turn SQLite's errors, and those of the files beside it, into the program's sentences."""
     try:
         yield
-    except sqlite3.Error as fault:
+    except (sqlite3.Error, UnicodeDecodeError) as fault:
         name = getattr(fault, "sqlite_errorname", "") or ""
         if name.startswith(("SQLITE_BUSY", "SQLITE_LOCKED")):
             raise CaseLockedError("E-CASE-02", path=path, details=str(fault)) from fault
@@ -174,4 +178,4 @@ def sentences(path: Path) -> Iterator[None]:
             raise StorageError("E-DISK-01", path=path, details=f"{name}: {fault}") from fault
         if name.startswith(("SQLITE_CANTOPEN", "SQLITE_READONLY", "SQLITE_PERM", "SQLITE_IOERR")):
             raise StorageError("E-DISK-02", path=path, reason=fault, details=name) from fault
-        raise CaseFormatError("E-CASE-01", path=path, reason=fault, details=name) from fault
+        raise CaseFormatError("E-CASE-01", path=path, reason=one_line(fault), details=name) from fault

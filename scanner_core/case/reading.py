@@ -15,6 +15,7 @@ from pathlib import Path
 
 from scanner_core.case.connection import Header, connect, database, looking, refuse_open, unreadable
 from scanner_core.case.schema import VERSION
+from scanner_core.case.vetting import vet
 from scanner_core.errors import CaseLockedError, ImprontaError
 
 LOGS = ("-wal", "-journal")
@@ -33,8 +34,7 @@ def open_for_reading(path: Path, header: Header) -> tuple[sqlite3.Connection, Ca
     if _at_rest(place, header):
         connection = database(place, "ro")
         try:
-            connection.execute("PRAGMA trusted_schema = OFF")
-            connection.execute("SELECT count(*) FROM sqlite_schema").fetchone()  # says whether it is locked or damaged
+            vet(connection, path)  # also says whether it is locked
         except BaseException:
             connection.close()
             raise
