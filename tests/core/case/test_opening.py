@@ -134,6 +134,7 @@ def test_looking_at_a_case_at_rest_leaves_no_trace(tmp_path: Path) -> None:
     assert looks() == 0
 
 
+@posix
 def test_looking_at_what_is_being_written_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "a.impronta"
     look = f"from pathlib import Path; from scanner_core.case.store import CaseStore; CaseStore.open(Path({str(path)!r}), read_only=True)"
