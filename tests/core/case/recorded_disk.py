@@ -141,12 +141,6 @@ class _Connection:
     def in_transaction(self) -> bool:
         return self._connection.in_transaction
 
-    def setlimit(self, category: int, value: int) -> int:
-        return self._connection.limit(category, value)
-
-    def set_progress_handler(self, handler: Callable[[], bool] | None, steps: int) -> None:
-        self._connection.set_progress_handler(handler, steps)
-
     def close(self) -> None:
         self._connection.close()
 
