@@ -7,12 +7,13 @@ from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QUrl
 from PySide6.QtGui import QDesktopServices
-from PySide6.QtWidgets import QButtonGroup, QFileDialog, QLineEdit, QPushButton, QToolButton, QVBoxLayout
+from PySide6.QtWidgets import QButtonGroup, QLineEdit, QPushButton, QToolButton, QVBoxLayout
 
 from app.controllers.export import FIELDS, FORMATS, ExportFormat, free_name
 from app.services import Services
 from app.theme import icon
 from app.views import format as fmt
+from app.views.file_dialogs import choose_folder
 from app.views.page import Page
 from app.views.parts import button, label, row, seam
 from scanner_core import wall_clock
@@ -100,9 +101,8 @@ class ExportPage(Page):
         self._show()
 
     def _browse(self) -> None:
-        folder = QFileDialog.getExistingDirectory(self, self.tr("Folder for exported files"), str(Path(self._folder.text()).expanduser()))
-        if folder:
-            self._folder.setText(fmt.short_path(folder))
+        start = str(Path(self._folder.text()).expanduser())
+        choose_folder(self, self.tr("Folder for exported files"), start, lambda folder: self._folder.setText(fmt.short_path(str(folder))))
 
     def _write(self, *, replace: bool) -> None:
         self.services.settings.name_template = self._template.text()

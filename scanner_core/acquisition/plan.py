@@ -7,13 +7,14 @@ early and a view that has reached its quota of points is thinned evenly instead 
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
 from scanner_core.errors import UsageError
+from scanner_core.one_line import one_line
+from scanner_core.toml_text import parse_toml, read_text
 
 COARSE_TO_FINE = (0, 4, 2, 6, 1, 5, 3, 7)
 """Order of the eight interleaved combs of rows (bit-reversed)."""
@@ -109,6 +110,10 @@ class PlanRequest:
             raise UsageError("E-USE-01", what=f"{self.views} views make no plan", do="ask for 1 to 360 views")
         if not 1 <= self.points <= 5_000_000:
             raise UsageError("E-USE-01", what=f"{self.points} points make no plan", do="ask for 1 to 5,000,000 points")
+        for name in ("object_radius_mm", "object_height_mm", "smallest_part_mm"):
+            value = getattr(self, name)
+            if value is not None and not 0.01 <= value <= 10_000:
+                raise UsageError("E-USE-01", what=f"'{name}' is {value}, which makes no plan", do="ask for 0.01 to 10,000 mm")
 
 
 def read_plan(path: Path) -> PlanRequest:
@@ -120,10 +125,10 @@ def read_plan(path: Path) -> PlanRequest:
         E-PLAN-01 when the file cannot be read or says something else.
     """
     try:
-        values = tomllib.loads(path.read_text(encoding="utf-8"))
+        values = parse_toml(read_text(path))
         known = set(PlanRequest.__dataclass_fields__)
         if unknown := sorted(set(values) - known):
-            raise ValueError(f"unknown key '{unknown[0]}'; known are {', '.join(sorted(known))}")
+            raise ValueError(f"unknown key {unknown[0]!r}; known are {', '.join(sorted(known))}")
         for name, value in values.items():
             if isinstance(value, bool) or not isinstance(value, int | float):
                 raise ValueError(f"'{name}' is no number")
@@ -133,4 +138,4 @@ def read_plan(path: Path) -> PlanRequest:
     except UsageError:
         raise
     except (OSError, ValueError) as fault:
-        raise UsageError("E-PLAN-01", path=path, reason=fault) from fault
+        raise UsageError("E-PLAN-01", path=path, reason=one_line(getattr(fault, "strerror", None) or fault)) from fault

@@ -7,9 +7,9 @@ too large.  Nothing is measured with it; points come from the calibration alone.
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from datetime import datetime
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -17,10 +17,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from scanner_core.devices.rig_values import FAR_MM, array, axis, number, only, plain, port, table, text, whole
 from scanner_core.errors import UsageError
+from scanner_core.one_line import one_line
 from scanner_core.optics.calibration import VALID_DAYS, ScaleReference, StereoCalibration, TurntableAxis
 from scanner_core.optics.camera_model import CameraModel
 from scanner_core.optics.spot_detection import SpotDetectorParameters
+from scanner_core.toml_text import parse_toml, read_text
 
 Array = NDArray[np.float64]
 
@@ -162,7 +165,7 @@ def load_rig(path: Path) -> RigConfig:
     return parse_rig(_read(path), str(path))
 
 
-def parse_rig(text: str, source: str) -> RigConfig:
+def parse_rig(content: str, source: str) -> RigConfig:
     """A rig from the text of a rig file; `source` names it in the error's sentence.
 
     Raises
@@ -171,11 +174,13 @@ def parse_rig(text: str, source: str) -> RigConfig:
         E-RIG-01.
     """
     try:
-        return _rig(tomllib.loads(text))
+        return _rig(parse_toml(content))
     except KeyError as fault:
         raise UsageError("E-RIG-01", path=source, reason=f"the key {fault} is missing") from fault
+    except UsageError as fault:
+        raise UsageError("E-RIG-01", path=source, reason=one_line(fault.message.rstrip("."))) from fault
     except (ValueError, TypeError) as fault:
-        raise UsageError("E-RIG-01", path=source, reason=fault) from fault
+        raise UsageError("E-RIG-01", path=source, reason=one_line(fault)) from fault
 
 
 def dump_rig(rig: RigConfig) -> str:
@@ -219,12 +224,12 @@ def rig_text(name: str) -> str:
 
 def _read(path: Path) -> str:
     try:
-        return path.read_text(encoding="utf-8")
+        return read_text(path)
     except FileNotFoundError as fault:
         reason = f"there is no such file, and the presets are called {', '.join(PRESETS)}"
         raise UsageError("E-RIG-01", path=path, reason=reason) from fault
     except (OSError, ValueError) as fault:
-        raise UsageError("E-RIG-01", path=path, reason=fault) from fault
+        raise UsageError("E-RIG-01", path=path, reason=one_line(getattr(fault, "strerror", None) or fault)) from fault
 
 
 def recalibrated(text: str, calibration: StereoCalibration) -> str:
@@ -243,51 +248,61 @@ def recalibrated(text: str, calibration: StereoCalibration) -> str:
 
 
 def _rig(tree: dict[str, Any]) -> RigConfig:
+    cameras, volume = table(tree, "camera"), table(tree, "volume")
+    spot = only(table(tree, "spot", {}), SpotDetectorParameters.__dataclass_fields__, "spot")
+    for key, value in spot.items():
+        if key != "centroid":
+            number(value, key, -1e9, 1e9)
+    limits = only(table(tree, "acceptance", {}), AcceptanceLimits.__dataclass_fields__, "acceptance")
     return RigConfig(
-        name=str(tree["name"]),
-        left=_camera("left", tree["camera"]["left"]),
-        right=_camera("right", tree["camera"]["right"]),
-        controller=ControllerConfig(**tree["controller"]),
-        limits=_limits(tree["limits"]),
-        laser=_laser(tree["laser"]),
-        volume=VolumeConfig(radius_mm=float(tree["volume"]["radius_mm"]), height_mm=float(tree["volume"]["height_mm"])),
-        virtual=None if tree.get("virtual") is None else str(tree["virtual"]),
-        calibration=_calibration(tree["calibration"]) if "calibration" in tree else None,
-        spot=SpotDetectorParameters(**tree.get("spot", {})),
-        image_model=dict(tree.get("image_model", {})),
-        acceptance=AcceptanceLimits(**tree.get("acceptance", {})),
+        name=text(tree, "name"),
+        left=_camera("left", table(cameras, "left")),
+        right=_camera("right", table(cameras, "right")),
+        controller=_controller(table(tree, "controller")),
+        limits=_limits(table(tree, "limits")),
+        laser=_laser(table(tree, "laser")),
+        volume=VolumeConfig(*(number(volume[key], key, 1e-3, 1e4) for key in ("radius_mm", "height_mm"))),
+        virtual=None if tree.get("virtual") is None else text(tree, "virtual"),
+        calibration=_calibration(table(tree, "calibration")) if "calibration" in tree else None,
+        spot=SpotDetectorParameters(**spot),
+        image_model={key: plain(value, key) for key, value in table(tree, "image_model", {}).items()},
+        acceptance=AcceptanceLimits(**{key: number(value, key, -1e9, 1e9) for key, value in limits.items()}),
     )
 
 
-def _camera(name: str, table: dict[str, Any]) -> CameraConfig:
-    return CameraConfig(name, str(table["driver"]), str(table["id"]), float(table["exposure_ms"]), float(table["gain_db"]))
+def _camera(name: str, values: dict[str, Any]) -> CameraConfig:
+    exposure_ms, gain_db = number(values["exposure_ms"], "exposure_ms", 1e-6, 1e4), number(values["gain_db"], "gain_db", -100, 100)
+    return CameraConfig(name, text(values, "driver"), text(values, "id"), exposure_ms, gain_db)
 
 
-def _limits(table: dict[str, Any]) -> LimitsConfig:
-    return LimitsConfig(
-        x_deg=_pair(table["x_deg"]),
-        y_deg=_pair(table["y_deg"]),
-        sweep_speed_deg_s=float(table["sweep_speed_deg_s"]),
-        travel_speed_deg_s=float(table["travel_speed_deg_s"]),
-        table_speed_deg_s=float(table["table_speed_deg_s"]),
-    )
+def _controller(values: dict[str, Any]) -> ControllerConfig:
+    only(values, ControllerConfig.__dataclass_fields__, "controller")
+    baud = whole(values.get("baud", 115200), "baud", 1, 100_000_000)
+    return ControllerConfig(text(values, "driver"), port(values), baud, axis(values, "table_axis", "Z"), text(values, "witness", ""))
 
 
-def _laser(table: dict[str, Any]) -> LaserConfig:
-    diameter_mm = float(table.get("spot_diameter_mm", 0.6))
-    if not 0 < diameter_mm < 20:
+def _limits(values: dict[str, Any]) -> LimitsConfig:
+    speeds = {key: number(values[key], key, 1e-3, 1e5) for key in ("sweep_speed_deg_s", "travel_speed_deg_s", "table_speed_deg_s")}
+    return LimitsConfig(x_deg=_pair(values["x_deg"], "x_deg"), y_deg=_pair(values["y_deg"], "y_deg"), **speeds)
+
+
+def _laser(values: dict[str, Any]) -> LaserConfig:
+    diameter_mm = values.get("spot_diameter_mm", 0.6)
+    if not 0 < number(diameter_mm, "spot_diameter_mm", -1e9, 1e9) < 20:
         raise ValueError(f"the laser's spot of {diameter_mm} mm is no spot")
-    return LaserConfig(_triple(table["position_mm"]), _triple(table["target_mm"]), diameter_mm)
+    return LaserConfig(_triple(values["position_mm"], "position_mm"), _triple(values["target_mm"], "target_mm"), float(diameter_mm))
 
 
-def _pair(values: list[float]) -> tuple[float, float]:
-    low, high = values
-    return float(low), float(high)
+def _pair(value: Any, key: str) -> tuple[float, float]:
+    low, high = array(value, key, (2,), 360.0).tolist()
+    if not low < high:
+        raise ValueError(f"'{key}' must be a lower and an upper limit")
+    return low, high
 
 
-def _triple(values: list[float]) -> tuple[float, float, float]:
-    x, y, z = values
-    return float(x), float(y), float(z)
+def _triple(value: Any, key: str) -> tuple[float, float, float]:
+    x, y, z = array(value, key, (3,), FAR_MM).tolist()
+    return x, y, z
 
 
 def _dump_calibration(calibration: StereoCalibration) -> list[str]:
@@ -315,59 +330,59 @@ def _dump_calibration(calibration: StereoCalibration) -> list[str]:
 
 
 def _calibration(tree: dict[str, Any]) -> StereoCalibration:
-    def camera(table: dict[str, Any]) -> CameraModel:
-        width, height = table["size_px"]
-        values = {key: np.array(table[key], np.float64) for key in ("matrix", "distortion", "rotation", "translation")}
-        for key, shape in (("matrix", (3, 3)), ("distortion", (5,)), ("rotation", (3, 3)), ("translation", (3,))):
-            if values[key].shape != shape or not np.isfinite(values[key]).all():
-                raise ValueError(f"'{key}' of a calibrated camera must be {shape} finite numbers")
-        return CameraModel(size_px=(int(width), int(height)), **values)
-
-    axis = tree["turntable"]
+    turntable = table(tree, "turntable")
+    line = (array(turntable["origin"], "origin", (3,), FAR_MM), array(turntable["direction"], "direction", (3,), 2.0))
+    residuals = [number(turntable[key], key, 0.0, 1e9) for key in ("angle_rms_deg", "position_rms_um")]
     calibration = StereoCalibration(
-        left=camera(tree["left"]),
-        right=camera(tree["right"]),
-        turntable=TurntableAxis(
-            np.array(axis["origin"], np.float64),
-            np.array(axis["direction"], np.float64),
-            float(axis["angle_rms_deg"]),
-            float(axis["position_rms_um"]),
-        ),
-        date=str(tree["date"]),
-        views=int(tree["views"]),
-        reprojection_rms_px=float(tree["reprojection_rms_px"]),
-        held_out_rms_um=float(tree["held_out_rms_um"]),
-        scale=_scale(tree["scale"]) if "scale" in tree else None,
-        modes=_modes(tree["modes"]) if "modes" in tree else None,
-        valid_days=float(tree.get("valid_days", VALID_DAYS)),
+        left=_calibrated_camera(table(tree, "left")),
+        right=_calibrated_camera(table(tree, "right")),
+        turntable=TurntableAxis(*line, *residuals),
+        date=_date(text(tree, "date")),
+        views=whole(tree["views"], "views", 0, 1_000_000),
+        reprojection_rms_px=number(tree["reprojection_rms_px"], "reprojection_rms_px", 0.0, 1e9),
+        held_out_rms_um=number(tree["held_out_rms_um"], "held_out_rms_um", 0.0, 1e9),
+        scale=_scale(table(tree, "scale")) if "scale" in tree else None,
+        modes=array(tree["modes"], "modes", (-1, 30)) if "modes" in tree else None,
+        valid_days=number(tree.get("valid_days", VALID_DAYS), "valid_days", 0.0, 1e6),
     )
+    with np.errstate(all="ignore"):
+        if not np.isfinite(calibration.rig_to_table().matrix()).all():
+            raise ValueError("the turntable's axis of the calibration is no direction, or points at the cameras")
     if tree["id"] != calibration.identity():
         raise ValueError("the numbers of the calibration do not match its id: the file was changed by hand")
     return calibration
 
 
-def _modes(rows: list[list[float]]) -> Array:
-    modes = np.array(rows, np.float64)
-    if modes.ndim != 2 or modes.shape[1] != 30 or not np.isfinite(modes).all():
-        raise ValueError("'modes' of a calibration must be rows of 30 finite numbers")
-    return modes
+def _calibrated_camera(values: dict[str, Any]) -> CameraModel:
+    width, height = array(values["size_px"], "size_px", (2,)).tolist()
+    matrix, rotation = array(values["matrix"], "matrix", (3, 3)), array(values["rotation"], "rotation", (3, 3))
+    if not (1 <= width <= 20_000 and 1 <= height <= 20_000):
+        raise ValueError("'size_px' of a calibrated camera must be from 1 to 20000 pixels")
+    if min(matrix[0, 0], matrix[1, 1]) <= 0 or (matrix[2] != (0, 0, 1)).any():
+        raise ValueError("'matrix' of a calibrated camera must hold focal lengths and a principal point")
+    if np.abs(rotation @ rotation.T - np.eye(3)).max() > 1e-3 or np.linalg.det(rotation) < 0:
+        raise ValueError("'rotation' of a calibrated camera must be a rotation")
+    distortion, translation = array(values["distortion"], "distortion", (5,)), array(values["translation"], "translation", (3,), FAR_MM)
+    return CameraModel(matrix, distortion, rotation, translation, (int(width), int(height)))
 
 
-def _scale(table: dict[str, Any]) -> ScaleReference:
-    return ScaleReference(
-        source=str(table["source"]),
-        length_mm=float(table["length_mm"]),
-        uncertainty_ppm=float(table["uncertainty_ppm"]),
-        print_scale=float(table["print_scale"]),
-        held_out_ppm=_pair(table["held_out_ppm"]) if "held_out_ppm" in table else None,
-    )
+def _date(value: str) -> str:
+    if not 1990 <= datetime.fromisoformat(value).year <= 2200:
+        raise ValueError(f"{value!r} is no date of a calibration")
+    return value
+
+
+def _scale(values: dict[str, Any]) -> ScaleReference:
+    numbers = {key: number(values[key], key, 0.0, 1e9) for key in ("length_mm", "uncertainty_ppm", "print_scale")}
+    held_out = array(values["held_out_ppm"], "held_out_ppm", (2,)).tolist() if "held_out_ppm" in values else None
+    return ScaleReference(source=text(values, "source"), **numbers, held_out_ppm=None if held_out is None else (held_out[0], held_out[1]))
 
 
 def _value(value: object) -> str:
     """A TOML value; floats with all their digits."""
     if isinstance(value, str):
         escaped = value.replace("\\", "\\\\").replace('"', '\\"')
-        return f'"{escaped}"'
+        return '"' + "".join(c if c.isprintable() else f"\\U{ord(c):08x}" for c in escaped) + '"'
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, int | float):

@@ -9,12 +9,17 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from scanner_core.one_line import one_line
+
 FARTHEST_MM = 1e9
 """Coordinates beyond this are damage, not places; within it, volumes stay finite."""
 
 
 class MalformedError(ValueError):
     """What is wrong in a file, and where: half a sentence that fits behind 'no mesh that can be read:'."""
+
+    def __init__(self, reason: str) -> None:
+        super().__init__(one_line(reason))
 
 
 def line_of(text: bytes, position: int) -> int:

@@ -16,6 +16,8 @@ from scanner_core.mesh_io.ply import parse_ply_elements, write_ply_elements
 _COMMENT = re.compile(rb"(?:#|//|%)[^\n]*")
 _AXIS = re.compile(r"^(?:points?[_:])?([xyz])(?:$|[^a-z0-9]|mm$)|^points[_:]([012])$")
 _UNIT = re.compile(rb"[\[(][^\])]{0,40}[\])]")
+_NUMBER = re.compile(rb"[-+]?(?:\d++(?:\.\d*+)?|\.\d++)(?:[eEdD][-+]?\d++)?|[-+]?(?:nan|inf(?:inity)?)", re.IGNORECASE)
+"""Possessive: a long row of digits that is no number is looked at once."""
 _COVARIANCE = tuple((f"covariance_{a}{b}_mm2", "xyz".index(a), "xyz".index(b)) for a, b in ("xx", "xy", "xz", "yy", "yz", "zz"))
 
 
@@ -128,9 +130,7 @@ def _first_line(text: bytes) -> tuple[bytes, int]:
     end = text.find(b"\n", at)
     line = text[at:] if end < 0 else text[at:end]
     words = re.split(rb"[,;\s]+", line.strip())
-    numeric = [
-        bool(re.fullmatch(rb"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][-+]?\d+)?|[-+]?(?:nan|inf(?:inity)?)", word, re.IGNORECASE)) for word in words if word
-    ]
+    numeric = [_NUMBER.fullmatch(word) is not None for word in words if word]
     if not line or (numeric and all(numeric) and len(numeric) > 1):
         return b"", at
     if any(numeric) and len(numeric) > 1 and not any(re.match(rb"[\"']?[A-Za-z]", word) for word in words):

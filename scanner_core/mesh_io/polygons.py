@@ -10,6 +10,8 @@ from scanner_core.mesh_io.malformed import MalformedError
 MOST_CORNERS = 10_000
 _TRIES = 20
 """Corners looked at for each ear, on average; only polygons that cross themselves need more."""
+_VAIN_TESTS = 100_000_000
+"""Corners that all vain searches for ears in a file may be compared with; afterwards what is left of a polygon is a fan."""
 
 
 def triangulated(vertices: NDArray[np.float64], corners: NDArray[np.int64], lengths: NDArray[np.int64]) -> NDArray[np.int64]:
@@ -45,9 +47,11 @@ def triangulated(vertices: NDArray[np.float64], corners: NDArray[np.int64], leng
     four = np.flatnonzero(lengths == 4)
     pieces.append(_split_quadrilaterals(vertices, corners[start[four, None] + np.arange(4)]))
     origin.append(np.repeat(four, 2))
+    patience = _VAIN_TESTS
     for face in np.flatnonzero(lengths > 4).tolist():
         polygon = corners[start[face] : start[face] + lengths[face]]
-        piece = _clip_ears(vertices, polygon)
+        piece, vain = _clip_ears(vertices, polygon, patience)
+        patience -= vain
         pieces.append(piece)
         origin.append(np.full(len(piece), face))
     order = np.argsort(np.concatenate(origin), kind="stable")
@@ -65,8 +69,9 @@ def _split_quadrilaterals(vertices: NDArray[np.float64], quads: NDArray[np.int64
     return np.take_along_axis(quads, order, axis=1).reshape(-1, 3)
 
 
-def _clip_ears(vertices: NDArray[np.float64], polygon: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Triangles (n - 2, 3) of one polygon (n,), in the plane of its mean normal (Meisters, Polygons have ears, 1975).
+def _clip_ears(vertices: NDArray[np.float64], polygon: NDArray[np.int64], most_vain: int) -> tuple[NDArray[np.int64], int]:
+    """Triangles (n - 2, 3) of one polygon (n,), in the plane of its mean normal (Meisters, Polygons have ears, 1975);
+    and how many corners were compared in vain, about `most_vain` at most.
 
     A polygon that crosses itself has no such triangulation; its remainder becomes a fan, and the mesh checks tell.
     """
@@ -76,9 +81,9 @@ def _clip_ears(vertices: NDArray[np.float64], polygon: NDArray[np.int64]) -> NDA
     plane = ring[:, [(drop + 1) % 3, (drop + 2) % 3]] * (1.0 if normal[drop] >= 0 else -1.0, 1.0)
     left = np.arange(len(polygon))
     triangles: list[tuple[int, int, int]] = []
-    at = failures = 0
+    at = failures = vain = 0
     patience = _TRIES * len(polygon)
-    while len(left) > 3 and failures < len(left) and patience > 0:
+    while len(left) > 3 and failures < len(left) and patience > 0 and vain < most_vain:
         patience -= 1
         i, j, k = int(left[at - 1]), int(left[at]), int(left[(at + 1) % len(left)])
         if _is_ear(plane, left, i, j, k):
@@ -88,9 +93,10 @@ def _clip_ears(vertices: NDArray[np.float64], polygon: NDArray[np.int64]) -> NDA
             at = at % len(left)
         else:
             failures += 1
+            vain += len(left)
             at = (at + 1) % len(left)
     triangles += [(int(left[0]), int(left[m]), int(left[m + 1])) for m in range(1, len(left) - 1)]
-    return polygon[np.array(triangles, np.int64)]
+    return polygon[np.array(triangles, np.int64)], vain
 
 
 def _is_ear(plane: NDArray[np.float64], left: NDArray[np.int64], i: int, j: int, k: int) -> bool:

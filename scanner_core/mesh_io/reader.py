@@ -19,6 +19,9 @@ from scanner_core.mesh_io.vtp import parse_vtp
 
 T = TypeVar("T")
 
+MOST_BYTES = 1 << 30
+"""Larger files are not read: 1 GiB is a binary STL of 21 million triangles, and reading takes some times as much memory."""
+
 MESH_PARSERS: dict[str, Callable[[bytes], TriangleMesh]] = {".stl": parse_stl, ".ply": parse_ply, ".obj": parse_obj, ".vtp": parse_vtp}
 POINT_PARSERS: dict[str, Callable[[bytes], PointCloud]] = {
     ".ply": parse_ply_points,
@@ -78,9 +81,13 @@ def _parsed(path: Path, parsers: dict[str, Callable[[bytes], T]], code: str) -> 
 
 def _content(path: Path) -> bytes:
     try:
-        if not stat.S_ISREG(path.stat().st_mode):
+        status = path.stat()
+        if not stat.S_ISREG(status.st_mode):
             raise InputFileError("E-FILE-05", path=path, reason="it is no file")
-        return path.read_bytes()
+        if status.st_size > MOST_BYTES:
+            raise InputFileError("E-FILE-05", path=path, reason=f"it has {status.st_size:,} bytes, and {MOST_BYTES:,} are the limit")
+        with path.open("rb") as file:
+            return file.read(status.st_size)  # a file that grows meanwhile is cut off here
     except InputFileError:
         raise
     except FileNotFoundError as fault:

@@ -52,10 +52,15 @@ def parse_vtp(content: bytes) -> TriangleMesh:
     )
 
 
+class _Builder(ElementTree.TreeBuilder):
+    """Refuses a document type where it begins, in any encoding: entities are declared there."""
+
+    def doctype(self, _name: str, _public: str | None, _system: str | None) -> None:
+        raise MalformedError("its XML declares entities, which no VTP needs")
+
+
 def _tree(content: bytes) -> tuple[ElementTree.Element, bytes]:
     """The XML without the appended bytes (raw ones are no XML), and those bytes from behind the underscore on."""
-    if b"<!DOCTYPE" in content[:4096] or b"<!ENTITY" in content[:4096]:
-        raise MalformedError("its XML declares entities, which no VTP needs")
     appended = b""
     if found := _APPENDED.search(content):
         end = content.rfind(b"</AppendedData>")
@@ -63,8 +68,12 @@ def _tree(content: bytes) -> tuple[ElementTree.Element, bytes]:
             raise MalformedError("it ends within its appended data")
         appended = content[found.end() : end]
         content = content[: found.end() - 1] + content[end:]
+    parser = ElementTree.XMLParser(target=_Builder())
     try:
-        return ElementTree.fromstring(content), appended
+        parser.feed(content)
+        return parser.close(), appended
+    except MalformedError:
+        raise
     except (ElementTree.ParseError, LookupError, ValueError) as fault:
         raise MalformedError(f"its XML is damaged ({fault})") from None
 

@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 import os
 import sys
+from collections.abc import Iterable
 from dataclasses import dataclass
-from datetime import datetime
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
@@ -22,8 +24,11 @@ from scanner_core.devices.rig import PRESETS, RigConfig, dump_rig
 from scanner_core.files import storage_error
 
 SUFFIX = ".history.jsonl"
+MOST_BYTES = 10_000_000
+"""Of a history that is read, its end: a line has about 600, and nobody tests so often."""
 _COMPARED = 10
 """Earlier results with which the last one is compared."""
+_EARLIEST, _LATEST = datetime(1990, 1, 1, tzinfo=UTC), datetime(2200, 1, 1, tzinfo=UTC)
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,11 +132,19 @@ def read_history(path: Path, test: str | None = None) -> list[HistoryEntry]:
         The file is there but cannot be read.
     """
     try:
-        lines = path.read_bytes().splitlines()
+        with path.open("rb") as file:
+            size = file.seek(0, os.SEEK_END)
+            file.seek(max(0, size - MOST_BYTES))
+            lines = file.read(min(size, MOST_BYTES)).splitlines()
     except FileNotFoundError:
         return []
     except OSError as fault:
         raise storage_error(path, fault) from fault
+    return parse_history(lines, test)
+
+
+def parse_history(lines: Iterable[bytes], test: str | None = None) -> list[HistoryEntry]:
+    """The results of lines that can be read, in the order of their dates."""
     entries = [entry for entry in map(_entry, lines) if entry is not None and test in (None, entry.test)]
     return sorted(entries, key=lambda entry: entry.moment)
 
@@ -159,9 +172,15 @@ def _entry(line: bytes) -> HistoryEntry | None:
     try:
         values: Any = json.loads(line)
         entry = HistoryEntry(**values)
-        _ = entry.moment
-        for numbers in (entry.figures, entry.uncertainties, entry.limits):
-            _ = [float(value) for value in numbers.values()]
-        return entry
-    except (ValueError, TypeError, AttributeError):
+        if not _EARLIEST <= entry.moment <= _LATEST or (entry.seed is not None and not isinstance(entry.seed, int)):
+            return None
+        texts = (entry.date, entry.test, entry.verdict, entry.calibration_id, entry.calibration_date, entry.rig_sha256, entry.program)
+        tables = (entry.figures, entry.uncertainties, entry.limits)
+        return entry if all(isinstance(text, str) and text.isprintable() for text in texts) and all(map(_is_figures, tables)) else None
+    except (ValueError, TypeError, AttributeError, OverflowError, RecursionError):
         return None
+
+
+def _is_figures(numbers: object) -> bool:
+    """Finite numbers by name."""
+    return isinstance(numbers, dict) and all(isinstance(v, int | float) and not isinstance(v, bool) and math.isfinite(v) for v in numbers.values())

@@ -1,0 +1,103 @@
+"""``python -m tests.fuzz --reader ply --inputs 100000 --seed 1 --engine hypothesis``: fuzz one reader and say what came of it.
+
+Engines: ``hypothesis`` damages good files blindly; ``atheris`` (the extra `fuzz`, Linux only) goes by the coverage.
+Exit 1 when something was found; the inputs are then in the folder that is named.  An input may take 5 s and 1 GiB.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+_BATCH = 2000
+"""Hypothesis remembers all that it has tried: a new search now and then keeps its memory small."""
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="python -m tests.fuzz", description=__doc__)
+    parser.add_argument("--reader", required=True)
+    parser.add_argument("--inputs", type=int, default=100_000)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--engine", choices=("hypothesis", "atheris"), default="hypothesis")
+    parser.add_argument("--out", help="folder of findings (default: a new one)")
+    parser.add_argument("--inside", action="store_true", help=argparse.SUPPRESS)
+    given = parser.parse_args()
+    folder = Path(given.out or tempfile.mkdtemp(prefix="impronta-fuzz-"))
+    folder.mkdir(parents=True, exist_ok=True)
+    if given.inside:
+        {"hypothesis": _hypothesis, "atheris": _atheris}[given.engine](given.reader, given.inputs, given.seed, folder)
+        return 0
+    command = [sys.executable, "-m", "tests.fuzz", "--inside", "--out", str(folder)]
+    command += [f"--{name}={getattr(given, name)}" for name in ("reader", "inputs", "seed", "engine")]
+    (folder / "summary.json").unlink(missing_ok=True)
+    with (folder / "log").open("wb") as log:
+        code = subprocess.run(command, stdout=log, stderr=subprocess.STDOUT, check=False).returncode
+    said = (folder / "log").read_text("utf-8", "replace")
+    summary = json.loads((folder / "summary.json").read_text()) if (folder / "summary.json").exists() else {"reader": given.reader, "findings": {}}
+    edges = re.findall(r"cov: (\d+)", said)
+    summary |= {"engine": given.engine, "seed": given.seed, "edges": int(edges[-1]) if edges else None, "exit": code}
+    if given.engine == "hypothesis":
+        summary["noise_bytes"] = len(said)  # what native code prints by itself
+    print(json.dumps(summary))
+    bad = bool(code or summary["findings"] or summary.get("inputs", 0) < given.inputs)
+    if bad:
+        print(f"The inputs and the log are in {folder}.", file=sys.stderr)
+    return int(bad)
+
+
+def _hypothesis(reader: str, inputs: int, seed: int, folder: Path) -> None:
+    import hypothesis
+    from hypothesis import HealthCheck, Phase, settings
+
+    from tests.fuzz.corpus import dictionary, samples
+    from tests.fuzz.damage import damaged_files
+    from tests.fuzz.watch import Watch
+
+    files = damaged_files(samples(reader), dictionary(reader))
+    watch = Watch(reader, folder)
+    while watch.summary.inputs < inputs:
+        count = min(_BATCH, inputs - watch.summary.inputs)
+        given = hypothesis.given(files)(lambda content: watch(content))
+        given = hypothesis.seed(seed * 1_000_003 + watch.summary.inputs)(given)
+        limits = settings(
+            max_examples=count, database=None, deadline=None, derandomize=False, phases=[Phase.generate], suppress_health_check=list(HealthCheck)
+        )
+        limits(given)()
+    watch.write()
+
+
+def _atheris(reader: str, inputs: int, seed: int, folder: Path) -> None:
+    import atheris
+
+    with atheris.instrument_imports(include=["scanner_core", "tomllib", "json"]):
+        from tests.fuzz.corpus import dictionary, samples
+        from tests.fuzz.watch import Watch
+
+    seeds, words = folder / "seeds", folder / "words"
+    seeds.mkdir(exist_ok=True)
+    for number, content in enumerate(samples(reader)):
+        (seeds / str(number)).write_bytes(content)
+    words.write_text("".join('"' + "".join(f"\\x{byte:02x}" for byte in word) + '"\n' for word in dictionary(reader)))
+    watch = Watch(reader, folder)
+
+    def one(content: bytes) -> None:
+        watch(content)
+        if watch.summary.inputs == inputs:
+            watch.write()
+
+    limits = [f"-runs={inputs}", f"-seed={seed}", "-max_len=65536", "-timeout=30", "-rss_limit_mb=4096", f"-artifact_prefix={folder}/"]
+    # The first folder receives what the fuzzer finds worth keeping.
+    (folder / "kept").mkdir(exist_ok=True)
+    atheris.Setup([sys.argv[0], *limits, f"-dict={words}", str(folder / "kept"), str(seeds)], one)
+    atheris.Fuzz()
+
+
+if __name__ == "__main__":
+    os.environ.setdefault("OMP_NUM_THREADS", "1")
+    sys.exit(main())
