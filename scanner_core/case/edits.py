@@ -21,7 +21,7 @@ import json
 import sqlite3
 from dataclasses import asdict
 
-from scanner_core.case.database import CaseDatabase
+from scanner_core.case.database import CaseDatabase, note
 from scanner_core.case.moment import now
 from scanner_core.case.records import AuditLine, CaseEdit, Order
 
@@ -77,7 +77,7 @@ class EditJournal(CaseDatabase):
             number, key, words, value_json = row
             connection.execute("UPDATE edit SET undone = ? WHERE id = ?", (undone, number))
             _set(connection, key, value_json)
-            _note(connection, event, f"{key}: {words}")
+            note(connection, event, f"{key}: {words}")
             return CaseEdit(key, words, None if value_json is None else json.loads(value_json))
 
     # ------------------------------------------------------------------------------------------ order
@@ -97,7 +97,7 @@ class EditJournal(CaseDatabase):
     def audit(self, event: str, detail: str = "") -> None:
         """Add a line to the audit trail."""
         with self._transaction() as connection:
-            _note(connection, event, detail)
+            note(connection, event, detail)
 
     def audit_trail(self) -> list[AuditLine]:
         """What happened, in its order."""
@@ -116,7 +116,7 @@ class EditJournal(CaseDatabase):
             "INSERT INTO edit (time, key, words, before_json, after_json) VALUES (?, ?, ?, ?, ?)", (now(), key, words, before_json, after_json)
         )
         _set(connection, key, after_json)
-        _note(connection, "edited", f"{key}: {words}")
+        note(connection, "edited", f"{key}: {words}")
         return CaseEdit(key, words, value)
 
 
@@ -131,10 +131,6 @@ def _set(connection: sqlite3.Connection, key: str, value_json: str | None) -> No
         if value_json is not None:
             order = Order(**json.loads(value_json))
             connection.execute("INSERT INTO order_entry VALUES (1, ?, ?, ?, ?, ?)", tuple(asdict(order).values()))
-
-
-def _note(connection: sqlite3.Connection, event: str, detail: str) -> None:
-    connection.execute("INSERT INTO audit (time, event, detail) VALUES (?, ?, ?)", (now(), event, detail))
 
 
 def _text(value: object) -> str:
