@@ -178,10 +178,14 @@ def case_cloud(store: CaseStore) -> PointCloud:
     return process_case(store, chosen_processing(store)).cloud
 
 
-def process_case(store: CaseStore, processing: Processing) -> ProcessedCase:
+def process_case(store: CaseStore, processing: Processing, other: StereoCalibration | None = None) -> ProcessedCase:
     """The points of a case by a choice; the case is only read.
 
     The views are registered again when anything is not as scanned, otherwise the corrections that the case holds are used.
+
+    Parameters
+    ----------
+    other : the calibration that the choice names, where the case need not hold it yet
 
     Raises
     ------
@@ -197,7 +201,7 @@ def process_case(store: CaseStore, processing: Processing) -> ProcessedCase:
     verdicts: Counter[str] = Counter()
     planned = first_view = 0
     for scan in scans:
-        rig, calibration = _rig(store, scan, processing.calibration)
+        rig, calibration = _rig(store, scan, processing.calibration, other)
         table, counted = _gated(store, scan, rig, calibration, processing)
         planned += _planned(scan.plan)
         verdicts.update(counted)
@@ -246,14 +250,17 @@ def _planned(plan: Mapping[str, Any]) -> int:
     return sum(int(row["count"]) for view in plan["views"] for row in view["rows"])
 
 
-def _rig(store: CaseStore, scan: ScanRecord, calibration_id: str | None) -> tuple[RigConfig, StereoCalibration]:
+def _rig(
+    store: CaseStore, scan: ScanRecord, calibration_id: str | None, other: StereoCalibration | None
+) -> tuple[RigConfig, StereoCalibration]:
     """The rig as it was used, with the calibration that is asked for."""
     rig, used = case_rig(store, scan.calibration_id)
     if calibration_id is None or calibration_id == scan.calibration_id:
         return rig, used
-    if calibration_id not in store.calibration_ids():
-        raise UsageError("E-USE-01", what=f"The case holds no calibration {calibration_id!r}", do="choose one with --calibration RIG.toml")
-    _, other = case_rig(store, calibration_id)
+    if other is None or other.identity() != calibration_id:
+        if calibration_id not in store.calibration_ids():
+            raise UsageError("E-USE-01", what=f"The case holds no calibration {calibration_id!r}", do="choose one with --calibration RIG.toml")
+        _, other = case_rig(store, calibration_id)
     if (other.left.size_px, other.right.size_px) != (used.left.size_px, used.right.size_px):
         raise UsageError("E-USE-01", what="The calibration is of cameras with other images", do="choose a calibration of this rig")
     return rig.with_calibration(other), other

@@ -5,16 +5,16 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from scanner_core.case.processing import GATES, Gates, Processing, chosen_processing
+from scanner_core.case.processing import GATES, PROCESSING, Gates, ProcessedCase, Processing, chosen_processing, process_case
 from scanner_core.case.store import CaseStore
-from scanner_core.devices.rig import dump_rig, load_rig_or_preset
+from scanner_core.devices.rig import RigConfig, dump_rig, load_rig_or_preset
 from scanner_core.errors import CalibrationError, UsageError
 
 
-def asked_processing(store: CaseStore, given: argparse.Namespace) -> Processing:
-    """The processing of the options; without any of them what the case holds.
+def processed_as_asked(store: CaseStore, given: argparse.Namespace) -> ProcessedCase:
+    """The points by the options; without any of them by what the case holds.
 
-    A calibration that the case does not know is taken into it.
+    Once there are points the choice is kept in the case, and with it a calibration that the case did not know.
 
     Raises
     ------
@@ -23,26 +23,30 @@ def asked_processing(store: CaseStore, given: argparse.Namespace) -> Processing:
     CalibrationError
         E-CAL-02 for a rig without a calibration.
     """
-    if given.as_scanned:
-        if given.calibration or given.gate or given.without_view or given.scan:
-            raise UsageError("E-USE-01", what="--as-scanned is said together with a change", do="leave one of the two away")
-        return Processing()
-    if not (given.calibration or given.gate or given.without_view or given.scan):
-        return chosen_processing(store)
-    calibration = None if given.calibration is None else _kept(store, given.calibration)
-    return Processing(calibration, _gates(given.gate), tuple(sorted(set(given.without_view))), tuple(sorted(set(given.scan))))
+    changed = bool(given.calibration or given.gate or given.without_view or given.scan)
+    if given.as_scanned and changed:
+        raise UsageError("E-USE-01", what="--as-scanned is said together with a change", do="leave one of the two away")
+    if not (given.as_scanned or changed):
+        return process_case(store, chosen_processing(store))
+    if given.calibration in store.calibration_ids() and not Path(given.calibration).exists():
+        rig, identity = None, given.calibration
+    else:
+        rig = _calibrated(given.calibration)
+        identity = None if rig is None or rig.calibration is None else rig.calibration.identity()
+    processing = Processing(identity, _gates(given.gate), tuple(sorted(set(given.without_view))), tuple(sorted(set(given.scan))))
+    processed = process_case(store, processing, None if rig is None else rig.calibration)
+    if rig is not None and identity is not None:
+        store.put_calibration(identity, dump_rig(rig))
+    if processing != chosen_processing(store):
+        store.edit(PROCESSING, processing.as_dict(), "Points computed anew")
+    return processed
 
 
-def _kept(store: CaseStore, name: str) -> str:
-    """The identity of a rig's calibration, which the case holds from now on."""
-    known = name if not Path(name).exists() and name in store.calibration_ids() else None
-    if known is not None:
-        return known
-    rig = load_rig_or_preset(name)
-    if rig.calibration is None:
+def _calibrated(name: str | None) -> RigConfig | None:
+    rig = None if name is None else load_rig_or_preset(name)
+    if rig is not None and rig.calibration is None:
         raise CalibrationError("E-CAL-02")
-    store.put_calibration(rig.calibration.identity(), dump_rig(rig))
-    return rig.calibration.identity()
+    return rig
 
 
 def _gates(texts: list[str]) -> Gates:

@@ -8,10 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
-from scanner_core.case.processing import PROCESSING, chosen_processing, process_case
 from scanner_core.case.store import SUFFIX, CaseStore
 from scanner_core.commands.console import Console
-from scanner_core.commands.processing import asked_processing
+from scanner_core.commands.processing import processed_as_asked
 from scanner_core.commands.reconstructing import reconstruction_summary, run_reconstruction
 from scanner_core.errors import InputFileError, UsageError
 from scanner_core.files import check_free
@@ -39,14 +38,11 @@ def run(given: argparse.Namespace, console: Console) -> int:
     if is_case:
         parameters = replace(parameters, table_mm=0.0)  # what was scanned stands on the turntable
         with CaseStore.open(source) as store:
-            processing = asked_processing(store, given)
-            processed = process_case(store, processing)
+            processed = processed_as_asked(store, given)
             told = processed.as_dict()
             surface = run_reconstruction(console, processed.cloud, parameters)
             provenance = {"parameters": parameters.as_dict(), "report": surface.report.as_dict(), "seed": given.seed, "processing": told}
             provenance |= {"scans": told["scans"], "calibration": processed.calibrations[0]}
-            if processing != chosen_processing(store):
-                store.edit(PROCESSING, processing.as_dict(), "Points computed anew")
             store.put_mesh(surface.mesh, provenance)
         _deliver(surface, out, given.force, console, {"processing": told})
     else:
