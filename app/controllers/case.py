@@ -130,7 +130,7 @@ class CaseController(QObject):
 
 
 def _open(path: Path, before: DraftValues) -> OpenedCase:
-    from scanner_core.case.points import case_cloud
+    from scanner_core.case.processing import case_cloud
     from scanner_core.case.store import CaseStore
     from scanner_core.errors import CaseError
 

@@ -13,7 +13,7 @@ from scanner_core.case import decoding
 from scanner_core.case.database import CaseDatabase, note
 from scanner_core.case.decoding import damaged, text
 from scanner_core.case.moment import now
-from scanner_core.case.observation import MEASURED, ObservationTable, StereoObservation
+from scanner_core.case.observation import MEASURED, ObservationTable, PairTable, StereoObservation
 from scanner_core.case.records import RegistrationRecord, ScanRecord
 from scanner_core.errors import CaseFormatError
 from scanner_core.geometry.rigid import RigidTransform
@@ -96,6 +96,16 @@ class ScanTables(CaseDatabase):
         """The calibration as it was used, a rig file's text."""
         return self._one("SELECT toml FROM calibration WHERE id = ?", calibration_id, f"its calibration {calibration_id} is missing")
 
+    def calibration_ids(self) -> list[str]:
+        """Of all calibrations that the case holds."""
+        with damaged(self.path, "list of calibrations"):
+            return [text(number) for (number,) in self._rows("SELECT id FROM calibration ORDER BY id")]
+
+    def put_calibration(self, calibration_id: str, calibration_toml: str) -> None:
+        """Keep another calibration, a rig file's text by the calibration's identity, to process the observations with."""
+        with self._transaction() as connection:
+            connection.execute("INSERT OR IGNORE INTO calibration VALUES (?, ?)", (calibration_id, calibration_toml))
+
     def _one(self, query: str, key: object, reason: str) -> str:
         rows = self._rows(query, (key,))
         if not rows:
@@ -126,6 +136,18 @@ class ScanTables(CaseDatabase):
         )
         with damaged(self.path, "list of observations"):
             return decoding.observations(rows)
+
+    def pairs(self, scan_id: int) -> PairTable:
+        """Of a scan, what both cameras saw as one spot each, in the order of the trigger ids."""
+        rows = self._rows(
+            "SELECT trigger_id, view, table_deg, left_x_px, left_y_px, right_x_px, right_y_px, left_u_upx, right_u_upx, "
+            "left_sx_mpx, left_sy_mpx, right_sx_mpx, right_sy_mpx, left_peak_dn, right_peak_dn, name "
+            "FROM observation JOIN verdict ON verdict.id = verdict "
+            "WHERE scan_id = ? AND left_x_px IS NOT NULL AND right_x_px IS NOT NULL ORDER BY trigger_id",
+            (scan_id,),
+        )
+        with damaged(self.path, "list of observations"):
+            return decoding.pairs(rows)
 
     # ------------------------------------------------------------------------------------------ registration
     def put_corrections(self, scan_id: int, corrections: Sequence[RigidTransform]) -> None:
