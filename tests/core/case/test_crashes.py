@@ -79,23 +79,26 @@ def test_with_fewer_syncs_a_power_cut_would_do_harm(folders: tuple[Path, Path], 
 def going_on(path: Path, kept: Callable[[CaseStore], None]) -> None:
     with CaseStore.open(path) as store:
         kept(store)
-        store.append(1, observations(500, 3))
+        store.append(1, observations(500, 90))
         kept(store)
 
 
-def test_a_crash_while_a_crash_is_recovered(folders: tuple[Path, Path]) -> None:
+@pytest.mark.parametrize("beside", ["-wal", "-journal"])
+def test_a_crash_while_a_crash_is_recovered(folders: tuple[Path, Path], beside: str) -> None:
     life = record(folders[0], live)
-    middle = len(life.recording.operations) // 2
-    left: Files = next(disk.after_kill() for count, disk in life.disks() if count == middle)
-    assert f"{CASE}-wal" in left
+    changes = [number for number, operation in enumerate(life.recording.operations) if operation.name == f"{CASE}{beside}"]
+    deletions = [number for number in changes if life.recording.operations[number].kind == "delete"]
+    # In the middle of the first session, or in the middle of the change to WAL at the beginning of the second.
+    moment = changes[len(changes) // 3] if beside == "-wal" else deletions[2]
+    left: Files = next(disk.after_kill() for count, disk in life.disks() if count == moment)
+    assert left[f"{CASE}{beside}"]
     for file in folders[0].iterdir():
         file.unlink()
-    for name, content in left.items():
-        (folders[1] / name).write_bytes(content)
+    for folder in folders:
+        for name, content in left.items():
+            (folder / name).write_bytes(content)
     with CaseStore.open(folders[1] / CASE, read_only=True) as store:
         found = state(store)
-    for name, content in left.items():
-        (folders[0] / name).write_bytes(content)
     again = record(folders[0], going_on, found)
     after_every_kill(again, folders[1])
     after_power_cuts(again, folders[1])
