@@ -59,7 +59,7 @@ class RigController(QObject):
         self.calibration = CalibrationRun()
         self.target = TargetController(background, tell, self)
         self._closing = threading.Event()
-        self._device = DeviceThread(self._watch, _STATUS_PERIOD_S, tell)
+        self._device = DeviceThread("rig", self._watch, _STATUS_PERIOD_S, tell)
         self._device.start()
 
     # -------------------------------------------------------------------------------- what a person chooses
