@@ -165,6 +165,10 @@ SENTENCES: dict[str, Sentence] = {
         "Camera {camera} is blind: {frames} spots in a row were seen by camera {other} alone.",
         "Nothing is measured meanwhile; see to its lens cap, aperture and view.",
     ),
+    "H-CAM-03": Sentence(
+        "Camera {camera} delivered {count} torn frames of {exposures}: part of each is another exposure's, or no picture.",
+        "Those measurements are missing; check its cable and port, and close other programs.",
+    ),
     "H-LGT-01": Sentence(
         "Room light drowns the laser spot: {frames} frames in a row of camera {camera} are too bright.",
         "Nothing is measured meanwhile; switch the lamp off.",

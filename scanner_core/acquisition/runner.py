@@ -233,6 +233,10 @@ class ScanRunner:
             self._ended.set()
 
     def _scan(self, left: CaptureThread, right: CaptureThread) -> None:
+        # Whatever ended the scan before: dark, at rest, and where the rig's angles begin.
+        self._rig.motion.recover()
+        if self._rig.motion.needs_homing:
+            self._rig.motion.home()
         if self._interruption is None or not self._go_on_with(self._interruption, left, right):
             self._scan_anew(left, right)
 
@@ -287,8 +291,6 @@ class ScanRunner:
         AcquisitionError
             E-SCAN-03: they are not where they were.
         """
-        if not self._rig.motion.recover():
-            self._rig.motion.home()
         check = check_plan(plan, known, self._store.next_trigger_id())
         run = self._begin("check", check.plan, None, PointLog())
         self._follower.follow(run, left, right)

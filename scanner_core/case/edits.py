@@ -21,7 +21,9 @@ import json
 import sqlite3
 from dataclasses import asdict
 
+from scanner_core.case import decoding
 from scanner_core.case.database import CaseDatabase
+from scanner_core.case.decoding import damaged, text
 from scanner_core.case.moment import now
 from scanner_core.case.records import AuditLine, CaseEdit, Order
 
@@ -35,7 +37,8 @@ class EditJournal(CaseDatabase):
     def value(self, key: str, default: object = None) -> object:
         """What stands under a key now; `default` when nothing does."""
         rows = self._rows("SELECT value_json FROM current_value WHERE key = ?", (key,))
-        return json.loads(rows[0][0]) if rows else default
+        with damaged(self.path, f"choice of '{key}'"):
+            return decoding.tree(rows[0][0]) if rows else default
 
     def edit(self, key: str, value: object, words: str) -> CaseEdit | None:
         """Give a key a new value; None, and nothing is recorded, when it has that value already.
@@ -52,14 +55,16 @@ class EditJournal(CaseDatabase):
     @property
     def undoable(self) -> str | None:
         """The words of the edit that :meth:`undo` would take back, or None."""
-        rows = self._rows("SELECT words FROM edit WHERE NOT undone ORDER BY id DESC LIMIT 1")
-        return str(rows[0][0]) if rows else None
+        return self._words(self._rows("SELECT words FROM edit WHERE NOT undone ORDER BY id DESC LIMIT 1"))
 
     @property
     def redoable(self) -> str | None:
         """The words of the edit that :meth:`redo` would do again, or None."""
-        rows = self._rows("SELECT words FROM edit WHERE undone ORDER BY id LIMIT 1")
-        return str(rows[0][0]) if rows else None
+        return self._words(self._rows("SELECT words FROM edit WHERE undone ORDER BY id LIMIT 1"))
+
+    def _words(self, rows: list[tuple[object, ...]]) -> str | None:
+        with damaged(self.path, "journal of edits"):
+            return text(rows[0][0]) if rows else None
 
     def undo(self) -> CaseEdit | None:
         """Take the newest edit back; None when there is none."""
@@ -70,7 +75,7 @@ class EditJournal(CaseDatabase):
         return self._step("SELECT id, key, words, after_json FROM edit WHERE undone ORDER BY id LIMIT 1", 0, "redone")
 
     def _step(self, query: str, undone: int, event: str) -> CaseEdit | None:
-        with self._transaction() as connection:
+        with self._transaction() as connection, damaged(self.path, "journal of edits"):
             row = connection.execute(query).fetchone()
             if row is None:
                 return None
@@ -78,7 +83,7 @@ class EditJournal(CaseDatabase):
             connection.execute("UPDATE edit SET undone = ? WHERE id = ?", (undone, number))
             _set(connection, key, value_json)
             _note(connection, event, f"{key}: {words}")
-            return CaseEdit(key, words, None if value_json is None else json.loads(value_json))
+            return CaseEdit(text(key), text(words), None if value_json is None else decoding.tree(value_json))
 
     # ------------------------------------------------------------------------------------------ order
     def put_order(self, order: Order) -> None:
@@ -91,7 +96,8 @@ class EditJournal(CaseDatabase):
 
     def order(self) -> Order:
         row = self._rows("SELECT number, patient_code, side, type, remarks FROM order_entry")
-        return Order(*row[0]) if row else Order()
+        with damaged(self.path, "order"):
+            return Order(*map(text, row[0])) if row else Order()
 
     # ------------------------------------------------------------------------------------------ audit trail
     def audit(self, event: str, detail: str = "") -> None:
@@ -101,13 +107,15 @@ class EditJournal(CaseDatabase):
 
     def audit_trail(self) -> list[AuditLine]:
         """What happened, in its order."""
-        return [AuditLine(*row) for row in self._rows("SELECT time, event, detail FROM audit ORDER BY id")]
+        with damaged(self.path, "audit trail"):
+            return [AuditLine(*map(text, row)) for row in self._rows("SELECT time, event, detail FROM audit ORDER BY id")]
 
     # ------------------------------------------------------------------------------------------ for the parts that build on it
     def _edit(self, connection: sqlite3.Connection, key: str, value: object, words: str, before: object = None) -> CaseEdit | None:
         """`before` is what undo goes back to, where that is not the value as it stands."""
         row = connection.execute("SELECT value_json FROM current_value WHERE key = ?", (key,)).fetchone()
-        before_json = _text(before) if before is not None else _text(json.loads(row[0])) if row else None
+        with damaged(self.path, f"choice of '{key}'"):
+            before_json = _text(before) if before is not None else _text(decoding.tree(row[0])) if row else None
         after_json = _text(value)
         if before_json == after_json:
             return None
@@ -129,7 +137,7 @@ def _set(connection: sqlite3.Connection, key: str, value_json: str | None) -> No
     if key == ORDER:
         connection.execute("DELETE FROM order_entry")
         if value_json is not None:
-            order = Order(**json.loads(value_json))
+            order = Order(**decoding.table(value_json))
             connection.execute("INSERT INTO order_entry VALUES (1, ?, ?, ?, ?, ?)", tuple(asdict(order).values()))
 
 

@@ -6,6 +6,7 @@ Every function that unpacks raises ValueError or zlib.error for what cannot be r
 from __future__ import annotations
 
 import json
+import re
 import zlib
 
 import numpy as np
@@ -18,6 +19,8 @@ _LEVEL = 1
 
 _LARGEST = 1 << 30
 """Bytes of an unpacked array; the coordinates of 45 million vertices."""
+_HIGHEST_RATIO, _FREE = 250, 1 << 20
+"""Coordinates and indices are packed to a tenth at best; beyond a first MiB a small file must not become a large array."""
 
 
 def packed(array: NDArray[np.generic], kind: str) -> bytes:
@@ -26,7 +29,7 @@ def packed(array: NDArray[np.generic], kind: str) -> bytes:
 
 def unpacked(data: bytes, kind: str) -> NDArray[np.generic]:
     """One-dimensional."""
-    return np.frombuffer(_inflated(data), np.dtype(kind))
+    return np.frombuffer(_inflated(data, min(_LARGEST, _FREE + _HIGHEST_RATIO * len(data))), np.dtype(kind))
 
 
 def packed_bits(flags: NDArray[np.bool_]) -> bytes:
@@ -34,7 +37,9 @@ def packed_bits(flags: NDArray[np.bool_]) -> bytes:
 
 
 def unpacked_bits(data: bytes, count: int) -> NDArray[np.bool_]:
-    flat = np.frombuffer(_inflated(data), np.uint8)
+    if not 0 <= count <= 8 * _LARGEST:
+        raise ValueError(f"{count} elements")
+    flat = np.frombuffer(_inflated(data, (count + 7) // 8), np.uint8)
     if len(flat) != (count + 7) // 8:
         raise ValueError(f"{len(flat)} bytes for {count} elements")
     return np.unpackbits(flat, count=count).astype(np.bool_)
@@ -56,20 +61,28 @@ def mesh_of(vertices: bytes, triangles: bytes, header: str, body: bytes) -> Tria
         raise ValueError("a vertex is not finite")
     if len(faces) and not 0 <= faces.min() <= faces.max() < len(points):
         raise ValueError("a triangle has a vertex that is not there")
-    flat, attributes, offset = _inflated(body), {}, 0
-    for name, kind in json.loads(header):
-        if np.dtype(kind).kind not in "biuf":
-            raise ValueError(f"the attribute {name} holds no numbers")
-        attributes[str(name)] = np.frombuffer(flat, np.dtype(kind), len(points), offset).copy()
-        offset += attributes[str(name)].nbytes
+    columns = [(str(name), _number_type(kind)) for name, kind in json.loads(header)]
+    flat = _inflated(body, len(points) * sum(kind.itemsize for _, kind in columns))
+    attributes, offset = {}, 0
+    for name, kind in columns:
+        attributes[name] = np.frombuffer(flat, kind, len(points), offset).copy()
+        offset += attributes[name].nbytes
     return TriangleMesh(points, faces, attributes)
 
 
-def _inflated(data: bytes) -> bytes:
+def _number_type(kind: object) -> np.dtype[np.generic]:
+    """Of an attribute: such as ``<f4``, nothing else that numpy would take for a type."""
+    if not isinstance(kind, str) or not re.fullmatch(r"[<>|][biuf][1248]", kind):
+        raise ValueError("an attribute holds no numbers")
+    return np.dtype(kind)
+
+
+def _inflated(data: bytes, most: int) -> bytes:
+    """All of it, but never more than `most` bytes."""
     stream = zlib.decompressobj()
-    content = stream.decompress(data, _LARGEST)
-    if stream.unconsumed_tail:
-        raise ValueError("an array is larger than 1 GiB")
+    content = stream.decompress(data, most + 1)
+    if len(content) > most:
+        raise ValueError("an array is larger than it may be")
     if not stream.eof:
         raise ValueError("an array is cut short")
     return content

@@ -14,10 +14,11 @@ from numpy.typing import NDArray
 from scanner_core.case.observation import ObservationTable
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import RigConfig, parse_rig
-from scanner_core.errors import CaseError, CaseFormatError
+from scanner_core.errors import CaseError, CaseFormatError, UsageError
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.geometry.surface_scatter import excess_scatter_mm
+from scanner_core.one_line import one_line
 from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.optics.calibration_uncertainty import systematic_covariance
 from scanner_core.optics.noise_model import CentroidNoise, NoiseModel, along_axes, fit_centroid_noise
@@ -80,11 +81,23 @@ def _by_calibration(calibration: StereoCalibration, in_rig: NDArray[np.float64],
     return systematic
 
 
+def finite(measured: MeasuredCloud, store: CaseStore) -> MeasuredCloud:
+    """The cloud as it is; E-CASE-01 when centroids and calibration do not belong together, so that a point is nowhere."""
+    cloud = measured.cloud
+    if not np.isfinite(cloud.points).all() or (cloud.covariances is not None and not np.isfinite(cloud.covariances).all()):
+        raise CaseFormatError("E-CASE-01", path=store.path, reason="its centroids and its calibration do not give points")
+    return measured
+
+
 def case_rig(store: CaseStore, calibration_id: str) -> tuple[RigConfig, StereoCalibration]:
     """The rig and the calibration with which a scan of the case was measured."""
-    rig = parse_rig(store.calibration_toml(calibration_id), str(store.path))
-    if rig.calibration is None:
-        raise CaseFormatError("E-CASE-01", path=store.path, reason=f"its calibration {calibration_id} is empty")
+    try:
+        rig = parse_rig(store.calibration_toml(calibration_id), "calibration")
+    except UsageError as fault:
+        reason = f"its calibration is damaged ({one_line(fault.fields.get('reason', ''))})"
+        raise CaseFormatError("E-CASE-01", path=store.path, reason=reason, details=str(fault)) from fault
+    if rig.calibration is None or rig.calibration.identity() != calibration_id:
+        raise CaseFormatError("E-CASE-01", path=store.path, reason=f"its calibration {one_line(calibration_id)} is empty, or another")
     return rig, rig.calibration
 
 
@@ -100,5 +113,6 @@ def case_cloud(store: CaseStore) -> PointCloud:
         if scan.kind == "scan":
             table = store.observations(scan.id)
             if len(table):
-                return triangulate_observations(table, *case_rig(store, scan.calibration_id), store.corrections(scan.id)).cloud
+                measured = triangulate_observations(table, *case_rig(store, scan.calibration_id), store.corrections(scan.id))
+                return finite(measured, store).cloud
     raise CaseError("E-CASE-05", path=store.path, what="points", do="scan first")

@@ -9,12 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.acquisition.status import FinishReason, ScanCounts
+from scanner_core.case import decoding
 from scanner_core.case.database import CaseDatabase
+from scanner_core.case.decoding import damaged, text
 from scanner_core.case.moment import now
 from scanner_core.case.observation import MEASURED, ObservationTable, StereoObservation
 from scanner_core.case.records import RegistrationRecord, ScanRecord
 from scanner_core.errors import CaseFormatError
 from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.one_line import one_line
 from scanner_core.optics.spot import Spot
 
 _INSERT = "INSERT INTO observation VALUES (" + ",".join("?" * 18) + ")"
@@ -27,9 +30,10 @@ class ScanTables(CaseDatabase):
     def next_trigger_id(self) -> int:
         """The first trigger id that no scan of this case has used or planned."""
         used = [0]
-        for (plan_json,) in self._rows("SELECT plan_json FROM scan"):
-            used += [row["first_id"] + row["count"] for view in json.loads(plan_json)["views"] for row in view["rows"]]
-        return int(max(used))
+        with damaged(self.path, "plan"):
+            for (plan_json,) in self._rows("SELECT plan_json FROM scan"):
+                used += [row["first_id"] + row["count"] for view in decoding.plan(plan_json)["views"] for row in view["rows"]]
+        return max(used)
 
     def begin_scan(self, kind: str, rig_toml: str, calibration_id: str, calibration_toml: str, plan: dict[str, object]) -> int:
         """Record that a scan begins; returns its id."""
@@ -66,35 +70,48 @@ class ScanTables(CaseDatabase):
     def scans(self) -> list[ScanRecord]:
         """All scans in the order of their beginning."""
         rows = self._rows("SELECT id, kind, calibration_id, plan_json, started, ended, finish_reason, counts_json FROM scan ORDER BY id")
-        return [
-            ScanRecord(number, kind, calibration, json.loads(plan), started, ended, reason, json.loads(counts) if counts else None)
-            for number, kind, calibration, plan, started, ended, reason, counts in rows
-        ]
+        with damaged(self.path, "list of scans"):
+            return [
+                ScanRecord(
+                    id=int(number),
+                    kind=text(kind),
+                    calibration_id=text(calibration),
+                    plan=decoding.plan(plan),
+                    started=text(started),
+                    ended=None if ended is None else text(ended),
+                    finish_reason=None if reason is None else text(reason),
+                    counts=None if counts is None else decoding.table(counts),
+                )
+                for number, kind, calibration, plan, started, ended, reason, counts in rows
+            ]
 
     def rig_toml(self, scan_id: int) -> str:
         """The rig as it was used, a rig file's text."""
-        return str(self._one("SELECT rig_toml FROM scan WHERE id = ?", scan_id, f"its scan {scan_id} is missing"))
+        return self._one("SELECT rig_toml FROM scan WHERE id = ?", scan_id, f"its scan {scan_id} is missing")
 
     def calibration_toml(self, calibration_id: str) -> str:
         """The calibration as it was used, a rig file's text."""
-        return str(self._one("SELECT toml FROM calibration WHERE id = ?", calibration_id, f"its calibration {calibration_id} is missing"))
+        return self._one("SELECT toml FROM calibration WHERE id = ?", calibration_id, f"its calibration {calibration_id} is missing")
 
-    def _one(self, query: str, key: object, reason: str) -> object:
+    def _one(self, query: str, key: object, reason: str) -> str:
         rows = self._rows(query, (key,))
         if not rows:
-            raise CaseFormatError("E-CASE-01", path=self.path, reason=reason)
-        return rows[0][0]
+            raise CaseFormatError("E-CASE-01", path=self.path, reason=one_line(reason))
+        with damaged(self.path, "rig"):
+            return text(rows[0][0])
 
     # ------------------------------------------------------------------------------------------ observations
     def verdict_counts(self, scan_id: int) -> dict[str, int]:
         """How many observations have which verdict."""
         query = "SELECT name, count(*) FROM observation JOIN verdict ON verdict.id = verdict WHERE scan_id = ? GROUP BY name"
-        return {str(name): int(count) for name, count in self._rows(query, (scan_id,))}
+        with damaged(self.path, "list of verdicts"):
+            return {text(name): int(count) for name, count in self._rows(query, (scan_id,))}
 
     def exposed_ids(self, scan_id: int) -> NDArray[np.int64]:
         """Trigger ids (n,) of a scan that were exposed, whatever their verdict, ascending."""
         rows = self._rows("SELECT trigger_id FROM observation WHERE scan_id = ? ORDER BY trigger_id", (scan_id,))
-        return np.array(rows, np.int64).reshape(-1)
+        with damaged(self.path, "list of trigger ids"):
+            return decoding.trigger_ids(rows)
 
     def observations(self, scan_id: int) -> ObservationTable:
         """The measured observations of a scan in the order of their trigger ids."""
@@ -104,31 +121,22 @@ class ScanTables(CaseDatabase):
             "WHERE scan_id = ? AND verdict = (SELECT id FROM verdict WHERE name = ?) ORDER BY trigger_id",
             (scan_id, MEASURED),
         )
-        table = np.array(rows, np.float64).reshape(-1, 13)
-        return ObservationTable(
-            trigger_id=table[:, 0].astype(np.int64),
-            view=table[:, 1].astype(np.int32),
-            table_deg=table[:, 2].copy(),
-            left_px=table[:, 3:5].copy(),
-            right_px=table[:, 5:7].copy(),
-            left_uncertainty_px=table[:, 7] * 1e-6,
-            right_uncertainty_px=table[:, 8] * 1e-6,
-            left_sigma_px=table[:, 9:11] * 1e-3,
-            right_sigma_px=table[:, 11:13] * 1e-3,
-        )
+        with damaged(self.path, "list of observations"):
+            return decoding.observations(rows)
 
     # ------------------------------------------------------------------------------------------ registration
     def put_corrections(self, scan_id: int, corrections: Sequence[RigidTransform]) -> None:
         """The registration's correction of every view: object frame to object frame, (4, 4), mm."""
         with self._transaction() as connection:
             for view, correction in enumerate(corrections):
-                text = json.dumps(correction.matrix().tolist())
-                connection.execute("UPDATE view SET correction_json = ? WHERE scan_id = ? AND view = ?", (text, scan_id, view))
+                matrix = json.dumps(correction.matrix().tolist())
+                connection.execute("UPDATE view SET correction_json = ? WHERE scan_id = ? AND view = ?", (matrix, scan_id, view))
 
     def corrections(self, scan_id: int) -> dict[int, RigidTransform]:
         """The registration's corrections by view; empty before the views were registered."""
         rows = self._rows("SELECT view, correction_json FROM view WHERE scan_id = ? AND correction_json IS NOT NULL", (scan_id,))
-        return {int(view): RigidTransform.from_matrix(json.loads(text)) for view, text in rows}
+        with damaged(self.path, "registration"):
+            return {int(view): decoding.correction(matrix) for view, matrix in rows}
 
     def put_registration(self, scan_id: int, calibration_id: str, report: dict[str, object]) -> None:
         """Keep how the views of a scan were brought together; the reports before it stay.
@@ -147,7 +155,10 @@ class ScanTables(CaseDatabase):
     def registrations(self, scan_id: int) -> list[RegistrationRecord]:
         """All registrations of a scan, oldest first."""
         rows = self._rows("SELECT scan_id, created, calibration_id, report_json FROM registration WHERE scan_id = ? ORDER BY id", (scan_id,))
-        return [RegistrationRecord(scan, created, calibration, json.loads(report)) for scan, created, calibration, report in rows]
+        with damaged(self.path, "registration"):
+            return [
+                RegistrationRecord(int(scan), text(created), text(calibration), decoding.table(report)) for scan, created, calibration, report in rows
+            ]
 
 
 def _row(scan_id: int, verdict: int, seen: StereoObservation) -> tuple[object, ...]:

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import json
 import sqlite3
-import zlib
 
 import numpy as np
 from numpy.typing import NDArray
 
+from scanner_core.case import decoding
+from scanner_core.case.decoding import damaged, text
 from scanner_core.case.edits import EditJournal
 from scanner_core.case.moment import now
 from scanner_core.case.observation import MEASURED
 from scanner_core.case.packing import mesh_columns, mesh_of, packed, packed_bits, unpacked, unpacked_bits
 from scanner_core.case.provenance import versions
 from scanner_core.case.records import ComparisonRecord
-from scanner_core.errors import CaseError, CaseFormatError
+from scanner_core.errors import CaseError
 from scanner_core.geometry.mesh import TriangleMesh
 
 MESH, COMPARISON = "mesh", "comparison"
@@ -55,11 +56,9 @@ class SurfaceTables(EditJournal):
         if number is None:
             raise CaseError("E-CASE-05", path=self.path, what="mesh", do="reconstruct it first")
         rows = self._rows("SELECT provenance_json, vertices, triangles, attributes_json, attributes FROM mesh WHERE id = ?", (number,))
-        try:
+        with damaged(self.path, f"mesh {number}"):
             provenance, *columns = rows[0]
-            return mesh_of(*columns), json.loads(provenance)
-        except (LookupError, TypeError, ValueError, zlib.error) as fault:
-            raise CaseFormatError("E-CASE-01", path=self.path, reason=f"its mesh {number} is damaged ({fault})") from fault
+            return mesh_of(*columns), decoding.table(provenance)
 
     def mesh_id(self) -> int | None:
         """Of the mesh that the case shows: the chosen one, else the newest; None when there is none."""
@@ -93,15 +92,14 @@ class SurfaceTables(EditJournal):
         if number is None:
             return None
         rows = self._rows("SELECT applies_to_json, bits, count FROM mask WHERE id = ?", (number,))
-        try:
+        with damaged(self.path, f"mask {name}"):
             applies_to, bits, count = rows[0]
-            return json.loads(applies_to), unpacked_bits(bits, count)
-        except (LookupError, TypeError, ValueError, zlib.error) as fault:
-            raise CaseFormatError("E-CASE-01", path=self.path, reason=f"its mask {name} is damaged ({fault})") from fault
+            return decoding.table(applies_to), unpacked_bits(bits, count)
 
     def mask_names(self) -> list[str]:
         """Of all masks that count, in the order of the alphabet."""
-        names = [str(name) for (name,) in self._rows("SELECT DISTINCT name FROM mask ORDER BY name")]
+        with damaged(self.path, "list of masks"):
+            names = [text(name) for (name,) in self._rows("SELECT DISTINCT name FROM mask ORDER BY name")]
         return [name for name in names if self._mask_id(name) is not None]
 
     def _mask_id(self, name: str) -> int | None:
@@ -140,15 +138,14 @@ class SurfaceTables(EditJournal):
     def comparisons(self) -> list[ComparisonRecord]:
         """All that were ever made, oldest first."""
         rows = self._rows("SELECT id, created, before_json, after_json, parameters_json, result_json FROM comparison ORDER BY id")
-        return [ComparisonRecord(number, created, *map(json.loads, texts)) for number, created, *texts in rows]
+        with damaged(self.path, "list of comparisons"):
+            return [ComparisonRecord(int(number), text(created), *map(decoding.table, parts)) for number, created, *parts in rows]
 
     def deviation_um(self, comparison_id: int) -> NDArray[np.float64]:
         """Of a comparison, (n,), signed, by vertex; NaN where it has no counterpart."""
         rows = self._rows("SELECT deviation FROM comparison WHERE id = ?", (comparison_id,))
-        try:
+        with damaged(self.path, f"comparison {comparison_id}"):
             return unpacked(rows[0][0], "<f8").astype(np.float64)
-        except (LookupError, TypeError, ValueError, zlib.error) as fault:
-            raise CaseFormatError("E-CASE-01", path=self.path, reason=f"its comparison {comparison_id} is damaged ({fault})") from fault
 
     # ------------------------------------------------------------------------------------------ choices
     def _chosen(self, key: str, newest: str, *values: object) -> int | None:

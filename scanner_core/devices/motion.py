@@ -65,6 +65,11 @@ class MotionController(Protocol):
         """Turn the table, laser dark; returns when it is there."""
         ...
 
+    @property
+    def needs_homing(self) -> bool:
+        """It can find its reference position, and has not since it was opened or forgot where it is."""
+        ...
+
     def home(self) -> None:
         """Find the reference position."""
         ...

@@ -57,6 +57,7 @@ class VirtualCamera:
         self._run: tuple[Trigger, Pacer, int] | None = None
         self._runs = 0
         self._grabs = 0
+        self._last: NDArray[np.uint8] | None = None
         self._closed = threading.Event()
         self.dropped = 0
 
@@ -168,15 +169,16 @@ class VirtualCamera:
         late_s = self._late_s(start_s)
         image = self._exposer.image(self._index, start_s + late_s, self._exposure_ms, gain, key)
         if self._disturbed is not None and self._disturbed.tears(self._index, start_s, key):
-            self._tear(image, max(0.0, start_s + late_s - 1.0 / self._rate_hz), gain, key)
+            self._tear(image, key)
+        self._last = image
         stamped_s = 0.0 if self._disturbed is None or not self._disturbed.stamped(self._index, start_s) else late_s
         return Frame(image, trigger_id, start_s + stamped_s + 0.5e-3 * self._exposure_ms, self._name)
 
-    def _tear(self, image: NDArray[np.uint8], before_s: float, gain: float, key: int) -> None:
-        """Below its middle it shows the exposure before, or what happened to stand in the driver's memory."""
+    def _tear(self, image: NDArray[np.uint8], key: int) -> None:
+        """Below its middle it shows the frame before, or what happened to stand in the driver's memory."""
         below = image[image.shape[0] // 2 :]
-        if key & 1:
-            below[:] = self._exposer.image(self._index, before_s, self._exposure_ms, gain, key)[image.shape[0] // 2 :]
+        if key & 1 and self._last is not None:
+            below[:] = self._last[image.shape[0] // 2 :]
         else:
             below[:] = np.random.default_rng(key).integers(0, 256, below.shape, np.uint8)
 

@@ -7,6 +7,7 @@ import json
 import sqlite3
 import tempfile
 from dataclasses import asdict, replace
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -55,6 +56,7 @@ def dictionary(reader: str) -> tuple[bytes, ...]:
     return WORDS + _DICTIONARIES.get(reader.split("-")[0], ())
 
 
+@cache
 def samples(reader: str) -> list[bytes]:
     """Good files of a reader."""
     return _SAMPLES[reader]()
@@ -144,7 +146,13 @@ def _make_case(path: Path) -> None:
         store.put_corrections(scan, [RigidTransform.identity(), RigidTransform.about_z(0.01)])
         store.end_scan(scan, FinishReason.COMPLETED, ScanCounts(24, 19, {"hidden_left": 5}))
         mesh = box()
+        store.put_registration(scan, calibration.identity(), {"views": 2, "applied": True})
         store.put_mesh(TriangleMesh(mesh.vertices, mesh.triangles, {"supported": np.ones(len(mesh.vertices), np.uint8)}), {"seed": 0})
+        store.put_mask("stable", {"mesh": 1}, np.arange(8) < 5)
+        store.put_comparison({"mesh": 1}, {"file": "b.stl"}, {"tolerance_um": 250}, {"rms_um": 12.5}, np.linspace(-1, 1, 8))
+        store.edit("processing", {"gates": {"epipolar": 4.0}}, "Gates changed")
+        store.put_order(Order("4711", "P-12", "right", "ear", "for the mould"))
+        store.undo()
 
 
 _SAMPLES = {
@@ -158,6 +166,7 @@ _SAMPLES = {
     "rig": _rig,
     "plan": _plan,
     "case": _case,
+    "case-values": lambda: [bytes([cell, cell % 4, 3 * cell % 256, 4]) + b"1234" for cell in range(81)],
     "history": _history,
     "serial": _serial,
 }

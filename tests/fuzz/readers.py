@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import sqlite3
 import tempfile
+import zlib
 from collections.abc import Callable
+from contextlib import suppress
+from functools import cache, partial
 from pathlib import Path
 
 import numpy as np
@@ -91,24 +95,93 @@ def _case(content: bytes) -> None:
             leftover.unlink()
 
 
-def read_everything(store: CaseStore) -> None:
-    """All that the program ever reads out of a case; parts that are refused do not keep the others from being read."""
+def _case_values(content: bytes) -> None:
+    """A sound database with hostile values: the input says which cells get which."""
+    path = _written(_template(), f"b{SUFFIX}")
+    connection = sqlite3.connect(path, isolation_level=None)
+    try:
+        connection.execute("PRAGMA journal_mode = OFF")
+        connection.execute("PRAGMA synchronous = OFF")
+        columns = _columns(connection)
+        while len(content) >= 4:
+            where, which, kind, length, content = content[0], content[1], content[2], content[3], content[4:]
+            table, column = columns[where % len(columns)]
+            value, content = _value(kind, content[:length]), content[length:]
+            place = f"rowid IN (SELECT rowid FROM {table} LIMIT 1 OFFSET {which % 4})" if table in _WITH_ROWID else "1"
+            with suppress(sqlite3.Error):
+                connection.execute(f"UPDATE OR IGNORE {table} SET {column} = ? WHERE {place}", (value,))
+    finally:
+        connection.close()
+    try:
+        with CaseStore.open(path) as store:
+            read_everything(store)
+    finally:
+        for leftover in path.parent.glob("b.*"):
+            leftover.unlink()
+
+
+_WITH_ROWID = ("order_entry", "scan", "verdict", "observation", "mesh", "audit", "edit", "registration", "mask", "comparison")
+
+
+@cache
+def _template() -> bytes:
+    from tests.fuzz.corpus import samples
+
+    return samples("case")[0]
+
+
+def _columns(connection: sqlite3.Connection) -> list[tuple[str, str]]:
+    tables = [name for (name,) in connection.execute("SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY name")]
+    return [(table, row[1]) for table in tables for row in connection.execute(f"PRAGMA table_info({table})")]
+
+
+def _value(kind: int, content: bytes) -> object:
+    """A cell's new value: one of :func:`_hostile_values`, or one made of the input."""
+    known = _hostile_values()
+    kind %= len(known) + 4
+    if kind < len(known):
+        return known[kind]
+    made = (content, content.decode("latin-1"), zlib.compress(content, 1), int.from_bytes(content[:8], "little", signed=True))
+    return made[kind - len(known)]
+
+
+@cache
+def _hostile_values() -> tuple[object, ...]:
+    """Numbers at limits, texts, blobs, JSON that is deep or large, arrays that are bombs, nothing."""
+    return (
+        *(None, -1, 0, 2, 2**31, 2**63 - 1, -(2**63), 0.5, 1e308, float("inf"), float("-inf")),
+        *("", "measured", b"", b"\xff\xfe", "\x1b[31m\n", "null", "x" * 100_000),
+        *("[]", "{}", "[" * 2000, "NaN", "1e999", "9" * 5000, "[[1,0],[0,1]]", '[["a", "O8"]]', '[["a", "<f8"], ["b", "<i4"]]'),
+        *('{"views": []}', '{"views": [{"rows": [{"first_id": 9e99, "count": 1}]}]}'),
+        *(zlib.compress(bytes(50_000_000), 9), zlib.compress(b"\xff" * 24)),
+    )
+
+
+def read_everything(store: CaseStore, told: Callable[[ImprontaError], None] | None = None) -> None:
+    """All that the program ever reads out of a case; parts that are refused do not keep the others from being read.
+
+    `told` is called with every refusal; at the end the last one is raised.
+    """
     refused: ImprontaError | None = None
     steps: list[Callable[[], object]] = [store.order, store.next_trigger_id, store.mesh, store.mesh_count, lambda: case_cloud(store)]
+    steps += [store.audit_trail, store.mask_names, lambda: store.mask("stable"), store.comparisons, lambda: store.deviation_um(1)]
+    steps += [partial(store.value, key) for key in ("order", "processing", "mesh", "discarded_scans")]
     try:
         for scan in store.scans():
-            steps += [
-                lambda scan=scan: store.observations(scan.id),  # type: ignore[misc]
-                lambda scan=scan: store.verdict_counts(scan.id),  # type: ignore[misc]
-                lambda scan=scan: store.corrections(scan.id),  # type: ignore[misc]
-            ]
+            reads = (store.rig_toml, store.observations, store.exposed_ids, store.verdict_counts, store.corrections, store.registrations)
+            steps += [partial(read, scan.id) for read in reads]
     except ImprontaError as error:
         refused = error
+        if told is not None:
+            told(error)
+    steps += [lambda: (store.undoable, store.redoable), store.undo, store.redo]
     for step in steps:
         try:
             step()
         except ImprontaError as error:
             refused = error
+            if told is not None:
+                told(error)
     if refused is not None:
         raise refused
 
@@ -121,6 +194,7 @@ READERS: dict[str, Reader] = {
     "rig": _rig,
     "plan": _plan,
     "case": _case,
+    "case-values": _case_values,
     "history": _history,
     "serial": _serial,
 }

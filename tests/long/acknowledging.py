@@ -50,7 +50,7 @@ def scan(case: Path, controller: ControllerConfig, *, pausing: bool) -> None:
     config = replace(load_preset("bench"), controller=controller)
     specimen = load_specimen("sphere")
     with AcknowledgingStore.create(case) as store, open_rig(config, specimen, seed=1) as rig:
-        runner = ScanRunner(rig, PlanRequest(2, 400, specimen.radius_mm, specimen.height_mm), store)
+        runner = ScanRunner(rig, PlanRequest(2, 200, specimen.radius_mm, specimen.height_mm), store)
         tell("ready")
         runner.start()
         while not runner.join(0.5):

@@ -15,7 +15,7 @@ import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -28,13 +28,13 @@ from scanner_core.acquisition.runner import ScanRunner
 from scanner_core.case.points import case_cloud
 from scanner_core.case.recovery import find_interrupted
 from scanner_core.case.store import CaseStore
-from scanner_core.devices.rig import load_preset
+from scanner_core.devices.rig import dump_rig, load_preset
 from scanner_core.virtual.specimens import load_specimen
 from tests.core.devices.boards import RemoteBoard, remote_board
 from tests.core.devices.test_guardian import OFF_WITHIN_S, off_after_s
-from tests.system.impronta import environment
+from tests.system.impronta import balanced, environment, impronta
 
-SCANNING_S = 24.0
+SCANNING_S = 30.0
 """A scan of the program takes about so long; it is killed somewhere in between, its start included."""
 WORKING_S = 4.0
 PATIENCE_S = 60.0
@@ -177,3 +177,26 @@ def test_a_save_that_is_killed(tmp_path: Path, scanned: Path) -> None:
     case = tmp_path / "a.impronta"
     shutil.copyfile(scanned, case)
     assert killed_work("save", case, 0.4) > 2
+
+
+@pytest.mark.long
+def test_a_killed_scan_is_resumed_on_a_board_that_forgets_where_it_stands(tmp_path: Path) -> None:
+    case, rig = tmp_path / "a.impronta", tmp_path / "rig.toml"
+    with remote_board(position_survives_reset=False) as remote:
+        with program("scan", case, remote.url, remote.side_channel) as told:
+            while remote.witness.instant(remote.witness.clock.now_s()).table_deg < 100.0 or told.acknowledged < 350:
+                time.sleep(0.05)
+            told.kill()
+            off_after_s(remote, time.monotonic())
+        with CaseStore.open(case) as store:
+            before = store.scans()[-1]
+            assert before.kind == "scan"
+            known = len(store.observations(before.id))
+        time.sleep(1.0)  # until the guardian has released the port
+        rig.write_text(dump_rig(replace(load_preset("bench"), controller=remote.config)))
+        done = impronta("scan", "--rig", rig, "--specimen", "sphere", "--resume", "--out", case, "--seed", 1, "--json")
+    assert done.code == 0, done
+    told_again = done.json()
+    balanced(told_again)
+    assert told_again["resumed"] == {"points_before": known}
+    assert told_again["measured"] == 200

@@ -71,11 +71,11 @@ def test_a_worker_that_dies_is_said(name: str) -> None:
     fault = parse_fault(f"{name}@0.3")
     assert isinstance(fault, WorkerFault)
     points = PointCloud(load_specimen("sphere").mesh.vertices)
+    request = ReconstructionRequest(points, ReconstructionParameters())
     host = Host(SteppedClock())
     host.let_happen_to_worker(fault)
     try:
         with pytest.raises(ImprontaError) as said:
-            request = ReconstructionRequest(points, ReconstructionParameters())
             run_in_worker("reconstruct", request, progress=lambda _: None, cancelled=lambda: False)
     finally:
         host.close()

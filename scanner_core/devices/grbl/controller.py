@@ -70,6 +70,7 @@ class GrblController:
         self._watch = LaserWatch(self._darken, lambda: self._link.talked_s, clock, standing_laser_s, strict=watched)
         self._table_axis = config.table_axis.upper()
         self._position_known = True
+        self._homed = False
         self._modes_set = False
         self._work_offset: tuple[float, ...] = ()
         self._last: MotionStatus | None = None
@@ -139,6 +140,11 @@ class GrblController:
         self._link.command("G4P0", self._travel_s({self._table_index: table_deg}))
         self._arrived(table_deg=table_deg)
 
+    @property
+    def needs_homing(self) -> bool:
+        """``$22`` says that there are switches.  Many boards forget their position when the port is opened, and do not tell."""
+        return bool(int(self.identity.settings.get(22, 0.0)) & 1) and not self._homed
+
     def home(self) -> None:
         """Find the reference position; also unlocks."""
         if self._link.halt is not None:
@@ -147,7 +153,7 @@ class GrblController:
             self.laser(False)
         self._link.command("$H", _HOME_DEADLINE_S, mute=True)
         self._set_modes()
-        self._position_known = True
+        self._position_known = self._homed = True
         self._link.restarted = False
         self.status()
 
@@ -245,7 +251,7 @@ class GrblController:
             alarmed = True
             self._link.command("$X")
         if alarmed or self._link.restarted:
-            self._position_known = False
+            self._position_known = self._homed = False
         self._set_modes()
         self.status()
         return self._position_known

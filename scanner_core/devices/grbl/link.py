@@ -42,7 +42,7 @@ _GARBLED = 2
 """Reports in a row of which a part cannot be understood; after that the board speaks so."""
 _QUIET_S = 0.1
 _TRANSCRIPT_LINES = 200
-_LOCKED_NUMBER = 9
+_LOCKED_NUMBER, _DOOR_NUMBER = 9, 13
 
 
 class Halt(Enum):
@@ -293,6 +293,8 @@ class GrblLink:
     def _refused(self, text: str, number: int) -> DeviceError:
         if number == _LOCKED_NUMBER:
             return self.fault(ControllerAlarmError("E-MOT-05", alarm="lock", meaning=LOCKED.text, remedy=LOCKED.remedy))
+        if number == _DOOR_NUMBER:
+            return self.fault(ControllerAlarmError("E-MOT-16"))
         return self.fault(DeviceError("E-MOT-06", command=text, number=number, meaning=refusal_meaning(number)))
 
     def _timeout(self, text: str, deadline_s: float) -> DeviceTimeoutError:

@@ -13,6 +13,7 @@ same order, with the same offsets and lengths.
 from __future__ import annotations
 
 import os
+import sqlite3
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -130,6 +131,12 @@ class _Connection:
     def executescript(self, script: str) -> None:
         list(self._connection.execute(script))
 
+    def setlimit(self, category: int, limit: int) -> int:
+        return self._connection.limit(category, limit)
+
+    def set_progress_handler(self, handler: Callable[[], bool] | None, steps: int) -> None:
+        self._connection.set_progress_handler(handler, steps or 100)
+
     @property
     def in_transaction(self) -> bool:
         return self._connection.in_transaction
@@ -144,9 +151,12 @@ def recorded(folder: Path) -> Iterator[Recording]:
     recording = Recording(folder)
     system = _RecordingSystem(recording)
     names: dict[int, str] = {}
+    real_connect = sqlite3.connect
     real_open, real_fsync, real_link, real_unlink = os.open, os.fsync, os.link, os.unlink
 
-    def connect(place: str, **_: object) -> _Connection:
+    def connect(place: str, **given: Any) -> _Connection | sqlite3.Connection:
+        if place == ":memory:":
+            return real_connect(place, **given)
         parts = urlsplit(place)
         assert parts.query == "mode=rw"
         return _Connection(unquote(parts.path), apsw.SQLITE_OPEN_READWRITE, system.system_name)

@@ -1,0 +1,147 @@
+"""Values out of a case: every one may be of any type, whatever its column says, and any number may be absurd.
+
+Every function raises ValueError (or another of :data:`FAULTS`) for what cannot be right; :func:`damaged` makes the
+sentence of it.
+"""
+
+from __future__ import annotations
+
+import json
+import zlib
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scanner_core.case.observation import ObservationTable
+from scanner_core.errors import CaseFormatError, ImprontaError
+from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.one_line import one_line
+
+FAULTS = (LookupError, TypeError, ValueError, OverflowError, AttributeError, RecursionError, zlib.error)
+
+LONGEST_TEXT = 100_000_000
+"""Characters of a JSON text; the plan of 5 million points has some 10 million."""
+DEEPEST = 32
+MOST_ID = 2**53
+"""Trigger ids are exact as float64 up to here."""
+_FARTHEST_PX = 1e5
+_MOST_TURN_DEG = 1e6
+_FARTHEST_MM = 1e4
+
+_BOUNDS = np.array(
+    [
+        *[(0, MOST_ID), (0, 100_000), (-_MOST_TURN_DEG, _MOST_TURN_DEG)],
+        *[(-_FARTHEST_PX, _FARTHEST_PX)] * 4,
+        *[(0, 1e12)] * 2,  # uncertainties, 1e-6 px
+        *[(0, 1e9)] * 4,  # sigmas, 1e-3 px
+    ]
+)
+_COLUMNS = ("trigger id", "view", "table angle", *["centroid"] * 4, *["uncertainty"] * 2, *["size"] * 4)
+
+
+@contextmanager
+def damaged(path: Path, what: str) -> Iterator[None]:
+    """Turn whatever a damaged value does into E-CASE-01, naming it."""
+    try:
+        yield
+    except ImprontaError:
+        raise
+    except FAULTS as fault:
+        raise CaseFormatError("E-CASE-01", path=path, reason=f"its {what} is damaged ({one_line(fault)})", details=repr(fault)) from fault
+
+
+def text(value: object) -> str:
+    if not isinstance(value, str):
+        raise TypeError(f"{type(value).__name__} instead of a text")
+    return value
+
+
+def tree(value: object) -> Any:
+    """What a JSON text holds: at most :data:`DEEPEST` deep, and finite numbers only."""
+    content = text(value)
+    if len(content) > LONGEST_TEXT:
+        raise ValueError(f"{len(content)} characters")
+    found = json.loads(content, parse_constant=_refuse)
+    level: list[Any] = [found]
+    for _ in range(DEEPEST):
+        level = [inner for outer in level if isinstance(outer, dict | list) for inner in (outer.values() if isinstance(outer, dict) else outer)]
+        if not level:
+            return found
+        if any(isinstance(number, int | float) and not abs(number) < 1e300 for number in level):
+            raise ValueError("a number beyond all bounds")
+    raise ValueError(f"nested more than {DEEPEST} deep")
+
+
+def table(value: object) -> dict[str, Any]:
+    """A JSON object."""
+    found = tree(value)
+    if not isinstance(found, dict):
+        raise TypeError("no JSON object")
+    return found
+
+
+def plan(value: object) -> dict[str, Any]:
+    """A plan as it was kept: views with rows, each with its first trigger id and count."""
+    found = table(value)
+    total = 0
+    for view in found["views"]:
+        for row in view["rows"]:
+            first, count = row["first_id"], row["count"]
+            if isinstance(first, bool) or not isinstance(first, int) or isinstance(count, bool) or not isinstance(count, int):
+                raise TypeError("a row whose trigger ids are no whole numbers")
+            if not (0 <= first <= MOST_ID and 0 <= count <= MOST_ID):
+                raise ValueError(f"a row of {count} trigger ids from {first}")
+            total += count
+    if total > 1_000_000_000:
+        raise ValueError(f"{total} trigger ids")
+    return found
+
+
+def correction(value: object) -> RigidTransform:
+    """A rigid motion (object frame to object frame) of at most 10 m."""
+    rows = tree(value)
+    matrix = np.array(rows, np.float64)
+    if matrix.shape != (4, 4) or not np.isfinite(matrix).all():
+        raise ValueError("not 4 x 4 finite numbers")
+    rotation = matrix[:3, :3]
+    if np.abs(rotation @ rotation.T - np.eye(3)).max() > 1e-6 or np.linalg.det(rotation) < 0 or (matrix[3] != (0, 0, 0, 1)).any():
+        raise ValueError("no rigid motion")
+    if np.abs(matrix[:3, 3]).max() > _FARTHEST_MM:
+        raise ValueError("a motion of more than 10 m")
+    return RigidTransform.from_matrix(matrix)
+
+
+def observations(rows: Sequence[tuple[Any, ...]]) -> ObservationTable:
+    """Rows of trigger id, view, table angle, centroids (left x, y, right x, y), uncertainties, sigmas (left x, y, right x, y)."""
+    numbers = np.array(rows, np.float64).reshape(-1, len(_COLUMNS))
+    wrong = ~((numbers >= _BOUNDS[:, 0]) & (numbers <= _BOUNDS[:, 1]))
+    if wrong.any():
+        row, column = np.argwhere(wrong)[0]
+        raise ValueError(f"a {_COLUMNS[column]} of {numbers[row, column]:g} in row {row + 1}")
+    return ObservationTable(
+        trigger_id=numbers[:, 0].astype(np.int64),
+        view=numbers[:, 1].astype(np.int32),
+        table_deg=numbers[:, 2].copy(),
+        left_px=numbers[:, 3:5].copy(),
+        right_px=numbers[:, 5:7].copy(),
+        left_uncertainty_px=numbers[:, 7] * 1e-6,
+        right_uncertainty_px=numbers[:, 8] * 1e-6,
+        left_sigma_px=numbers[:, 9:11] * 1e-3,
+        right_sigma_px=numbers[:, 11:13] * 1e-3,
+    )
+
+
+def trigger_ids(rows: Sequence[tuple[Any, ...]]) -> NDArray[np.int64]:
+    """One whole number a row."""
+    found = np.array(rows, np.int64).reshape(-1)
+    if len(found) and not 0 <= found.min() <= found.max() <= MOST_ID:
+        raise ValueError("a trigger id that no scan has")
+    return found
+
+
+def _refuse(name: str) -> float:
+    raise ValueError(f"the number {name}")
