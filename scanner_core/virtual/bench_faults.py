@@ -158,7 +158,7 @@ class LampOn(BenchFault):
 
 @dataclass(frozen=True, slots=True)
 class ShinyPatch(BenchFault):
-    """A wet place on the object, where it mirrors: glare that saturates, and stray spots where the reflection falls.
+    """A wet place on the object: glare that saturates in its inner half, and all over it stray spots where the mirrored beam falls.
 
     In the object frame, about the surface point that lies farthest towards `azimuth_deg` at half the object's height.
     """
@@ -166,7 +166,7 @@ class ShinyPatch(BenchFault):
     title: ClassVar[str] = "Shiny patch"
     happens: ClassVar[str] = "a wet place on the object mirrors the beam: glare, and second spots"
     expected: ClassVar[str] = "goes on; glare is rejected as saturated, second spots are settled by the other camera or ambiguous"
-    azimuth_deg: float = 30.0
+    azimuth_deg: float = 0.0
     radius_mm: float = 12.0
     glare: float = 8.0
     mirrored: float = 0.9

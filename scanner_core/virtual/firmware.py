@@ -62,7 +62,7 @@ class Firmware:
         self._dead = False  # critical alarm: nothing but a reset gets through
         self._reports = 0
         self._silent = False  # booting, or frozen
-        self.plugged = True
+        self._plugged = True
         self._boot()
 
     # ------------------------------------------------------------------------------------------ the port's side
@@ -133,12 +133,19 @@ class Firmware:
             self._advance()
             self._power_cycle(lose_position=True)
 
+    @property
+    def plugged(self) -> bool:
+        """Whether the cable is on."""
+        with self._lock:
+            self._advance()
+            return self._plugged
+
     def unplug(self) -> None:
         """The cable comes off; the board goes on."""
-        self.plugged = False
+        self._plugged = False
 
     def plug(self) -> None:
-        self.plugged = True
+        self._plugged = True
 
     def freeze(self) -> None:
         """The board's processor hangs: nothing is answered any more, motion and laser stay as they are until a power cycle."""

@@ -122,9 +122,12 @@ class Scene:
         weight = np.array(shares)
         centre: Array = weight @ np.array(points) / weight.sum()
         mirrored = self._preset.specular
-        if self._patch is not None and np.linalg.norm(centre - self._patch[0]) < self._patch[1].radius_mm:
-            mirrored = self._patch[1].mirrored
-            shares = [share * self._patch[1].glare for share in shares]
+        if self._patch is not None:
+            middle, patch = self._patch
+            away_mm = float(np.linalg.norm(centre - middle))
+            mirrored = patch.mirrored if away_mm < patch.radius_mm else mirrored
+            if away_mm < 0.5 * patch.radius_mm:
+                shares = [share * patch.glare for share in shares]
         if mirrored > 0:
             stray = self._stray(np.array(points[len(points) // 2]), np.array(normals[len(points) // 2]), direction)
             if stray is not None:

@@ -1,14 +1,13 @@
 """The controller's way back to the host: answers that take their time, and what may befall them.
 
-Everything is decided when an answer is sent, by the rig's clock and by counting, so that a run can be repeated.
+Everything is decided when an answer is sent, by the rig's clock and by a seeded draw, so that a run can be repeated.
 """
 
 from __future__ import annotations
 
 import math
+import random
 from collections import deque
-
-_FLIPS = (0x01, 0x02, 0x04, 0x08, 0x10, 0x20, 0x40, 0x80)
 
 
 class Wire:
@@ -21,7 +20,7 @@ class Wire:
         self._noise: tuple[float, float] = (-math.inf, 0.0)
         self._pieces: tuple[float, int, float] = (-math.inf, 0, 0.0)
         self._oks_to_lose = 0
-        self._sent = 0
+        self._draw = random.Random(0)
 
     # ------------------------------------------------------------------------------------------ the two ends
     def send(self, time_s: float, chunk: bytes) -> None:
@@ -82,10 +81,10 @@ class Wire:
     def _noisy(self, chunk: bytes, share: float) -> bytes:
         out = bytearray()
         for byte in chunk:
-            self._sent += 1
-            draw = (self._sent * 0x9E3779B97F4A7C15 & 0xFFFFFFFFFFFFFFFF) >> 11
-            hit = draw % 10_007 < 10_007 * share
-            if hit and draw >> 20 & 1:
-                out.append(draw >> 24 & 0xFF)
-            out.append(byte ^ _FLIPS[draw >> 33 & 7] if hit and not draw >> 20 & 1 else byte)
+            if self._draw.random() >= share:
+                out.append(byte)
+            elif self._draw.random() < 0.5:
+                out.append(byte ^ 1 << self._draw.randrange(8))
+            else:
+                out += bytes((self._draw.randrange(256), byte))
         return bytes(out)

@@ -20,8 +20,8 @@ from scanner_core.errors import ControllerAlarmError, DeviceError, UsageError
 _HOME_DEADLINE_S = 120.0
 _SPARE_S = 5.0
 _LOOKS = 5
-_SAME_PLACE_DEG = 0.02
-"""More than a motor's step."""
+_SAME_PLACE_DEG = 0.0015
+"""A unit of the last digit of a report; where a motor's step is coarser, a rested position is asked for twice."""
 _MODES = "G21G90G94M5"
 
 
@@ -191,11 +191,10 @@ class GrblController:
             E-MOT-05, E-MOT-16, E-MOT-18: the report breaks a rule of :mod:`scanner_core.devices.laser_safety`; a reset was sent.
             E-MOT-01, E-MOT-02, E-MOT-09: there is no report to be had.  E-MOT-20: noise on the line.
         """
-        expected = self._last
-        said = self._asked()
-        looks = 0
+        expected = before = self._last
+        said, looks = self._asked(), 0
         # A digit that noise has changed makes a report like any other: where the board rests elsewhere than expected, two must agree.
-        while said.state is MotionState.IDLE and not _same_place(said, expected):
+        while said.state is MotionState.IDLE and not (_same_place(said, expected) or _same_place(said, before)):
             if looks == _LOOKS:
                 raise self._link.fault(DeviceError("E-MOT-20", port=self._link.port_name))
             expected, said, looks = said, self._asked(), looks + 1

@@ -68,11 +68,6 @@ class Report:
     feed_deg_min: float | None
     laser_power: float | None
 
-    @property
-    def whole(self) -> bool:
-        """Whether state and position were understood."""
-        return self.state is not MotionState.UNKNOWN and self.position is not None
-
 
 @dataclass(frozen=True, slots=True)
 class Feedback:

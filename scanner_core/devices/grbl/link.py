@@ -38,8 +38,6 @@ _SLICE_S = 0.2
 _ALIVE_PERIOD_S = 0.5
 _AGAIN_S = 0.4
 """After so much silence a question that costs nothing is asked again."""
-_GARBLED = 2
-"""Reports in a row of which a part cannot be understood; after that the board speaks so."""
 _QUIET_S = 0.1
 _TRANSCRIPT_LINES = 200
 _LOCKED_NUMBER, _DOOR_NUMBER = 9, 13
@@ -78,6 +76,8 @@ class GrblLink:
         self._write_lock = threading.RLock()
         self._halt: Halt | Darkened | None = None
         self._closed = False
+        self._axes = 0
+        """Numbers of a position, from the first report that had one."""
 
     @property
     def halt(self) -> Halt | Darkened | None:
@@ -144,7 +144,7 @@ class GrblLink:
         DeviceTimeoutError, DeviceLostError, ControllerAlarmError
         """
         self._lines = deque(line for line in self._lines if not isinstance(line, Report))  # of a question before this one
-        end_s, garbled = self.clock.now_s() + deadline_s, 0
+        end_s = self.clock.now_s() + deadline_s
         while True:
             self._send(b"?", "?", even_when_halted=True)
             line = self._next_line(min(end_s, self.clock.now_s() + _AGAIN_S), "?", even_when_halted=True)
@@ -152,10 +152,9 @@ class GrblLink:
                 if self._halt is None:
                     self._expect_no_reset(line, "?")
                 line = self._next_line(min(end_s, self.clock.now_s() + _AGAIN_S), "?", even_when_halted=True)
-            if isinstance(line, Report) and (line.whole or garbled == _GARBLED):
+            if isinstance(line, Report) and self._whole(line):
                 self._check_report(line)
                 return line
-            garbled += isinstance(line, Report)
             if isinstance(line, Banner) and self._halt is None:
                 self._expect_no_reset(line, "?")
             if self.clock.now_s() >= end_s:
@@ -269,6 +268,13 @@ class GrblLink:
         self._transcript.append(TranscriptLine(round(self.clock.now_s(), 4), direction, line))
 
     # ------------------------------------------------------------------------------------------ faults
+    def _whole(self, report: Report) -> bool:
+        """Whether noise has spared it, as far as one can see; boards that leave the position out are believed as they are."""
+        axes = 0 if report.position is None else len(report.position)
+        if self._axes == 0:
+            self._axes = axes
+        return report.state is not MotionState.UNKNOWN and axes == self._axes
+
     def _check_report(self, report: Report) -> None:
         error = self.judge(report)
         if error is not None and self._halt is None:
