@@ -215,6 +215,7 @@ def _runner(rig: OpenRig, request: PlanRequest | None, store: CaseStore) -> Scan
     interrupted = None if request is not None else interruption(store)
     if request is None and interrupted is None:
         raise AcquisitionError("E-SCAN-04", path=store.path)
+    rig.concern(store)
     runner = ScanRunner(rig, request or PlanRequest(), store, interruption=interrupted)
     runner.start()
     return runner
