@@ -44,6 +44,8 @@ class RecoveryController(QObject):
         """What was discarded last, as long as it is offered to take that back."""
         acquisition.began.connect(self._forget)
         acquisition.ended.connect(self.look)
+        for signal in (case.opened, case.stepped):  # the newest edit of a case is then another one
+            signal.connect(self._forget_discarded)
 
     @property
     def scan(self) -> InterruptedScan | None:
@@ -115,8 +117,14 @@ class RecoveryController(QObject):
         self.changed.emit()
 
     def _forget(self) -> None:
-        self._found, self.discarded = [], None
+        self._found = []
+        self._forget_discarded()
         self.changed.emit()
+
+    def _forget_discarded(self) -> None:
+        if self.discarded is not None:
+            self.discarded = None
+            self.changed.emit()
 
     def _failed(self, fault: Exception) -> None:
         self.busy = False

@@ -178,6 +178,7 @@ class HomePage(Page):
             self.tr("Changes of the order are kept in this case.") if there else self.tr("The order goes with every file that leaves this program.")
         )
         self._new.setVisible(there)
+        self._show_start()
 
     def _show_field(self, name: str) -> None:
         values = self.services.draft.values
@@ -225,7 +226,7 @@ class HomePage(Page):
         elif rig.calibration is None:
             self._ready.setText(self.tr("The rig has to be calibrated first."))
         else:
-            self._ready.setText(self.tr("Ready."))
+            self._ready.setText(self.tr("Ready. The scan makes a new case.") if self.services.case.store is not None else self.tr("Ready."))
         self._on_table.setText(specimen_words(rig.specimen))
 
     def _show_recent(self) -> None:
