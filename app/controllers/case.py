@@ -292,7 +292,7 @@ class CaseController(QObject):
 
 def _content(store: CaseStore, before: DraftValues) -> CaseContent:
     """As the case stands; what it does not tell stays as it was `before`."""
-    from scanner_core.case.points import case_cloud
+    from scanner_core.case.processing import case_cloud
     from scanner_core.errors import CaseError
 
     def kept(read: Callable[[], T]) -> T | None:

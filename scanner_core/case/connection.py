@@ -22,6 +22,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path, PurePath
 
+from scanner_core.case.moment import now
 from scanner_core.case.schema import APPLICATION_ID, MIGRATIONS, VERSION
 from scanner_core.case.vetting import harden, vet
 from scanner_core.errors import CaseError, CaseFormatError, CaseLockedError, InputFileError, StorageError
@@ -102,6 +103,8 @@ def migrate(path: Path, connection: sqlite3.Connection) -> None:
         raise CaseFormatError("E-CASE-03", path=path, version=version, known=VERSION)
     if version < VERSION:
         script = ";".join(MIGRATIONS[version:])
+        if version:
+            script += f"; INSERT INTO audit (time, event, detail) VALUES ('{now()}', 'migrated', 'from version {version} to {VERSION}')"
         try:
             connection.executescript(f"BEGIN IMMEDIATE; {script}; PRAGMA user_version = {VERSION}; COMMIT;")
         except BaseException:

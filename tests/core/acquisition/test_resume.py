@@ -14,7 +14,7 @@ from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.acquisition.runner import ScanResult, ScanRunner
 from scanner_core.acquisition.status import FinishReason, ScanState
-from scanner_core.case.points import case_cloud
+from scanner_core.case.processing import case_cloud
 from scanner_core.case.recovery import describe, discard, find_interrupted, interruption, keep
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import load_preset

@@ -91,7 +91,7 @@ def live(path: Path, kept: Callable[[CaseStore], None], batches: int = 4, batch:
         kept(store)
         store.redo()
         kept(store)
-        store.edit("processing", {"calibration": None, "gates": {"residual_px": 1.5}}, "Gate changed")
+        store.edit("processing", {"calibration": None, "gates": {"epipolar_sigmas": 2.5}}, "Gate changed")
         kept(store)
         again = store.begin_scan("scan", "name = 'rig'", "def", "another", PLAN)
         kept(store)
