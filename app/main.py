@@ -29,7 +29,11 @@ def run_window(argv: Sequence[str] = ()) -> int:
     from app.program import Program
 
     program = Program(application, started_s=_STARTED_S, heartbeat_file=given.heartbeat, case=given.case, settings_file=given.settings)
-    for number in (signal.SIGINT, signal.SIGTERM):
+    ends = [signal.SIGINT, signal.SIGTERM]
+    hang_up = getattr(signal, "SIGHUP", None)  # the terminal was closed; nohup has it ignored, and Windows has none
+    if hang_up is not None and signal.getsignal(hang_up) is not signal.SIG_IGN:
+        ends.append(hang_up)
+    for number in ends:
         # Handled when the pump next runs Python: an orderly end, the laser off and the case whole.
         signal.signal(number, lambda *_: program.window.close())
     try:

@@ -26,6 +26,7 @@ from app.heartbeat import Heartbeat
 from app.pump import Pump
 from app.services import Services
 from app.settings import load_settings, save_settings, settings_path
+from app.stop_key import StopKey
 from app.theme import apply_theme, icon
 from app.views.main_window import MainWindow
 
@@ -72,6 +73,8 @@ class Program(QObject):
         draft.load(first_order(self.settings.last_order))
         self.window = MainWindow(self.services, self.undo_stack)
         self.window.closing.connect(self.shut_down)
+        self._stop_key = StopKey(self.window.laser_off, self.window.rail.stop_button, self)
+        application.installEventFilter(self._stop_key)
         install_hooks(self.tell)
         self._shading = Shading(self.background)
         pages = [page.tick for page in self.window.pages.values()]
@@ -139,6 +142,9 @@ class Program(QObject):
         rig = services.rig.snapshot
         self.settings.preset, self.settings.specimen, self.settings.speed = rig.preset, rig.specimen, rig.speed
         save_settings(self.settings, self._settings_file)
+        application = QApplication.instance()
+        if application is not None:
+            application.removeEventFilter(self._stop_key)
         remove_hooks()
         self.undo_stack.blockSignals(True)  # it tells of its own end, when the window may be gone already
         self.window.close()

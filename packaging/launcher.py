@@ -15,6 +15,8 @@ from environment import ROOT, Environment
 from progress import SetupError, Steps, say
 
 XVFB_RUN = ["xvfb-run", "-a", "-s", "-screen 0 1600x1000x24"]
+SIDE_BY_SIDE = ["-n", "auto", "--maxprocesses", "4", "--dist", "loadgroup"]
+"""For the `ci` tests as a whole: a process a core; soaks and benchmarks, whose figures count, run alone."""
 
 
 def start(arguments: Sequence[str]) -> int:
@@ -60,7 +62,7 @@ def check(arguments: Sequence[str]) -> int:
     if sys.platform.startswith("linux"):
         variables["QT_QPA_PLATFORM"] = "xcb"  # "offscreen" paints noise where 3D should be
         variables.pop("WAYLAND_DISPLAY", None)
-    return _become([*screen, python, "-m", "pytest", *passed_on], variables, ROOT)
+    return _become([*screen, python, "-m", "pytest", *(passed_on or SIDE_BY_SIDE)], variables, ROOT)
 
 
 def _set_up(extras: frozenset[str], programs: Sequence[str]) -> tuple[Environment, bool]:

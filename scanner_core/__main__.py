@@ -34,6 +34,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     if threading.current_thread() is threading.main_thread():
         for number in (signal.SIGINT, signal.SIGTERM):  # a shell starts its background jobs with SIGINT ignored
             signal.signal(number, _as_interrupt)
+        hang_up = getattr(signal, "SIGHUP", None)  # the terminal was closed; nohup has it ignored, and Windows has none
+        if hang_up is not None and signal.getsignal(hang_up) is not signal.SIG_IGN:
+            signal.signal(hang_up, _as_interrupt)
     try:
         return int(command.run(given, console))
     except KeyboardInterrupt:
@@ -92,12 +95,13 @@ def _parser() -> argparse.ArgumentParser:
     target.add_argument("--paper", choices=("a4", "letter", "a3"), default="a4", help="landscape (default a4)")
     target.add_argument("--force", action="store_true", help="overwrite the output")
 
-    scan = _command(commands, "scan", "acquire into a new case")
+    scan = _command(commands, "scan", "acquire into a new case, or go on with an interrupted one")
     scan.add_argument("--rig", required=True, metavar="RIG.toml", help="a rig file, or the name of a preset")
     scan.add_argument("--plan", metavar="PLAN.toml", help="views, points, object_radius_mm, object_height_mm")
     scan.add_argument("--out", required=True, metavar="CASE.impronta")
     scan.add_argument("--specimen", default="ear", metavar="NAME or FILE", help=f"virtual rig only: {_SPECIMENS}")
     scan.add_argument("--treated", action="store_true", help="virtual rig only: the arch after treatment")
+    scan.add_argument("--resume", action="store_true", help="go on with the interrupted scan of CASE: known points first, then what is missing")
     scan.add_argument("--force", action="store_true", help="overwrite a case that is there")
     _virtual(scan)
 
@@ -176,6 +180,8 @@ def _command(commands: argparse._SubParsersAction[argparse.ArgumentParser], name
 
 
 def _virtual(parser: argparse.ArgumentParser) -> None:
+    from scanner_core.virtual.faults import FAULTS
+
     parser.add_argument("--speed", type=_speed, default="max", metavar="1, 5, max", help="of the virtual rig (default max)")
     parser.add_argument("--seed", type=_seed, default=0, metavar="N", help="of every random choice")
     without = "terms of the virtual rig's image model to switch off, to see what limits it: speckle, surface, shot_noise, ..."
@@ -185,8 +191,7 @@ def _virtual(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="NAME[@TIME]",
-        help="let something go wrong on the virtual rig, TIME seconds after the scan began: "
-        "camera_bumped, lost_steps, lamp_on, frames_dropped, camera_skew, trigger_lost; may be repeated",
+        help=f"let something go wrong on the virtual rig, TIME seconds after the scan began: {', '.join(FAULTS)}; may be repeated",
     )
 
 

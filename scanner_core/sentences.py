@@ -79,6 +79,18 @@ SENTENCES: dict[str, Sentence] = {
     "E-MOT-17": Sentence(
         "The laser did not light although it was asked to.", "It was switched off again; check the controller's settings $30 to $32."
     ),
+    "E-MOT-18": Sentence(
+        "The controller reports a lit laser (S{power}) where it must be dark.",
+        "A reset was sent to switch it off; see that it is dark, then check the controller's laser mode ($32).",
+    ),
+    "E-MOT-19": Sentence(
+        "The program did not look after the lit laser for {seconds} s.",
+        "The laser was switched off and the points so far are kept; free the machine of other work, then resume.",
+    ),
+    "E-MOT-20": Sentence(
+        "The controller on {port} reports another position each time although it rests.",
+        "A reset was sent and the points so far are kept; check the cable (length, shield, plugs) and resume.",
+    ),
     # ------------------------------------------------------------------------------------------ rig, calibration, plan
     "E-RIG-01": Sentence("The rig file {path} cannot be used: {reason}.", "Nothing was moved; correct the file or take one of the presets."),
     "E-RIG-02": Sentence(
@@ -96,6 +108,10 @@ SENTENCES: dict[str, Sentence] = {
         "The cameras are exchanged: what is called the right camera stands to the left of the other.",
         "The previous calibration stays in use; exchange the two cameras in the rig file, then calibrate again.",
     ),
+    "E-CAL-06": Sentence(
+        "The rig was calibrated anew since the scan in {path} was interrupted.",
+        "What was measured is kept; use the rig file of that scan to resume it, or keep what is there and scan anew.",
+    ),
     "E-PLAN-01": Sentence("The plan {path} cannot be used: {reason}.", "Nothing was scanned; correct the plan."),
     # ------------------------------------------------------------------------------------------ scan
     "E-SCAN-01": Sentence(
@@ -103,6 +119,11 @@ SENTENCES: dict[str, Sentence] = {
         "The laser is off; put the object on the table, and check the laser and the lens caps.",
     ),
     "E-SCAN-02": Sentence("The scan stopped on an unexpected fault ({reason}).", "The laser is off and the points so far are in {case}."),
+    "E-SCAN-03": Sentence(
+        "The interrupted scan cannot go on: of {known} known points {seen} were found again, {shift_um} um beside where they were.",
+        "The laser is off and what was measured before is kept; put the object and the cameras back as they were and resume, or scan anew.",
+    ),
+    "E-SCAN-04": Sentence("{path} holds no interrupted scan.", "It was not touched; scan into a new case."),
     # ------------------------------------------------------------------------------------------ findings while scanning
     "H-EPI-01": Sentence(
         "A camera was moved across the epipolar lines by about {shift_px} px ({where}; noticed after {points} points).",
@@ -143,6 +164,10 @@ SENTENCES: dict[str, Sentence] = {
     "H-CAM-02": Sentence(
         "Camera {camera} is blind: {frames} spots in a row were seen by camera {other} alone.",
         "Nothing is measured meanwhile; see to its lens cap, aperture and view.",
+    ),
+    "H-CAM-03": Sentence(
+        "Camera {camera} delivered {count} torn frames of {exposures}: part of each is another exposure's, or no picture.",
+        "Those measurements are missing; check its cable and port, and close other programs.",
     ),
     "H-LGT-01": Sentence(
         "Room light drowns the laser spot: {frames} frames in a row of camera {camera} are too bright.",

@@ -45,6 +45,7 @@ class AcquisitionController(QObject):
         self._background, self._rig, self._case, self._tell = background, rig, case, tell
         self._runner: ScanRunner | None = None
         self._wanted = False
+        self._stopped = self._borrowed = False
         self.status: ScanStatus | None = None
         """Of the runner, with rate and time left in the person's own seconds."""
         self._began_s = 0.0
@@ -79,7 +80,7 @@ class AcquisitionController(QObject):
         if not self._rig.snapshot.connected:
             self._tell(UsageError("E-USE-01", what="The rig is not open yet", do="wait until the status line shows it, or choose it on the Rig page"))
             return
-        self._wanted = True
+        self._wanted, self._stopped = True, False
         self.status, self.result = None, None
         self._case.close()
         self.began.emit()
@@ -93,7 +94,8 @@ class AcquisitionController(QObject):
                 self._runner.pause()
 
     def stop(self) -> None:
-        """Laser off at once and end the scan; what was measured is kept."""
+        """Laser off at once and end the scan; what was measured is kept.  A scan that is about to begin does not."""
+        self._stopped = True
         runner = self._runner
         if runner is not None:
             self._background.run("scan-stop", runner.cancel)
@@ -119,7 +121,9 @@ class AcquisitionController(QObject):
                     sink(name, preview)
         status = self._in_own_seconds(runner.status())
         self.status = status
-        self._rig.hear_scan(status.table_deg, status.laser_on)
+        self._rig.hear_owner()
+        if status.state is ScanState.FINISHING:
+            self._let_go()  # at rest: what is left is arithmetic, and somebody should go on asking the controller
         self.changed.emit()
         if status.finish_reason is not None and runner.join(0.0):
             self._finish(runner)
@@ -135,17 +139,30 @@ class AcquisitionController(QObject):
 
     # -------------------------------------------------------------------------------- inside
     def _begin(self, store: CaseStore, request: PlanRequest) -> None:
+        if self._stopped:  # while the case was made
+            self._wanted = False
+            self.changed.emit()
+            self.ended.emit()
+            return
         rig = self._rig.borrow()
         if rig is None:
             self._wanted = False
             self._tell(UsageError("E-USE-01", what="The rig is not open yet", do="wait until the status line shows it"))
             self.changed.emit()
             return
+        self._borrowed = True
         self._background.run("scan-start", lambda: _runner(rig, request, store), self._follow, self._not_started)
+
+    def _let_go(self) -> None:
+        if self._borrowed:
+            self._borrowed = False
+            self._rig.give_back()
 
     def _follow(self, runner: ScanRunner) -> None:
         self._runner, self._wanted, self._taken = runner, False, 0
         self._began_s = time.monotonic()
+        if self._stopped:  # meanwhile
+            self.stop()
         self.drain()
 
     def _in_own_seconds(self, status: ScanStatus) -> ScanStatus:
@@ -159,7 +176,7 @@ class AcquisitionController(QObject):
 
     def _not_started(self, fault: Exception) -> None:
         self._wanted = False
-        self._rig.give_back()
+        self._let_go()
         self.changed.emit()
         self.ended.emit()
         self._tell(fault)
@@ -168,7 +185,7 @@ class AcquisitionController(QObject):
         self._drain_points(runner)
         self._runner = None
         self.result = runner.result
-        self._rig.give_back()
+        self._let_go()
         if self.result is not None and self.result.views is not None:
             self._case.take_cloud(self.result.views.cloud)
         self.changed.emit()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+import time
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -17,6 +18,9 @@ if TYPE_CHECKING:
     from scanner_core.acquisition.rig_session import OpenRig
     from scanner_core.devices.rig import RigConfig
     from scanner_core.optics.calibration_result import CalibrationResult
+
+
+_STATUS_PERIOD_S = 0.3
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -51,8 +55,14 @@ class CalibrationRun:
 
         frames: dict[str, Frame] = {}
 
+        asked_s = 0.0
+
         def tapped(frame: Frame) -> None:
+            nonlocal asked_s
             frames[frame.camera] = frame
+            if time.monotonic() - asked_s > _STATUS_PERIOD_S:  # what the controller says of its laser is shown meanwhile, too
+                rig.motion.status()
+                asked_s = time.monotonic()
 
         def watch(seen: BoardWatch) -> None:
             self.looks.put(BoardLook(dict(frames), seen))

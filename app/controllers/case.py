@@ -15,6 +15,7 @@ from app.background import Background
 from app.draft import Draft, DraftValues
 from app.settings import Settings
 from app.views.surface import Surface
+from scanner_core import wall_clock
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
 
@@ -162,7 +163,7 @@ def _create(folder: Path, values: DraftValues) -> CaseStore:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as fault:
         raise storage_error(folder, fault) from fault
-    store = CaseStore.create(free_case_path(folder, values, date.today()))
+    store = CaseStore.create(free_case_path(folder, values, wall_clock.today()))
     store.put_order(Order(values.order, values.patient_code, values.side, values.kind))
     return store
 

@@ -18,11 +18,12 @@ from PySide6.QtCore import QObject, Signal
 from app.background import Background
 from app.controllers.calibration import CalibrationRun, keep_rig
 from app.controllers.device_thread import DeviceThread
+from app.controllers.emission import Emission, emission_of
 from app.controllers.rig_snapshot import RigSnapshot
 from app.controllers.target import TargetController
 from scanner_core.acquisition.handover import LatestSlot
 from scanner_core.devices.camera import Frame
-from scanner_core.devices.motion import MotionState, MotionStatus
+from scanner_core.devices.motion import MotionStatus
 from scanner_core.errors import CalibrationError, ImprontaError
 from scanner_core.jobs.progress import Cancelled, Progress
 
@@ -36,7 +37,7 @@ if TYPE_CHECKING:
 
 SPECIMENS = ("ear", "arch", "heart", "sphere")
 SPEEDS: tuple[str, ...] = ("1", "5", "max")
-_STATUS_PERIOD_S = 0.5
+_STATUS_PERIOD_S = 0.3
 
 
 class RigController(QObject):
@@ -81,6 +82,12 @@ class RigController(QObject):
         """The calibration in use stays."""
         self.calibration.cancelled.set()
         self._news(replace(self.snapshot, cancelling=True))
+
+    @property
+    def emission(self) -> Emission:
+        """Of the laser, by the newest report that the controller has given to whoever owns it now."""
+        rig = self._rig
+        return emission_of(None if rig is None else rig.motion.newest)
 
     def laser_off(self) -> None:
         """Laser off and motion stopped, at once, whatever the device thread is waiting for."""
@@ -233,10 +240,8 @@ class RigController(QObject):
         self._news(replace(self.snapshot, calibrating=None, calibration_left_s=None, cancelling=False, refused=refused))
 
     def _heard(self, status: MotionStatus) -> None:
-        before = self.snapshot.motion
-        if before is not None and replace(before, time_s=status.time_s) == status:
-            return
-        self._news(replace(self.snapshot, motion=status))
+        if _shown_of(self.snapshot.motion) != _shown_of(status):
+            self._news(replace(self.snapshot, motion=status))
 
     def _refused(self, fault: ImprontaError, before: RigSnapshot) -> None:
         """What was open before is still open, unless the devices themselves failed."""
@@ -247,16 +252,20 @@ class RigController(QObject):
         self._news(replace(self.snapshot, connected=self._rig is not None))
         self._tell(fault)
 
-    def hear_scan(self, table_deg: float, laser_on: bool) -> None:
-        """While a scan owns the controller its reports come from there."""
-        before = self.snapshot.motion
-        if before is None or before.state is not MotionState.MOVING or (before.table_deg, before.laser_power > 0) != (table_deg, laser_on):
-            status = MotionStatus(MotionState.MOVING, 0.0, 0.0, table_deg, float(laser_on), 0.0)
-            self._news(replace(self.snapshot, motion=status))
+    def hear_owner(self) -> None:
+        """While a scan owns the controller: what it was told."""
+        status = None if self._rig is None else self._rig.motion.newest
+        if status is not None:
+            self._heard(status)
 
     def _news(self, snapshot: RigSnapshot) -> None:
         self.snapshot = snapshot
         self.changed.emit()
+
+
+def _shown_of(status: MotionStatus | None) -> tuple[object, ...]:
+    """What the window shows of a report."""
+    return () if status is None else (status.state, status.table_deg, status.laser_power > 0.0)
 
 
 def _speed(text: str) -> Speed:

@@ -52,7 +52,3 @@ class RigSnapshot:
     @property
     def calibration(self) -> StereoCalibration | None:
         return None if self.config is None else self.config.calibration
-
-    @property
-    def laser_on(self) -> bool:
-        return self.motion is not None and self.motion.laser_power > 0

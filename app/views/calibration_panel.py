@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFileDialog, QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from app.controllers.rig import RigController
 from app.faults import sentence_of
@@ -22,6 +22,7 @@ from app.views.calibration_words import (
     sphere_fact,
 )
 from app.views.facts import Facts
+from app.views.file_dialogs import choose_new_file
 from app.views.parts import BigNumber, Lamp, button, label, row, seam
 
 
@@ -176,10 +177,8 @@ class CalibrationPanel(QWidget):
     # -------------------------------------------------------------------------------- the target
     def _choose_target(self) -> None:
         start = str(Path.home() / "impronta-target.pdf")
-        path, _ = QFileDialog.getSaveFileName(self, self.tr("The calibration target as a page to print"), start, self.tr("PDF (*.pdf)"))
-        if path:
-            chosen = Path(path)  # the dialog has asked whether this very file may be replaced
-            self._rig.target.write(chosen if chosen.suffix else chosen.with_suffix(".pdf"), replace=bool(chosen.suffix))
+        title = self.tr("The calibration target as a page to print")
+        choose_new_file(self, title, start, self.tr("PDF (*.pdf)"), "pdf", lambda path: self._rig.target.write(path, replace=True))
 
     def _show_target(self) -> None:
         self._target.setEnabled(not self._rig.target.busy)

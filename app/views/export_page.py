@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from datetime import date
 from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QUrl
 from PySide6.QtGui import QDesktopServices
-from PySide6.QtWidgets import QButtonGroup, QFileDialog, QLineEdit, QPushButton, QToolButton, QVBoxLayout
+from PySide6.QtWidgets import QButtonGroup, QLineEdit, QPushButton, QToolButton, QVBoxLayout
 
 from app.controllers.export import FIELDS, FORMATS, ExportFormat, free_name
 from app.services import Services
 from app.theme import icon
 from app.views import format as fmt
+from app.views.file_dialogs import choose_folder
 from app.views.page import Page
 from app.views.parts import button, label, row, seam
+from scanner_core import wall_clock
 
 
 class ExportPage(Page):
@@ -91,7 +92,8 @@ class ExportPage(Page):
 
     def path(self) -> Path:
         """Where the next export goes."""
-        return free_name(Path(self._folder.text()).expanduser(), self._template.text(), self.services.draft.values, self._format.suffix, date.today())
+        folder, template = Path(self._folder.text()).expanduser(), self._template.text()
+        return free_name(folder, template, self.services.draft.values, self._format.suffix, wall_clock.today())
 
     # -------------------------------------------------------------------------------- inside
     def _choose(self, kind: ExportFormat) -> None:
@@ -99,9 +101,8 @@ class ExportPage(Page):
         self._show()
 
     def _browse(self) -> None:
-        folder = QFileDialog.getExistingDirectory(self, self.tr("Folder for exported files"), str(Path(self._folder.text()).expanduser()))
-        if folder:
-            self._folder.setText(fmt.short_path(folder))
+        start = str(Path(self._folder.text()).expanduser())
+        choose_folder(self, self.tr("Folder for exported files"), start, lambda folder: self._folder.setText(fmt.short_path(str(folder))))
 
     def _write(self, *, replace: bool) -> None:
         self.services.settings.name_template = self._template.text()

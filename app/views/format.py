@@ -8,6 +8,8 @@ from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QDate, QLocale
 
+from scanner_core import wall_clock
+
 NARROW = "\u202f"
 NO_VALUE = "–"
 MINUS = "\u2212"
@@ -56,7 +58,7 @@ def age(iso: str, today: date | None = None) -> str:
     moment = _date(iso)
     if moment is None:
         return iso
-    days = ((today or date.today()) - moment).days
+    days = ((today or wall_clock.today()) - moment).days
     if days <= 0:
         return QCoreApplication.translate("format", "today")
     return QCoreApplication.translate("format", "1 day old") if days == 1 else QCoreApplication.translate("format", "{n} days old").format(n=days)

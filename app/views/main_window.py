@@ -9,13 +9,15 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QCoreApplication, Signal
 from PySide6.QtGui import QCloseEvent, QUndoStack
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
 from app.actions import fill_menus, make_actions
+from app.controllers.emission import Emission, emission_words
 from app.services import Services
 from app.views import format as fmt
 from app.views.banner import Banner
 from app.views.calibration_words import age_of, age_text, expired_text
+from app.views.file_dialogs import choose_file
 from app.views.page import Page
 from app.views.pages import PAGES
 from app.views.parts import seam
@@ -31,6 +33,7 @@ if TYPE_CHECKING:
 
 SIZE = (1280, 800)
 LASER_HOLD_S = 0.8
+_LASER_LAMPS = {Emission.NO_RIG: "idle", Emission.UNKNOWN: "warn", Emission.DARK: "idle", Emission.LIT: "laser"}
 
 
 class MainWindow(QMainWindow):
@@ -45,7 +48,8 @@ class MainWindow(QMainWindow):
         self._undo = undo_stack
         self.scene: SceneView | None = None
         self._told_s = 0.0
-        self._lit_s, self._lit = -LASER_HOLD_S, True
+        self._lit_s = -LASER_HOLD_S
+        self._emission: Emission | None = None
         self.setWindowTitle("Impronta")
         self.actions_by_id = make_actions(self)
         fill_menus(self.menuBar(), self.actions_by_id)
@@ -130,9 +134,7 @@ class MainWindow(QMainWindow):
         self.show_page("home")
 
     def choose_case(self) -> None:
-        path, _ = QFileDialog.getOpenFileName(self, self.tr("Open a case"), self.services.settings.case_folder, self.tr("Cases (*.impronta)"))
-        if path:
-            self.open_case(Path(path))
+        choose_file(self, self.tr("Open a case"), self.services.settings.case_folder, self.tr("Cases (*.impronta)"), self.open_case)
 
     def open_case(self, path: Path) -> None:
         self.services.case.open(path)
@@ -361,13 +363,15 @@ class MainWindow(QMainWindow):
     def _show_laser(self) -> None:
         """Lit while the controller reports emission, and a moment longer: between two rows it is dark too briefly to be told."""
         now = time.monotonic()
-        if self.services.rig.snapshot.laser_on:
+        emission = self.services.rig.emission
+        if emission is Emission.LIT:
             self._lit_s = now
-        lit = now - self._lit_s < LASER_HOLD_S
-        if lit != self._lit:
-            self._lit = lit
-            self.rail.show_laser(lit)
-            self.status_line.laser.show_state(*(("laser", self.tr("Laser ON")) if lit else ("idle", self.tr("Laser off"))))
+        elif emission is Emission.DARK and now - self._lit_s < LASER_HOLD_S:
+            emission = Emission.LIT
+        if emission is not self._emission:
+            self._emission = emission
+            self.rail.show_laser(emission)
+            self.status_line.laser.show_state(_LASER_LAMPS[emission], emission_words(emission))
 
     def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802 - Qt's name
         self.services.settings.window = [self.width(), self.height()]

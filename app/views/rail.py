@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from PySide6.QtCore import QCoreApplication, QSize, Qt
 from PySide6.QtWidgets import QButtonGroup, QLabel, QPushButton, QVBoxLayout, QWidget
 
+from app.controllers.emission import Emission
 from app.draft import KINDS, SIDES, DraftValues
 from app.theme import ACCENT, MUTED, TEXT, drawing, icon
 from app.views.pages import PageInfo
@@ -61,12 +62,12 @@ class Rail(QWidget):
             self._steps[page.id] = step
             box.addWidget(step)
         box.addStretch(1)
-        self._laser = button(self.tr("Stop · laser off"), "laser", laser_off, "laser", "#ff8589")
-        self._laser.setToolTip(self.tr("Stops every movement and switches the laser off, from every page (Esc)"))
+        self.stop_button = button(self.tr("Stop · laser off"), "laser", laser_off, "laser", "#ff8589")
+        self.stop_button.setToolTip(self.tr("Stops every movement and switches the laser off, from every page (Esc)"))
         foot = QVBoxLayout()
         foot.setContentsMargins(14, 0, 14, 0)
         foot.setSpacing(6)
-        foot.addWidget(self._laser)
+        foot.addWidget(self.stop_button)
         hint = label(self.tr("Esc, from every page"), "faint")
         hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
         foot.addWidget(hint)
@@ -82,10 +83,12 @@ class Rail(QWidget):
         self._badge.show_side(values.side, QCoreApplication.translate("draft", SIDES[values.side]))
         self._kind.setText(QCoreApplication.translate("draft", KINDS[values.kind]))
 
-    def show_laser(self, lit: bool) -> None:
-        """Filled red while the laser emits, outlined otherwise."""
-        self._laser.setProperty("lit", lit)
-        self._laser.setText(self.tr("Laser on · stop") if lit else self.tr("Stop · laser off"))
-        self._laser.setIcon(icon("laser", "#ffffff" if lit else "#ff8589"))
-        self._laser.style().unpolish(self._laser)
-        self._laser.style().polish(self._laser)
+    def show_laser(self, emission: Emission) -> None:
+        """Filled red while the laser emits, outlined otherwise; it says so when nobody knows."""
+        lit = emission is Emission.LIT
+        words = {Emission.LIT: self.tr("Laser on · stop"), Emission.UNKNOWN: self.tr("Laser unknown · stop")}
+        self.stop_button.setProperty("lit", lit)
+        self.stop_button.setText(words.get(emission, self.tr("Stop · laser off")))
+        self.stop_button.setIcon(icon("laser", "#ffffff" if lit else "#ff8589"))
+        self.stop_button.style().unpolish(self.stop_button)
+        self.stop_button.style().polish(self.stop_button)

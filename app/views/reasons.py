@@ -16,6 +16,7 @@ _REASONS = {
     "cut_by_edge": QT_TRANSLATE_NOOP("reasons", "cut by the picture's edge"),
     "ambiguous": QT_TRANSLATE_NOOP("reasons", "more than one spot"),
     "too_bright": QT_TRANSLATE_NOOP("reasons", "picture too bright"),
+    "torn": QT_TRANSLATE_NOOP("reasons", "picture torn"),
     "epipolar": QT_TRANSLATE_NOOP("reasons", "cameras saw different spots"),
     "hidden_left": QT_TRANSLATE_NOOP("reasons", "hidden from the left camera"),
     "hidden_right": QT_TRANSLATE_NOOP("reasons", "hidden from the right camera"),

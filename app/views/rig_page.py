@@ -7,8 +7,9 @@ from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QButtonGroup, QComboBox, QFileDialog, QGridLayout, QHBoxLayout, QPushButton, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QButtonGroup, QComboBox, QGridLayout, QHBoxLayout, QPushButton, QStackedWidget, QVBoxLayout, QWidget
 
+from app.controllers.emission import Emission
 from app.controllers.rig import SPECIMENS, SPEEDS
 from app.services import Services
 from app.translation import QT_TRANSLATE_NOOP
@@ -16,6 +17,7 @@ from app.views.board_watch_view import BoardWatchView
 from app.views.calibrating_panel import CalibratingPanel
 from app.views.calibration_panel import CalibrationPanel
 from app.views.camera_preview import CameraPreview
+from app.views.file_dialogs import choose_file
 from app.views.page import Page
 from app.views.parts import Lamp, button, label, row, seam
 
@@ -54,6 +56,7 @@ class RigPage(Page):
         self.calibration = CalibrationPanel(services.rig)
         self.board = BoardWatchView()
         self.progress = CalibratingPanel(services.rig)
+        self._emission: Emission | None = None
         self._lefts, self._rights = QStackedWidget(), QStackedWidget()
         for stack, parts in ((self._lefts, (self._left(), self.board)), (self._rights, (self.calibration, self.progress))):
             for part in parts:
@@ -81,6 +84,8 @@ class RigPage(Page):
         if look is not None and self.services.rig.snapshot.calibrating is not None:
             self.board.show_look(look)
             self.progress.show_look(look)
+        if self.isVisible():
+            self._show_laser()
         for name, preview in self._previews.items():
             frame = self.services.rig.frames[name].take()
             if frame is not None and self.isVisible():
@@ -190,12 +195,23 @@ class RigPage(Page):
         lamp, detail = self._devices["controller"]
         lamp.show_state(*(ready if motion is None else ("good", self._state_word(motion.state.value))))
         detail.setText("" if config is None else config.controller.port)
-        lamp, detail = self._devices["laser"]
-        lamp.show_state("laser" if rig.laser_on else "idle", self.tr("emitting") if rig.laser_on else self.tr("off"))
-        detail.setText(self.tr("as the controller reports it"))
+        self._devices["laser"][1].setText(self.tr("as the controller reports it"))
         lamp, detail = self._devices["turntable"]
         lamp.show_state("good" if motion is not None else "idle", "–" if motion is None else f"{motion.table_deg:.1f}°")
         detail.setText("")
+
+    def _show_laser(self) -> None:
+        emission = self.services.rig.emission
+        if emission is self._emission:
+            return
+        self._emission = emission
+        words = {
+            Emission.NO_RIG: ("idle", "–"),
+            Emission.UNKNOWN: ("warn", self.tr("unknown")),
+            Emission.DARK: ("idle", self.tr("off")),
+            Emission.LIT: ("laser", self.tr("emitting")),
+        }
+        self._devices["laser"][0].show_state(*words[emission])
 
     def _state_word(self, state: str) -> str:
         return {
@@ -220,6 +236,5 @@ class RigPage(Page):
             self.calibration.show_calibration()
 
     def _choose_file(self) -> None:
-        path, _ = QFileDialog.getOpenFileName(self, self.tr("A mesh as specimen"), "", self.tr("Meshes (*.stl *.ply *.obj *.vtp *.3mf)"))
-        if path:
-            self.services.rig.choose(specimen=path)
+        kinds = self.tr("Meshes (*.stl *.ply *.obj *.vtp *.3mf)")
+        choose_file(self, self.tr("A mesh as specimen"), "", kinds, lambda path: self.services.rig.choose(specimen=str(path)))

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from datetime import datetime
 
+from scanner_core import wall_clock
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.errors import CalibrationError
 from scanner_core.jobs.progress import IsCancelled, OnProgress
@@ -52,7 +52,7 @@ def calibrate_rig(
         shown_by,
         target,
         settings or default_settings(rig),
-        date=datetime.now().astimezone().isoformat(timespec="seconds"),
+        date=wall_clock.stamp(),
         previous=rig.calibration,
         progress=progress,
         watch=watch,

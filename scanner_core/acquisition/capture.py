@@ -16,14 +16,16 @@ import cv2
 from scanner_core.acquisition.handover import LatestSlot, Preview
 from scanner_core.devices.camera import Camera, Trigger
 from scanner_core.errors import DeviceError, ImprontaError
-from scanner_core.optics.spot import Spot, SpotMiss
+from scanner_core.optics.spot import MissReason, Spot, SpotMiss
 from scanner_core.optics.spot_detection import SpotDetector
 from scanner_core.optics.spot_tracking import SpotTracker
+from scanner_core.optics.torn_frames import TornFrames
 
 QUEUE_LENGTH = 256
 _PATIENCE_S = 5.0
 """How long a full queue is waited for, real seconds."""
 _PREVIEW_PERIOD_S = 0.05
+_TORN = SpotMiss(MissReason.TORN)
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +58,7 @@ class CaptureThread:
         self.camera = camera
         self.events: queue.Queue[CaptureEvent] = queue.Queue(QUEUE_LENGTH)
         self._tracker = SpotTracker(detector)
+        self._torn_frames = TornFrames()
         self._preview = preview
         self._runs: queue.SimpleQueue[Trigger | None] = queue.SimpleQueue()
         self._stop_run = threading.Event()
@@ -103,7 +106,7 @@ class CaptureThread:
         shown_s = 0.0
         self._tracker.forget()  # a row begins elsewhere
         for frame in self.camera.frames(self._stop_run):
-            seen = self._tracker.detect(frame.image)
+            seen = _TORN if self._torn_frames.torn(frame.image) else self._tracker.detect(frame.image)
             now_s = time.monotonic()
             if now_s - shown_s > _PREVIEW_PERIOD_S:
                 self._preview.put(Preview(frame, seen))

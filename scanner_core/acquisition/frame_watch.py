@@ -17,6 +17,8 @@ WINDOW = 300
 """Exposures over which missing frames are counted; five seconds."""
 MISSING = 6
 """Missing frames in the window that are no accident: 2 %."""
+TORN = 3
+"""Torn frames that are no accident."""
 IN_A_ROW = 30
 """Frames in a row that are too bright, or saturated among those that show anything: half a second."""
 ONE_SIDED = 150
@@ -34,6 +36,7 @@ class _Side:
     recent: deque[bool] = field(default_factory=lambda: deque(maxlen=WINDOW))
     too_bright: int = 0
     saturated: int = 0
+    torn: int = 0
     blind: int = 0
 
 
@@ -60,7 +63,7 @@ class FrameWatch:
             both = (pair.left, pair.right)
             for side, seen in enumerate(both):
                 self._look(side, seen, both[1 - side])
-                found += self._causes(side, pair.trigger_id, view, table_deg)
+                found += self._causes(side, seen if isinstance(seen, SpotMiss) else None, pair.trigger_id, view, table_deg)
             self._dark = self._dark + 1 if all(isinstance(seen, SpotMiss) and seen.reason is MissReason.NO_SPOT for seen in both) else 0
             if self._dark == self._dark_limit:
                 fields: dict[str, object] = {"frames": self._dark, "seconds": f"{self._dark / self._rate_hz:.1f}"}
@@ -81,12 +84,13 @@ class FrameWatch:
         counts.too_bright = counts.too_bright + 1 if reason is MissReason.TOO_BRIGHT else 0
         if seen is not None and reason is not MissReason.NO_SPOT:
             counts.saturated = counts.saturated + 1 if reason is MissReason.SATURATED else 0
+        counts.torn += reason is MissReason.TORN
         if isinstance(seen, Spot):
             counts.blind = 0
         elif reason is MissReason.NO_SPOT and isinstance(other, Spot):
             counts.blind += 1
 
-    def _causes(self, side: int, trigger_id: int, view: int, table_deg: float) -> list[Finding]:
+    def _causes(self, side: int, newest: SpotMiss | None, trigger_id: int, view: int, table_deg: float) -> list[Finding]:
         counts, camera, found = self._sides[side], SIDES[side], []
 
         def finding(code: str, value: float, back: int, **fields: object) -> None:
@@ -95,6 +99,8 @@ class FrameWatch:
         if counts.recent[-1] and (recent := sum(counts.recent)) >= MISSING:
             share = f"{100 * recent / len(counts.recent):.0f}"
             finding("H-CAM-01", counts.missing, 1, count=counts.missing, exposures=self._exposures, share=share)
+        if newest is not None and newest.reason is MissReason.TORN and counts.torn >= TORN:
+            finding("H-CAM-03", counts.torn, 1, count=counts.torn, exposures=self._exposures)
         if counts.too_bright == IN_A_ROW:
             finding("H-LGT-01", IN_A_ROW, IN_A_ROW, frames=IN_A_ROW)
         if counts.saturated == IN_A_ROW:

@@ -18,6 +18,7 @@ from scanner_core.acquisition.engine import EvaluatedPairs, StereoPair
 from scanner_core.acquisition.epipolar_watch import EpipolarWatch
 from scanner_core.acquisition.finding import Finding
 from scanner_core.acquisition.frame_watch import SIDES, FrameWatch
+from scanner_core.acquisition.known_points import KnownPoints
 from scanner_core.acquisition.plan import ScanPlan
 from scanner_core.acquisition.view_watch import Closure, ViewStep, ViewWatch
 from scanner_core.case.observation import MEASURED
@@ -25,8 +26,8 @@ from scanner_core.optics.calibration import StereoCalibration
 
 Array = NDArray[np.float64]
 
-Phase = Literal["locate", "scan", "closure"]
-"""The passes of a scan."""
+Phase = Literal["locate", "scan", "check", "closure"]
+"""The passes of a scan; ``check`` measures known points again before an interrupted scan goes on."""
 
 _LARGE_SCATTER = 1.7
 """Scatter of the epipolar residuals over what the spots' uncertainties let expect."""
@@ -104,7 +105,7 @@ class HealthMonitor:
         self._phase = phase
         if phase == "closure":
             self._later = plan.views[0].rows[0].first_id - self._first_id
-        elif plan.views[0].rows:
+        elif phase != "check" and plan.views[0].rows:
             self._first_id = plan.views[0].rows[0].first_id
             self._first.clear()
         rows = [row.count for view in plan.views for row in view.rows]
@@ -119,7 +120,7 @@ class HealthMonitor:
         self._judge_residuals(seen, shown, table_deg)
         if self._phase == "scan":
             self._views.add(seen.points)
-        if self._phase == "closure" or view == 0:
+        if self._phase == "closure" or (self._phase != "check" and view == 0):
             ids = [o.trigger_id for o in seen.observations if o.verdict == MEASURED]
             (self._again if self._phase == "closure" else self._first).update(zip(ids, seen.points, strict=True))
         with self._lock:
@@ -130,6 +131,24 @@ class HealthMonitor:
         if self._phase == "scan" and self._views.end_view(view, table_deg):
             for step in self._views.steps:
                 self._tell(_moved(step), "step", step.view)
+
+    def recall(self, plan: ScanPlan, known: KnownPoints, complete: int) -> None:
+        """What an earlier run of the same plan has measured; its first `complete` views are done."""
+        self.begin(plan, "scan")
+        for number, planned in enumerate(plan.views):
+            self._views.add(known.of_view(number).points)
+            if number < complete:
+                self._views.end_view(number, planned.table_deg)
+        first = known.of_view(0)
+        self._first = dict(zip(first.trigger_ids.tolist(), first.points, strict=True))
+
+    def go_on(self) -> None:
+        """The known points were measured again: what comes now belongs to the scan."""
+        self._phase = "scan"
+
+    def compare(self, again: Array, before: Array) -> Closure:
+        """Points (n, 3) mm measured again against the same beams' points `before` (n, 3), object frame."""
+        return self._views.close_turn(again, before)
 
     def close_turn(self, table_deg: float) -> None:
         """The first view has been measured again: compare what the same beams have found."""

@@ -7,8 +7,10 @@ early and a view that has reached its quota of points is thinned evenly instead 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import Any
 
 from scanner_core.errors import UsageError
 from scanner_core.one_line import one_line
@@ -60,6 +62,28 @@ class ScanPlan:
     def as_dict(self) -> dict[str, object]:
         """For the case file and JSON."""
         return asdict(self)
+
+    @staticmethod
+    def from_dict(record: Mapping[str, Any]) -> ScanPlan:
+        """The plan that :meth:`as_dict` told.
+
+        Raises
+        ------
+        KeyError, TypeError, ValueError
+            It is none.
+        """
+        views = tuple(
+            ViewPlan(
+                float(view["table_deg"]),
+                tuple(Row(*(int(row[k]) for k in _COUNTS), *(float(row[k]) for k in _ANGLES)) for row in view["rows"]),
+                None if view["quota"] is None else int(view["quota"]),
+            )
+            for view in record["views"]
+        )
+        return ScanPlan(views, float(record["sweep_speed_deg_s"]))
+
+
+_COUNTS, _ANGLES = ("view", "first_id", "count"), ("y_deg", "x_from_deg", "x_to_deg")
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from functools import partial
 
+from scanner_core.case.store import CaseStore
 from scanner_core.clock import Clock, Speed, SteppedClock, make_clock
 from scanner_core.devices.camera import Camera
 from scanner_core.devices.grbl import open_controller
@@ -15,11 +16,12 @@ from scanner_core.devices.rig import RigConfig
 from scanner_core.errors import ImprontaError, UsageError
 from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.virtual.bench import VirtualBench
-from scanner_core.virtual.disturbances import Disturbance
+from scanner_core.virtual.fault import Fault
 from scanner_core.virtual.firmware import Firmware
 from scanner_core.virtual.firmware_registry import register_firmware, unregister_firmware
-from scanner_core.virtual.motion_state import MotionTimeline
+from scanner_core.virtual.injection import FaultInjection
 from scanner_core.virtual.presets import PRESETS, VirtualPreset
+from scanner_core.virtual.remote_timeline import RemoteTimeline
 from scanner_core.virtual.specimens import Specimen
 
 _VIRTUAL = "virtual://"
@@ -41,8 +43,26 @@ class OpenRig:
     clock: Clock
     calibration: StereoCalibration | None
     bench: VirtualBench | None = None
+    faults: FaultInjection | None = None
     release: Callable[[], None] | None = None
     """What else has to be let go when the rig is closed."""
+
+    def inject(self, fault: Fault) -> None:
+        """Let something go wrong on the virtual rig, its time counted from now; see :mod:`scanner_core.virtual.faults`.
+
+        Raises
+        ------
+        UsageError
+            E-USE-01: the rig is real, or this system cannot do it.
+        """
+        if self.faults is None:
+            raise UsageError("E-USE-01", what="Faults happen on the virtual rig only", do="choose a virtual rig")
+        self.faults.inject(fault)
+
+    def concern(self, case: CaseStore) -> None:
+        """Name the case that is filled, so that the faults of the computer can befall it."""
+        if self.faults is not None:
+            self.faults.concern(case)
 
     def close(self) -> None:
         """Laser and controller first, then the cameras."""
@@ -51,6 +71,8 @@ class OpenRig:
                 device.close()
             except ImprontaError:
                 continue  # one device that fails to close must not keep the others open
+        if self.faults is not None:
+            self.faults.close()
         if self.release is not None:
             self.release()
 
@@ -62,7 +84,7 @@ class OpenRig:
 
 
 def open_rig(
-    config: RigConfig, specimen: Specimen | None = None, speed: Speed = "max", seed: int = 0, disturbances: Iterable[Disturbance] = ()
+    config: RigConfig, specimen: Specimen | None = None, speed: Speed = "max", seed: int = 0, faults: Iterable[Fault] = ()
 ) -> OpenRig:
     """Open the devices of a rig.
 
@@ -71,15 +93,19 @@ def open_rig(
     specimen : what stands on the virtual rig's table
     speed : of the virtual rig: 1, 5, or ``"max"``; hardware and a firmware model in its own process keep their own time
     seed : of the virtual rig's noise
-    disturbances : what goes wrong on the virtual rig, at times that count from now
+    faults : what goes wrong on the virtual rig, at times that count from now
 
     Raises
     ------
     DeviceError, UsageError
     """
     rig = _open(config, specimen, speed, seed)
-    if rig.bench is not None:
-        rig.bench.disturb(disturbances)
+    try:
+        for fault in faults:
+            rig.inject(fault)
+    except BaseException:
+        rig.close()
+        raise
     return rig
 
 
@@ -107,8 +133,6 @@ def _open(config: RigConfig, specimen: Specimen | None, speed: Speed, seed: int)
 
 def _open_remote(config: RigConfig, preset: VirtualPreset, specimen: Specimen | None, seed: int) -> OpenRig:
     """A firmware model in a process of its own, reached through the guardian; its side channel tells where the beam is."""
-    from scanner_core.virtual.remote_timeline import RemoteTimeline
-
     host, _, port = config.controller.witness.rpartition(":")
     if not host or not port.isdigit():
         raise UsageError("E-RIG-01", path=config.name, reason="a virtual rig on a real port needs 'witness = \"host:port\"' of the firmware process")
@@ -126,7 +150,7 @@ def _with_bench(
     preset: VirtualPreset,
     motion: MotionController,
     clock: Clock,
-    timeline: MotionTimeline,
+    timeline: Firmware | RemoteTimeline,
     specimen: Specimen | None,
     seed: int,
     release: Callable[[], None],
@@ -137,4 +161,4 @@ def _with_bench(
     left, right = bench.camera("left", transfer), bench.camera("right", transfer)
     for camera, wanted in ((left, config.left), (right, config.right)):
         camera.exposure_ms, camera.gain_db = wanted.exposure_ms, wanted.gain_db
-    return OpenRig(config, left, right, motion, clock, config.calibration, bench, release)
+    return OpenRig(config, left, right, motion, clock, config.calibration, bench, FaultInjection(clock, bench, timeline), release)

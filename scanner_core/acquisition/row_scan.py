@@ -12,6 +12,7 @@ from scanner_core.acquisition.engine import StereoPair
 from scanner_core.acquisition.plan import Row
 from scanner_core.devices.camera import Trigger
 from scanner_core.errors import DeviceTimeoutError
+from scanner_core.optics.spot import MissReason, SpotMiss
 
 MICRO_BATCH = 16
 _SILENCE_S = 5.0
@@ -27,16 +28,25 @@ class RowScan:
     row : what to expose
     start_s : when, on the rig's clock
     cancelled : stops the row; what was not paired by then stays unexposed
-    between : called about every 0.1 s of waiting (for status reports)
+    between : called about every 0.1 s of waiting for frames (for status reports)
+    confirm : called when all frames are in, and raises when the beam went dark before its time: the exposures since the last
+        spot are given out only after it, so that a lid that opens in mid-row does not make its dark frames measurements
     """
 
     def __init__(
-        self, left: CaptureThread, right: CaptureThread, row: Row, start_s: float, cancelled: threading.Event, between: Callable[[], None]
+        self,
+        left: CaptureThread,
+        right: CaptureThread,
+        row: Row,
+        start_s: float,
+        cancelled: threading.Event,
+        between: Callable[[], None],
+        confirm: Callable[[], None] = lambda: None,
     ) -> None:
         self._captures = (left, right)
         self._row = row
         self._cancelled = cancelled
-        self._between = between
+        self._between, self._confirm = between, confirm
         self._pending: tuple[dict[int, SpotEvent], dict[int, SpotEvent]] = ({}, {})
         self._ended = [False, False]
         self._heard_s = [time.monotonic(), time.monotonic()]
@@ -60,20 +70,24 @@ class RowScan:
         Raises
         ------
         DeviceError
-            What a camera reported, after both have come to their end.
+            What a camera reported, after both have come to their end; what `between` and `confirm` raise.
         """
         done: set[int] = set()
         while not all(self._ended) and not self._cancelled.is_set():
             self._listen()
-            common = sorted(self._pending[0].keys() & self._pending[1].keys())
-            while len(common) >= MICRO_BATCH:
-                yield self._take(common[:MICRO_BATCH], done)
-                del common[:MICRO_BATCH]
+            self._between()
+            lit = self._lit()
+            while len(lit) >= MICRO_BATCH:
+                yield self._take(lit[:MICRO_BATCH], done)
+                del lit[:MICRO_BATCH]
         self.finish()
         if self._fault is not None:
             raise self._fault
         if self._cancelled.is_set():
             return
+        if lit := self._lit():
+            yield self._take(lit, done)
+        self._confirm()
         rest = [i for i in range(self._row.first_id, self._row.first_id + self._row.count) if i not in done]
         if rest:
             yield self._take(rest, done)
@@ -102,7 +116,6 @@ class RowScan:
                 if time.monotonic() - self._heard_s[side] > _SILENCE_S:
                     self._ended[side] = True
                     self._fault = self._fault or DeviceTimeoutError("E-CAM-01", camera=capture.camera.name, seconds=f"{_SILENCE_S:.0f}")
-        self._between()
 
     def _hear(self, side: int, event: SpotEvent | RunEnd | CaptureFault) -> None:
         self._heard_s[side] = time.monotonic()
@@ -114,6 +127,13 @@ class RowScan:
         else:
             self._ended[side] = True
 
+    def _lit(self) -> list[int]:
+        """Ids that both cameras have exposed, up to the last one at which either saw light."""
+        common = sorted(self._pending[0].keys() & self._pending[1].keys())
+        while common and all(_is_dark(pending[common[-1]]) for pending in self._pending):
+            common.pop()
+        return common
+
     def _take(self, ids: list[int], done: set[int]) -> list[StereoPair]:
         pairs = []
         for trigger_id in ids:
@@ -123,3 +143,7 @@ class RowScan:
             pairs.append(StereoPair(trigger_id, time_s, None if left is None else left.seen, None if right is None else right.seen, skew_s))
         done.update(ids)
         return pairs
+
+
+def _is_dark(event: SpotEvent) -> bool:
+    return isinstance(event.seen, SpotMiss) and event.seen.reason is MissReason.NO_SPOT

@@ -56,4 +56,4 @@ def _restore(camera: Camera, exposure_ms: float, gain_db: float) -> None:
     try:
         _set(camera, exposure_ms, gain_db)
     except ImprontaError as refusal:
-        _log.warning("exposure of camera %s not restored: %s", camera.name, refusal)
+        _log.info("exposure of camera %s not restored: %s", camera.name, refusal)

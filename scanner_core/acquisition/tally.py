@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections import Counter, deque
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from scanner_core.acquisition.status import ScanCounts
 from scanner_core.case.observation import MEASURED
@@ -15,14 +15,18 @@ _WINDOW_S = 2.0
 class Tally:
     """Counts over one plan."""
 
-    def __init__(self, planned: int, wanted: int | None, started_s: float) -> None:
-        """`wanted` is the number of points after which the plan is complete, None when every id counts."""
+    def __init__(self, planned: int, wanted: int | None, started_s: float, before: Mapping[str, int] | None = None) -> None:
+        """`wanted` is the number of points after which the plan is complete, None when every id counts.
+
+        `before` counts verdicts of an earlier run of the same plan, which took none of the time since `started_s`.
+        """
         self._lock = threading.Lock()
         self._planned = planned
         self._wanted = wanted
         self._started_s = started_s
-        self._verdicts: Counter[str] = Counter()
-        self._recent: deque[tuple[float, int]] = deque([(started_s, 0)])
+        self._verdicts: Counter[str] = Counter(before)
+        self._before = self._verdicts.copy()
+        self._recent: deque[tuple[float, int]] = deque([(started_s, self._verdicts[MEASURED])])
 
     def add(self, verdicts: Iterable[str], now_s: float) -> None:
         """Count verdicts; `now_s` is on the rig's clock."""
@@ -57,7 +61,10 @@ class Tally:
     def seconds_left(self, now_s: float) -> float | None:
         """From the pace so far, on the rig's clock."""
         with self._lock:
-            done, whole = (self._verdicts.total(), self._planned) if self._wanted is None else (self._verdicts[MEASURED], self._wanted)
-            if done < 50:
+            if self._wanted is None:
+                done, before, whole = self._verdicts.total(), self._before.total(), self._planned
+            else:
+                done, before, whole = self._verdicts[MEASURED], self._before[MEASURED], self._wanted
+            if done - before < 50:
                 return None
-            return max(0.0, (now_s - self._started_s) * (whole - done) / done)
+            return max(0.0, (now_s - self._started_s) * (whole - done) / (done - before))

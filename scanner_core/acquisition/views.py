@@ -27,9 +27,10 @@ class RegisteredViews:
 
 
 def register_case(store: CaseStore, scan_id: int, rig: RigConfig, calibration: StereoCalibration) -> RegisteredViews:
-    """Register the views of a scan, keep the corrections in the case, and return the merged cloud."""
+    """Register the views of a scan, keep the corrections and the report in the case, and return the merged cloud."""
     table = store.observations(scan_id)
     registration = register_views(triangulate_observations(table, rig, calibration).cloud)
     store.put_corrections(scan_id, registration.corrections)
+    store.put_registration(scan_id, calibration.identity(), registration.as_dict())
     measured = triangulate_observations(table, rig, calibration, store.corrections(scan_id))
     return RegisteredViews(measured.cloud, registration, measured.noise)

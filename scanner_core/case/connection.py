@@ -19,16 +19,19 @@ import sqlite3
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
+from dataclasses import dataclass
+from pathlib import Path, PurePath
 
+from scanner_core.case.moment import now
 from scanner_core.case.schema import APPLICATION_ID, MIGRATIONS, VERSION
 from scanner_core.case.vetting import harden, vet
-from scanner_core.errors import CaseFormatError, CaseLockedError, StorageError
+from scanner_core.errors import CaseError, CaseFormatError, CaseLockedError, InputFileError, StorageError
 from scanner_core.one_line import one_line
 
 _TIMEOUT_S = 0.2
 _MAGIC = b"SQLite format 3\x00"
-SIDECARS = ("-wal", "-journal", "-shm")
+_WAL = 2
+"""In bytes 18 and 19 of the header: the database is read together with its log."""
 
 _open_files: set[tuple[int, int]] = set()
 looking = threading.RLock()
@@ -61,27 +64,32 @@ def refuse_open(path: Path) -> None:
         raise CaseLockedError("E-CASE-02", path=path, details="open in this program")
 
 
-def database(path: Path, uri: str = "") -> sqlite3.Connection:
-    """A connection in autocommit mode; `uri` are SQLite's own parameters, such as ``mode=ro``."""
-    # As a URI, so that no character of a name means anything to SQLite.
-    place = f"{Path(os.path.abspath(path)).as_uri()}?{uri or 'mode=rw'}"
+def uri(path: PurePath) -> str:
+    """An absolute path as SQLite takes it, so that no character of a name means anything; a share's server is no host."""
+    place = path.as_uri()
+    return place if place.startswith("file:///") else place.replace("file://", "file:////", 1)
+
+
+def database(path: Path, mode: str = "rw") -> sqlite3.Connection:
+    """A connection in autocommit mode to a file that exists; `mode` is rw or ro."""
+    place = f"{uri(Path(os.path.abspath(path)))}?mode={mode}"
     connection = sqlite3.connect(place, timeout=_TIMEOUT_S, isolation_level=None, check_same_thread=False, uri=True)
     harden(connection)
     return connection
 
 
-def connect(path: Path, name: Path | None = None) -> sqlite3.Connection:
-    """The case for writing; nobody else has it from now on.  `name` stands in sentences where `path` is a copy."""
+def connect(path: Path, asked: Path | None = None) -> sqlite3.Connection:
+    """The case for writing; nobody else has it from now on.  Where it is a private copy, `asked` is what errors name."""
     connection = database(path)
     try:
         connection.execute("PRAGMA locking_mode = EXCLUSIVE")
         # The exclusive lock is taken now, so that a second program is refused at once.
         connection.execute("BEGIN EXCLUSIVE")
         connection.execute("COMMIT")
-        vet(connection, name or path)
+        vet(connection, asked or path)
         connection.execute("PRAGMA journal_mode = WAL")
         connection.execute("PRAGMA synchronous = FULL")
-        migrate(path, connection)
+        migrate(asked or path, connection)
     except BaseException:
         connection.close()
         raise
@@ -95,6 +103,8 @@ def migrate(path: Path, connection: sqlite3.Connection) -> None:
         raise CaseFormatError("E-CASE-03", path=path, version=version, known=VERSION)
     if version < VERSION:
         script = ";".join(MIGRATIONS[version:])
+        if version:
+            script += f"; INSERT INTO audit (time, event, detail) VALUES ('{now()}', 'migrated', 'from version {version} to {VERSION}')"
         try:
             connection.executescript(f"BEGIN IMMEDIATE; {script}; PRAGMA user_version = {VERSION}; COMMIT;")
         except BaseException:
@@ -103,12 +113,35 @@ def migrate(path: Path, connection: sqlite3.Connection) -> None:
             raise
 
 
-def check_header(path: Path) -> None:
-    """Refuse what is no case, without touching it: E-CASE-01, E-CASE-03."""
+@dataclass(frozen=True, slots=True)
+class Header:
+    """What the first bytes of a case tell; a log beside it may know better."""
+
+    version: int
+    has_log: bool
+
+
+def read_header(path: Path) -> Header:
+    """Refuse what is no case, without touching it.
+
+    Raises
+    ------
+    CaseError, CaseFormatError, CaseLockedError
+        E-CASE-04 no such file, E-CASE-01 no case, E-CASE-03 too new, E-CASE-02 open in this process.
+    InputFileError
+        E-FILE-05 when it may not be read.
+    """
+    if not os.path.exists(path):
+        raise CaseError("E-CASE-04", path=path)
+    if not os.path.isfile(path):
+        raise CaseFormatError("E-CASE-01", path=path, reason="it is a folder" if os.path.isdir(path) else "it is no file")
     with looking:
         refuse_open(path)
-        with path.open("rb") as file:
-            header = file.read(100)
+        try:
+            with path.open("rb") as file:
+                header = file.read(100)
+        except OSError as fault:
+            raise unreadable(path, fault) from fault
     if len(header) < 100 or not header.startswith(_MAGIC):
         raise CaseFormatError("E-CASE-01", path=path, reason="it is no database" if header else "it is empty")
     if int.from_bytes(header[68:72], "big") != APPLICATION_ID:
@@ -116,6 +149,11 @@ def check_header(path: Path) -> None:
     version = int.from_bytes(header[60:64], "big")
     if version > VERSION:
         raise CaseFormatError("E-CASE-03", path=path, version=version, known=VERSION)
+    return Header(version, has_log=_WAL in header[18:20])
+
+
+def unreadable(path: Path, fault: OSError) -> InputFileError:
+    return InputFileError("E-FILE-05", path=path, reason=fault.strerror or fault, details=str(fault))
 
 
 def fold_in(connection: sqlite3.Connection) -> None:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from datetime import datetime
+from scanner_core import wall_clock
 
 
 def now() -> str:
-    return datetime.now().astimezone().isoformat(timespec="seconds")
+    return wall_clock.stamp()

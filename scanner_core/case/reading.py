@@ -13,16 +13,16 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
-from scanner_core.case.connection import SIDECARS, connect, database, looking, refuse_open
+from scanner_core.case.connection import Header, connect, database, looking, refuse_open, unreadable
 from scanner_core.case.schema import VERSION
 from scanner_core.case.vetting import vet
-from scanner_core.errors import CaseLockedError, StorageError
+from scanner_core.errors import CaseLockedError, ImprontaError
 
-_WAL = 2
-"""In bytes 18 and 19 of the header: the database is read together with its log."""
+LOGS = ("-wal", "-journal")
+"""What SQLite leaves beside the file of a program that was killed."""
 
 
-def open_for_reading(path: Path) -> tuple[sqlite3.Connection, Callable[[], None]]:
+def open_for_reading(path: Path, header: Header) -> tuple[sqlite3.Connection, Callable[[], None]]:
     """A connection that only reads, and what closes it.
 
     Raises
@@ -31,8 +31,8 @@ def open_for_reading(path: Path) -> tuple[sqlite3.Connection, Callable[[], None]
         E-CASE-02 while a program has the case open for writing.
     """
     place = Path(os.path.realpath(path))
-    if _at_rest(place):
-        connection = database(place, "mode=ro")
+    if _at_rest(place, header):
+        connection = database(place, "ro")
         try:
             vet(connection, path)  # also says whether it is locked
         except BaseException:
@@ -42,15 +42,10 @@ def open_for_reading(path: Path) -> tuple[sqlite3.Connection, Callable[[], None]
     return _open_copy(place)
 
 
-def _at_rest(place: Path) -> bool:
+def _at_rest(place: Path, header: Header) -> bool:
     """One single file of this program's version."""
-    if any(_size(Path(f"{place}{sidecar}")) for sidecar in SIDECARS[:2]):
-        return False
-    with looking:
-        refuse_open(place)
-        with place.open("rb") as file:
-            header = file.read(100)
-    return _WAL not in header[18:20] and int.from_bytes(header[60:64], "big") == VERSION
+    beside = any(_size(Path(f"{place}{sidecar}")) for sidecar in LOGS)
+    return header.version == VERSION and not header.has_log and not beside
 
 
 def _open_copy(place: Path) -> tuple[sqlite3.Connection, Callable[[], None]]:
@@ -61,19 +56,16 @@ def _open_copy(place: Path) -> tuple[sqlite3.Connection, Callable[[], None]]:
             refuse_open(place)
             _refuse_locked(place)
             before = _state(place)
-            for sidecar in ("", *SIDECARS[:2]):
+            for sidecar in ("", *LOGS):
                 if os.path.exists(f"{place}{sidecar}"):
                     shutil.copyfile(f"{place}{sidecar}", f"{copy}{sidecar}")
             if _state(place) != before:
                 raise CaseLockedError("E-CASE-02", path=place, details="it changed while it was copied")
         connection = connect(copy, place)
-    except OSError as fault:
+    except BaseException as fault:
         folder.cleanup()
-        if isinstance(fault, StorageError):
-            raise
-        raise StorageError("E-DISK-02", path=folder.name, reason=fault.strerror or fault) from fault
-    except BaseException:
-        folder.cleanup()
+        if isinstance(fault, OSError) and not isinstance(fault, ImprontaError):
+            raise unreadable(place, fault) from fault
         raise
 
     def end() -> None:
@@ -89,7 +81,7 @@ def _refuse_locked(place: Path) -> None:
     With an exclusive lock in mind SQLite makes no ``-shm`` file; a connection that may only read does not get that lock,
     and whatever it says instead of "busy" means that nobody else has it.
     """
-    connection = database(place, "mode=ro")
+    connection = database(place, "ro")
     try:
         connection.execute("PRAGMA locking_mode = EXCLUSIVE")
         connection.execute("SELECT count(*) FROM sqlite_schema").fetchone()
@@ -103,7 +95,7 @@ def _refuse_locked(place: Path) -> None:
 def _state(place: Path) -> list[tuple[int, int] | None]:
     """Sizes and times of change of the file and of what lies beside it."""
     found: list[tuple[int, int] | None] = []
-    for sidecar in ("", *SIDECARS[:2]):
+    for sidecar in ("", *LOGS):
         try:
             told = os.stat(f"{place}{sidecar}")
             found.append((told.st_size, told.st_mtime_ns))

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from scanner_core.acquisition.status import FinishReason, ScanCounts
 from scanner_core.case import decoding
-from scanner_core.case.database import CaseDatabase
+from scanner_core.case.database import CaseDatabase, note
 from scanner_core.case.decoding import damaged, text
 from scanner_core.case.moment import now
 from scanner_core.case.observation import MEASURED, ObservationTable, PairTable, StereoObservation
@@ -43,7 +43,9 @@ class ScanTables(CaseDatabase):
                 "INSERT INTO scan (kind, rig_toml, calibration_id, plan_json, started) VALUES (?, ?, ?, ?, ?)",
                 (kind, rig_toml, calibration_id, json.dumps(plan), now()),
             )
-            return int(cursor.lastrowid or 0)
+            number = int(cursor.lastrowid or 0)
+            note(connection, "scan begun", f"scan {number}, {kind}, calibration {calibration_id}")
+            return number
 
     def append(self, scan_id: int, observations: Sequence[StereoObservation]) -> None:
         """Keep observations; once this returns they survive the death of the program and of the machine."""
@@ -66,6 +68,7 @@ class ScanTables(CaseDatabase):
             connection.execute(
                 "UPDATE scan SET ended = ?, finish_reason = ?, counts_json = ? WHERE id = ?", (now(), reason.value, json.dumps(tally), scan_id)
             )
+            note(connection, "scan ended", f"scan {scan_id}, {reason.value}, {counts.measured} measured")
 
     def scans(self) -> list[ScanRecord]:
         """All scans in the order of their beginning."""
@@ -173,6 +176,7 @@ class ScanTables(CaseDatabase):
                 "INSERT INTO registration (scan_id, created, calibration_id, report_json) VALUES (?, ?, ?, ?)",
                 (scan_id, now(), calibration_id, json.dumps(report)),
             )
+            note(connection, "views registered", f"scan {scan_id}, calibration {calibration_id}")
 
     def registrations(self, scan_id: int) -> list[RegistrationRecord]:
         """All registrations of a scan, oldest first."""

@@ -30,9 +30,9 @@ lie in ``CASE-wal`` beside it; at rest it is one single file.
 missing run in one transaction when an older case is opened for writing; one that is opened for reading alone is
 migrated in a private copy.  A program that is older than the file refuses it (E-CASE-03).
 
-*Limits.*  Trigger ids, scans, meshes: 2^63 - 1.  A mesh or deviation: 10^9 bytes compressed (SQLite's largest value),
-some 40 million vertices.  An observation takes 125 bytes at rest, centroids as float64 included (100,000 observations:
-12.5 MB); at most 150 is a test.
+*Limits.*  Trigger ids, scans, meshes: 2^63 - 1.  An array of a mesh, a mask or a deviation: 1 GiB unpacked, the
+coordinates of 45 million vertices.  An observation takes 98 bytes at rest, with its four coordinates as float64
+(100,000 points and 10,000 rejected on top: 9.8 MB); at most 150 a point is a test.
 """
 
 from __future__ import annotations

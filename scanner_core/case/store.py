@@ -10,7 +10,6 @@ from scanner_core.case.reading import open_for_reading
 from scanner_core.case.records import CaseEdit, Order, ScanRecord
 from scanner_core.case.scans import ScanTables
 from scanner_core.case.surfaces import SurfaceTables
-from scanner_core.errors import CaseError, CaseFormatError
 
 __all__ = ["SUFFIX", "CaseEdit", "CaseStore", "Order", "ScanRecord"]
 
@@ -46,17 +45,13 @@ class CaseStore(ScanTables, SurfaceTables):
         ------
         CaseError, CaseFormatError, CaseLockedError
             E-CASE-04 no such file, E-CASE-01 no case or damaged, E-CASE-03 too new, E-CASE-02 open elsewhere.
-        StorageError
-            E-DISK-02 the file or its folder cannot be written.
+        StorageError, InputFileError
+            E-DISK-02 the file or its folder cannot be written, E-FILE-05 it cannot be read.
         """
-        if not path.exists():
-            raise CaseError("E-CASE-04", path=path)
-        if path.is_dir():
-            raise CaseFormatError("E-CASE-01", path=path, reason="it is a folder")
         with connection.sentences(path):
-            connection.check_header(path)
+            header = connection.read_header(path)
             if read_only:
-                return cls(path, *open_for_reading(path), read_only=True)
+                return cls(path, *open_for_reading(path, header), read_only=True)
             mark = connection.claim(path)
             try:
                 opened = connection.connect(path)
@@ -65,8 +60,10 @@ class CaseStore(ScanTables, SurfaceTables):
                 raise
 
             def end() -> None:
-                connection.fold_in(opened)
-                connection.release(mark)
+                try:
+                    connection.fold_in(opened)
+                finally:
+                    connection.release(mark)
 
             return cls(path, opened, end, read_only=False)
 

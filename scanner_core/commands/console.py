@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import sys
 import time
@@ -32,21 +33,19 @@ class Console:
         full = round(_BAR * min(max(fraction, 0.0), 1.0))
         left = "" if seconds_left is None else f"  {clock_text(seconds_left)} left"
         line = f"{phase:<14} [{'#' * full}{'.' * (_BAR - full)}] {100 * fraction:3.0f} %{left}  {note}"
-        sys.stderr.write("\r" + line.ljust(self._width))
-        sys.stderr.flush()
+        _tell("\r" + line.ljust(self._width))
         self._width = len(line)
 
     def clear(self) -> None:
         """Take the progress bar away."""
         if self._terminal and self._width:
-            sys.stderr.write("\r" + " " * self._width + "\r")
-            sys.stderr.flush()
+            _tell("\r" + " " * self._width + "\r")
             self._width = 0
 
     def say(self, line: str) -> None:
         """A line of the log, on standard error."""
         self.clear()
-        print(line, file=sys.stderr, flush=True)
+        _tell(f"{line}\n")
 
     def result(self, values: Mapping[str, object], summary: Sequence[str]) -> None:
         """The command's result: the JSON object, or the lines of the summary."""
@@ -55,6 +54,13 @@ class Console:
             print(json.dumps(values, indent=1, allow_nan=False), flush=True)
         else:
             print("\n".join(summary), flush=True)
+
+
+def _tell(text: str) -> None:
+    """A terminal that was closed meanwhile must not end the work that it watched."""
+    with contextlib.suppress(OSError):
+        sys.stderr.write(text)
+        sys.stderr.flush()
 
 
 def clock_text(seconds: float) -> str:

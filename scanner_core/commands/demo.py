@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import argparse
-from datetime import datetime
 from pathlib import Path
 
+from scanner_core import wall_clock
 from scanner_core.acquisition.calibrating import calibrate_rig
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
@@ -34,12 +34,12 @@ def run(given: argparse.Namespace, console: Console) -> int:
     specimen = specimen_on_table(given, config)
     asked = {name: getattr(given, name) for name in ("views", "points") if getattr(given, name) is not None}
     request = sized_for(PlanRequest(**asked), specimen)
-    disturbances = faults(given, config)
+    to_come = faults(given, config)
     folder = _folder(given.out, specimen.name, given.force)
     with open_rig(config, specimen, given.speed, given.seed) as rig:
         rig.calibration = _calibrate(rig, console)
-        if rig.bench is not None:
-            rig.bench.disturb(disturbances)
+        for fault in to_come:
+            rig.inject(fault)
         with CaseStore.create(folder / CASE) as store:
             store.put_order(Order(number="demo", type=specimen.name))
             scan = run_scan(console, rig, request, store)
@@ -80,7 +80,7 @@ def _calibrate(rig: OpenRig, console: Console) -> StereoCalibration:
 
 def _folder(out: str | None, specimen: str, force: bool) -> Path:
     if out is None:
-        stamp = datetime.now().strftime("%Y%m%d-%H%M%S")
+        stamp = wall_clock.now().strftime("%Y%m%d-%H%M%S")
         folder = Path(f"impronta-{specimen}-{stamp}").resolve()
     else:
         folder = Path(out).resolve()

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core import __version__
+from scanner_core import __version__, wall_clock
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.metrology.certificate_page import BLUE, GREY, HEIGHT_MM, MARGIN_MM, ORANGE, WIDTH_MM, Page, page_style
@@ -45,7 +44,7 @@ def demo_page(values: Mapping[str, Any], cloud: PointCloud, mesh: TriangleMesh) 
     page.heading(f"Report: {values['specimen']}", "Scanned on the virtual rig (simulated light), registered and reconstructed", None)
     page.facts(
         (
-            ("Date", datetime.now().astimezone().isoformat(timespec="seconds").replace("T", " ")),
+            ("Date", wall_clock.stamp().replace("T", " ")),
             ("Program", f"Impronta {__version__}"),
             ("Rig", f"preset '{values['preset']}', virtual"),
             ("Seed", str(values["seed"])),

@@ -33,7 +33,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
 
 
 def _case(path: Path) -> dict[str, object]:
-    with CaseStore.open(path) as store:
+    with CaseStore.open(path, read_only=True) as store:
         scans = [
             {
                 "id": scan.id,

@@ -1,37 +1,71 @@
-"""``impronta scan``: acquire into a new case."""
+"""``impronta scan``: acquire into a new case, or go on with an interrupted one."""
 
 from __future__ import annotations
 
 import argparse
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from scanner_core.acquisition.plan import PlanRequest, read_plan
 from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.acquisition.status import FinishReason
+from scanner_core.case.recovery import Interruption, interruption
 from scanner_core.case.store import CaseStore, Order
 from scanner_core.commands.console import Console
-from scanner_core.commands.scanning import age_warnings, calibrated_rig, faults, run_scan, scan_json, scan_summary, sized_for, specimen_on_table
+from scanner_core.commands.scanning import (
+    age_warnings,
+    calibrated_rig,
+    case_as_found,
+    faults,
+    run_scan,
+    scan_json,
+    scan_summary,
+    sized_for,
+    specimen_on_table,
+)
+from scanner_core.errors import AcquisitionError, UsageError
+from scanner_core.virtual.specimens import Specimen
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
+    if given.resume and (given.plan is not None or given.force):
+        raise UsageError("E-USE-01", what="An interrupted scan goes on with its own plan, in its own case", do="leave --plan and --force away")
     config, calibration = calibrated_rig(given)
     request = PlanRequest() if given.plan is None else read_plan(Path(given.plan))
     specimen = specimen_on_table(given, config) if config.virtual else None
-    disturbances = faults(given, config)
+    to_come = faults(given, config)
     warnings = age_warnings(calibration)
     for warning in warnings:
         console.say(f"Warning: {warning}")
     path = Path(given.out).resolve()
+    with (
+        case_as_found(path, to_come),
+        _case(path, given, specimen) as (store, interrupted),
+        open_rig(config, specimen, given.speed, given.seed, to_come) as rig,
+    ):
+        result = run_scan(console, rig, sized_for(request, specimen), store, interrupted)
+        values = scan_json(result, rig.left.rate_hz, str(path)) | {"warnings": warnings}
+    console.result(values, [*scan_summary(result), f"Kept in {path}."])
+    if result.error is not None:
+        console.say(str(result.error))
+    return {FinishReason.COMPLETED: 0, FinishReason.CANCELLED: 130, FinishReason.FAILED: 1}[result.finish_reason]
+
+
+@contextmanager
+def _case(path: Path, given: argparse.Namespace, specimen: Specimen | None) -> Iterator[tuple[CaseStore, Interruption | None]]:
+    """The case to scan into, and what is to be resumed of it."""
+    if given.resume:
+        with CaseStore.open(path) as store:
+            interrupted = interruption(store)
+            if interrupted is None:
+                raise AcquisitionError("E-SCAN-04", path=path)
+            yield store, interrupted
+        return
     if given.force and path.exists():
         CaseStore.open(path).close()  # refused while another program has it open, or when it is no case
         path.unlink()
     with CaseStore.create(path) as store:
         if specimen is not None:
             store.put_order(Order(type=specimen.name))
-        with open_rig(config, specimen, given.speed, given.seed, disturbances) as rig:
-            result = run_scan(console, rig, sized_for(request, specimen), store)
-            values = scan_json(result, rig.left.rate_hz, str(path)) | {"warnings": warnings}
-    console.result(values, [*scan_summary(result), f"Kept in {path}."])
-    if result.error is not None:
-        console.say(str(result.error))
-    return {FinishReason.COMPLETED: 0, FinishReason.CANCELLED: 130, FinishReason.FAILED: 1}[result.finish_reason]
+        yield store, None

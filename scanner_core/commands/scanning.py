@@ -5,19 +5,24 @@ from __future__ import annotations
 import argparse
 import json
 from collections.abc import Sequence
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
+from pathlib import Path
 
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.acquisition.runner import ScanResult, ScanRunner
 from scanner_core.acquisition.status import ScanState
+from scanner_core.case.recovery import Interruption
 from scanner_core.case.store import CaseStore
 from scanner_core.commands.console import Console
 from scanner_core.devices.rig import RigConfig, load_rig_or_preset
 from scanner_core.errors import CalibrationError, UsageError
 from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.optics.calibration_age import AgeState, calibration_age
-from scanner_core.virtual.disturbances import Disturbance, parse_fault
+from scanner_core.virtual.fault import Fault
+from scanner_core.virtual.faults import parse_fault
+from scanner_core.virtual.host_faults import CaseLocked
 from scanner_core.virtual.presets import GEOMETRIC_TERMS, PRESETS
 from scanner_core.virtual.specimens import Specimen, check_fits, load_specimen
 
@@ -71,11 +76,17 @@ def specimen_on_table(given: argparse.Namespace, rig: RigConfig) -> Specimen:
     return specimen
 
 
-def faults(given: argparse.Namespace, config: RigConfig) -> list[Disturbance]:
+def faults(given: argparse.Namespace, config: RigConfig) -> list[Fault]:
     """What ``--fault`` lets go wrong on the virtual rig; E-USE-01 on hardware."""
     if given.fault and not config.virtual:
         raise UsageError("E-USE-01", what="Faults happen on the virtual rig only", do="leave --fault away")
     return [parse_fault(text) for text in given.fault]
+
+
+def case_as_found(path: Path, to_come: Sequence[Fault]) -> AbstractContextManager[None]:
+    """An existing case as it is found: open in another program where ``case_locked`` is to happen from the first moment on."""
+    locked = any(isinstance(fault, CaseLocked) and fault.at_s == 0.0 for fault in to_come)
+    return CaseLocked.held(path) if locked and path.exists() else nullcontext()
 
 
 def age_warnings(calibration: StereoCalibration) -> list[str]:
@@ -96,9 +107,10 @@ def sized_for(request: PlanRequest, specimen: Specimen | None) -> PlanRequest:
     return replace(request, object_radius_mm=specimen.radius_mm, object_height_mm=specimen.height_mm)
 
 
-def run_scan(console: Console, rig: OpenRig, request: PlanRequest, store: CaseStore) -> ScanResult:
-    """Run a scan to its end, also when Ctrl-C ends it; the result says how it ended."""
-    runner = ScanRunner(rig, request, store)
+def run_scan(console: Console, rig: OpenRig, request: PlanRequest, store: CaseStore, interrupted: Interruption | None = None) -> ScanResult:
+    """Run a scan, or the rest of one, to its end, also when Ctrl-C ends it; the result says how it ended."""
+    rig.concern(store)
+    runner = ScanRunner(rig, request, store, interruption=interrupted)
     runner.start()
     told: set[str] = set()
     while True:
@@ -108,8 +120,8 @@ def run_scan(console: Console, rig: OpenRig, request: PlanRequest, store: CaseSt
                 _warn(console, runner, told)
             break
         except KeyboardInterrupt:
+            runner.cancel()  # first: a terminal that was closed takes no sentence any more
             console.say("Stopping: the laser is off, what was measured is kept.")
-            runner.cancel()
     console.clear()
     _warn(console, runner, told)
     if runner.result is None:
@@ -143,6 +155,8 @@ def scan_json(result: ScanResult, rate_hz: float, case: str) -> dict[str, object
         "registration": None if registration is None else registration.as_dict(),
         "health": result.health.as_dict(),
     }
+    if result.resumed is not None:
+        values["resumed"] = {"points_before": result.resumed}
     if result.error is not None:
         values["error"] = {"code": result.error.code, "sentence": str(result.error)}
     return values
@@ -156,6 +170,8 @@ def scan_summary(result: ScanResult) -> list[str]:
         f"Scan {result.finish_reason.value}: {counts.measured} points of {counts.planned} planned measurements, "
         f"{sum(counts.rejected.values())} rejected ({rejected}), {counts.skipped} skipped.",
     ]
+    if result.resumed is not None:
+        lines.append(f"{result.resumed} of the points were there before the interruption.")
     if result.views is not None:
         said = result.views.registration
         lines.append(f"Views registered: residual {said.residual_before_um:.1f} um before, {said.residual_after_um:.1f} um after the refinement.")

@@ -24,7 +24,7 @@ from scanner_core.virtual.specimens import Specimen
 
 def run(given: argparse.Namespace, console: Console) -> int:
     config, calibration = calibrated_rig(given)
-    disturbances = faults(given, config)
+    to_come = faults(given, config)
     measure = _planned(given, config)
     conditions = Conditions(tuple(given.without), tuple(given.fault), given.specimen if given.test == "sphere" and config.virtual else None)
     warnings = age_warnings(calibration)
@@ -33,7 +33,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
     )
     for warning in warnings:
         console.say(f"Warning: {warning}")
-    with open_rig(config, None, given.speed, given.seed, disturbances) as rig:
+    with open_rig(config, None, given.speed, given.seed, to_come) as rig:
         try:
             outcome = measure(rig, Bar(console, given.test))
         finally:

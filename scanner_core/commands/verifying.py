@@ -6,11 +6,10 @@ import json
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from datetime import datetime
 from pathlib import Path
 from typing import TypeVar
 
-from scanner_core import __version__
+from scanner_core import __version__, wall_clock
 from scanner_core.commands.console import Console
 from scanner_core.devices.rig import RigConfig
 from scanner_core.errors import ImprontaError, StorageError
@@ -252,4 +251,4 @@ class Session:
 
 
 def _now() -> str:
-    return datetime.now().astimezone().isoformat(timespec="seconds")
+    return wall_clock.stamp()

@@ -27,7 +27,7 @@ class MotionStatus:
     """The controller's own report.
 
     `laser_power` is the spindle value of the report's FS field (0 = off): what the controller drives, not what it
-    was asked for.  `time_s` is on the rig's clock.
+    was asked for.  `time_s` is on the rig's clock, `heard_s` is ``time.monotonic()`` when it came.
     """
 
     state: MotionState
@@ -36,6 +36,7 @@ class MotionStatus:
     table_deg: float
     laser_power: float
     time_s: float
+    heard_s: float = 0.0
 
 
 class MotionController(Protocol):
@@ -64,6 +65,11 @@ class MotionController(Protocol):
         """Turn the table, laser dark; returns when it is there."""
         ...
 
+    @property
+    def needs_homing(self) -> bool:
+        """It can find its reference position, and has not since it was opened or forgot where it is."""
+        ...
+
     def home(self) -> None:
         """Find the reference position."""
         ...
@@ -74,6 +80,11 @@ class MotionController(Protocol):
 
     def status(self) -> MotionStatus:
         """Ask the controller."""
+        ...
+
+    @property
+    def newest(self) -> MotionStatus | None:
+        """The last report that came, whoever asked for it; from any thread, asks nothing, may be old."""
         ...
 
     def stop(self) -> None:

@@ -27,6 +27,9 @@ CANCEL_GRACE_S = 0.7
 _TRIES = 2
 """Children that a job is given to until one of them begins it."""
 
+begun_watchers: list[Callable[[int], None]] = []
+"""Each is told the process id of every child that begins a job, in a listener thread; it must return quickly."""
+
 OnEvent = Callable[[JobEvent], None]
 
 
@@ -252,6 +255,9 @@ class Worker:
             self._ready = True
         elif isinstance(message, Begun) and current is not None and message.number == current.number:
             current.begun, current.request = True, None
+            for watcher in tuple(begun_watchers):
+                if self.pid is not None:
+                    watcher(self.pid)
         elif isinstance(message, Told) and current is not None and message.number == current.number:
             if isinstance(message.event, JobProgress):
                 current.phase = message.event.progress.phase

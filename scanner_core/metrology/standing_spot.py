@@ -32,6 +32,8 @@ Array = NDArray[np.float64]
 _BLOCK_S = 10.0
 """Of the rig's time; a block is over long before the controller's timer switches the laser off."""
 
+_STATUS_PERIOD_S = 0.2
+
 OnPairs = Callable[[int], None]
 """Told how many pairs were evaluated since the last call."""
 
@@ -81,6 +83,7 @@ class StandingSpot:
         self._next_id = 0
         self._stay = -1
         self._never = threading.Event()
+        self._asked_s = 0.0
 
     def observe(self, record: SpotRecord, place: int, x_deg: float, y_deg: float, count: int, told: OnPairs) -> None:
         """Point the beam and add `count` pairs to the record; the laser is off afterwards, also when it was interrupted."""
@@ -105,9 +108,18 @@ class StandingSpot:
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
         self.close()
 
+    def _look_after(self) -> None:
+        """A lit laser wants to be asked about: an open lid, a lost controller and an owner that hangs are noticed by that."""
+        if time.monotonic() - self._asked_s > _STATUS_PERIOD_S:
+            self._confirm()
+
+    def _confirm(self) -> None:
+        self._rig.motion.status()
+        self._asked_s = time.monotonic()
+
     def _expose(self, record: SpotRecord, place: int, row: Row, told: OnPairs) -> None:
         self._next_id += row.count
-        scan = RowScan(self._captures[0], self._captures[1], row, self._rig.clock.now_s(), self._never, lambda: None)
+        scan = RowScan(self._captures[0], self._captures[1], row, self._rig.clock.now_s(), self._never, self._look_after, self._confirm)
         told_s, waiting = time.monotonic(), 0
         try:
             for pairs in scan.batches():

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from enum import Enum
 
+from scanner_core import wall_clock
 from scanner_core.optics.calibration import StereoCalibration
 
 EXPIRING = 0.2
@@ -54,7 +55,7 @@ def calibration_age(calibration: StereoCalibration, now: datetime | None = None)
         When the calibration's date is no ISO 8601 date.
     """
     made = datetime.fromisoformat(calibration.date).astimezone()
-    days = max(0.0, ((now or datetime.now().astimezone()) - made).total_seconds() / 86400)
+    days = max(0.0, ((now or wall_clock.now()) - made).total_seconds() / 86400)
     left = calibration.valid_days - days
     state = AgeState.EXPIRED if left < 0 else AgeState.EXPIRING if left < EXPIRING * calibration.valid_days else AgeState.VALID
     return CalibrationAge(days, left, state)

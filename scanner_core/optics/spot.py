@@ -19,6 +19,7 @@ class MissReason(Enum):
     CUT_BY_EDGE = "cut_by_edge"
     AMBIGUOUS = "ambiguous"
     TOO_BRIGHT = "too_bright"
+    TORN = "torn"
 
 
 class Spot(NamedTuple):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import threading
 from collections import OrderedDict
-from collections.abc import Iterable
 from dataclasses import replace
 from typing import Literal
 
@@ -18,9 +17,10 @@ from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.board import DEFAULT_BAR, DEFAULT_TARGET, CharucoTarget, LengthBar
 from scanner_core.optics.calibration import StereoCalibration, TurntableAxis
 from scanner_core.optics.camera_model import CameraModel
+from scanner_core.virtual.bench_faults import BenchFault, ShinyPatch
 from scanner_core.virtual.board import BoardRenderer, flat_on_table, operator_poses
 from scanner_core.virtual.camera import VirtualCamera
-from scanner_core.virtual.disturbances import Disturbance, Disturbed, SlippingTable
+from scanner_core.virtual.disturbed import Disturbed, SlippingTable
 from scanner_core.virtual.exposure import Exposure, Shutter
 from scanner_core.virtual.image_formation import ImageSensor
 from scanner_core.virtual.mechanics import PlayTimeline, warm_up_px
@@ -75,6 +75,7 @@ class VirtualBench:
         self._bar_shown = False
         self._shutter = Shutter(preset, seed)
         self._scene = Scene(preset, specimen)
+        self._wet: tuple[ShinyPatch, Scene] | None = None
         self._lock = threading.Lock()
         self._exposures: OrderedDict[tuple[float, float], Exposure] = OrderedDict()
         self._board: RigidTransform | Literal["table"] | None = None
@@ -99,15 +100,15 @@ class VirtualBench:
         return VirtualCamera(side, index, p.cameras[index].size_px, p.rate_hz, p.exposure_ms, self._clock, self, transfer_frames, self._disturbed)
 
     # ------------------------------------------------------------------------------------------ a person's operations
-    def disturb(self, disturbances: Iterable[Disturbance]) -> None:
-        """Let these things go wrong, at their times from now on; an empty list puts everything right again."""
-        self._disturbed.happen(disturbances, self._clock.now_s())
+    def let_happen(self, fault: BenchFault) -> None:
+        """Let something go wrong, at its time on the rig's clock."""
+        self._disturbed.let_happen(fault)
 
     def change_specimen(self, specimen: Specimen | None) -> None:
         """Put something else on the table, or nothing."""
         scene = Scene(self.preset, specimen)
         with self._lock:
-            self._scene = scene
+            self._scene, self._wet = scene, None
             self._exposures.clear()
 
     def show_board(self, pose: RigidTransform | None) -> None:
@@ -163,11 +164,19 @@ class VirtualBench:
         instant = (start_s, exposure_ms)
         exposure = self._exposures.get(instant)
         if exposure is None:
-            exposure = self._shutter.expose(self._scene, self._timeline, start_s, exposure_ms)
+            exposure = self._shutter.expose(self._scene_at(start_s), self._timeline, start_s, exposure_ms)
             self._exposures[instant] = exposure
             if len(self._exposures) > _REMEMBERED:
                 self._exposures.popitem(last=False)
         return exposure
+
+    def _scene_at(self, time_s: float) -> Scene:
+        patch = self._disturbed.shiny(time_s)
+        if patch is None:
+            return self._scene
+        if self._wet is None or self._wet[0] is not patch:
+            self._wet = patch, Scene(self.preset, self._scene.specimen, patch)
+        return self._wet[1]
 
     def _board_signal(self, index: int, time_s: float) -> NDArray[np.float32]:
         board = self._board

@@ -11,11 +11,14 @@ from numpy.typing import NDArray
 
 from scanner_core.clock import Clock, Pacer
 from scanner_core.devices.camera import Frame, Trigger
-from scanner_core.errors import DeviceClosedError
-from scanner_core.virtual.disturbances import Disturbed
+from scanner_core.errors import DeviceClosedError, DeviceLostError, DeviceTimeoutError
+from scanner_core.virtual.disturbed import Disturbed
 
 BUFFER_FRAMES = 16
 """Exposures that the camera holds for a slow reader; older ones are lost."""
+GRAB_S = 2.0
+"""After which a single frame that does not come is given up."""
+_POLL_S = 0.05
 
 
 class Exposer(Protocol):
@@ -30,7 +33,7 @@ class VirtualCamera:
     Exposure k of a run begins at ``start_s + k / rate``; its frame is there when it ends.  The camera joins the clock when
     it is armed and leaves it after the last frame, when the run is stopped and when it is closed.  A reader that falls
     behind by more than :data:`BUFFER_FRAMES` loses the oldest frames; `dropped` counts them.  Frames leave the camera
-    `transfer_frames` at a time, as the driver of a fast camera hands them over.
+    `transfer_frames` at a time, as the driver of a fast camera hands them over.  `disturbed` knows what befalls it.
     """
 
     def __init__(
@@ -54,6 +57,7 @@ class VirtualCamera:
         self._run: tuple[Trigger, Pacer, int] | None = None
         self._runs = 0
         self._grabs = 0
+        self._last: NDArray[np.uint8] | None = None
         self._closed = threading.Event()
         self.dropped = 0
 
@@ -103,16 +107,24 @@ class VirtualCamera:
         trigger, pacer, number = run
         try:
             k = there = 0
+            delay_s = 0.0
             while k < trigger.count:
                 exposure_s = 1e-3 * self._exposure_ms
                 start_s = trigger.start_s + k / self._rate_hz
                 if k >= there:
                     there = min(k + self._transfer_frames, trigger.count)
                     last_s = trigger.start_s + (there - 1) / self._rate_hz
-                    pacer.wait_until(last_s + exposure_s + max(0.0, self._late_s(last_s)), stop)
+                    delay_s = self._delay_s(last_s)
+                    pacer.wait_until(last_s + exposure_s + max(0.0, self._late_s(last_s)) + delay_s, stop)
                 if stop.is_set() or self._closed.is_set():
                     break
-                behind = int((self._clock.now_s() - start_s - exposure_s) * self._rate_hz + 1e-6)
+                self._ensure_plugged(start_s + exposure_s)
+                if self._stalled(start_s + exposure_s):
+                    pacer.close()  # time goes on without it
+                    while not (stop.wait(_POLL_S) or self._closed.is_set()):
+                        continue
+                    break
+                behind = int((self._clock.now_s() - start_s - exposure_s - delay_s) * self._rate_hz + 1e-6)
                 room = BUFFER_FRAMES + self._transfer_frames - 1
                 if behind >= room:
                     lost = min(behind - room + 1, trigger.count - k)
@@ -135,6 +147,9 @@ class VirtualCamera:
         self._ensure_open()
         self._grabs += 1
         start_s = self._clock.now_s()
+        if self._stalled(start_s):
+            self._clock.wait_until(start_s + GRAB_S)
+            raise DeviceTimeoutError("E-CAM-01", camera=self._name, seconds=f"{GRAB_S:.0f}")
         self._clock.wait_until(start_s + 1e-3 * self._exposure_ms)
         return self._frame(start_s, self._grabs, (1 << 60) + self._grabs)
 
@@ -153,8 +168,25 @@ class VirtualCamera:
         gain = 10 ** (self._gain_db / 20)
         late_s = self._late_s(start_s)
         image = self._exposer.image(self._index, start_s + late_s, self._exposure_ms, gain, key)
+        if self._disturbed is not None and self._disturbed.tears(self._index, start_s, key):
+            self._tear(image, key)
+        self._last = image
         stamped_s = 0.0 if self._disturbed is None or not self._disturbed.stamped(self._index, start_s) else late_s
         return Frame(image, trigger_id, start_s + stamped_s + 0.5e-3 * self._exposure_ms, self._name)
+
+    def _tear(self, image: NDArray[np.uint8], key: int) -> None:
+        """Below its middle it shows the frame before, or what happened to stand in the driver's memory."""
+        below = image[image.shape[0] // 2 :]
+        if key & 1 and self._last is not None:
+            below[:] = self._last[image.shape[0] // 2 :]
+        else:
+            below[:] = np.random.default_rng(key).integers(0, 256, below.shape, np.uint8)
+
+    def _delay_s(self, start_s: float) -> float:
+        return 0.0 if self._disturbed is None else self._disturbed.delay_s(self._index, start_s)
+
+    def _stalled(self, time_s: float) -> bool:
+        return self._disturbed is not None and self._disturbed.stalled(self._index, time_s)
 
     def _late_s(self, start_s: float) -> float:
         return 0.0 if self._disturbed is None else self._disturbed.late_s(self._index, start_s, 1.0 / self._rate_hz)
@@ -168,3 +200,8 @@ class VirtualCamera:
     def _ensure_open(self) -> None:
         if self._closed.is_set():
             raise DeviceClosedError("E-CAM-03", camera=self._name)
+        self._ensure_plugged(self._clock.now_s())
+
+    def _ensure_plugged(self, time_s: float) -> None:
+        if self._disturbed is not None and self._disturbed.unplugged(self._index, time_s):
+            raise DeviceLostError("E-CAM-02", camera=self._name)

@@ -18,6 +18,8 @@ from collections import deque
 from collections.abc import Generator
 
 from scanner_core.clock import Clock
+from scanner_core.virtual.controller_faults import ControllerFault
+from scanner_core.virtual.fault_schedule import FaultSchedule
 from scanner_core.virtual.firmware_interpreter import Interpreter
 from scanner_core.virtual.firmware_parser import GrblRefusal, Modal
 from scanner_core.virtual.firmware_planner import Planner
@@ -26,6 +28,7 @@ from scanner_core.virtual.firmware_settings import FirmwareSettings
 from scanner_core.virtual.firmware_state import Abort, MachineState, Wait
 from scanner_core.virtual.firmware_trajectory import Position, Timeline
 from scanner_core.virtual.motion_state import MotionInstant
+from scanner_core.virtual.wire import Wire
 
 _RECEIVE_BUFFER = 128
 _LINE_LIMIT = 79
@@ -48,16 +51,18 @@ class Firmware:
         self._byte_s = 10.0 / self.settings.baud
         self._arriving: deque[tuple[float, bytes]] = deque()
         self._received = bytearray()
-        self._leaving: deque[tuple[float, bytes]] = deque()
-        self._line_free_s = self._wire_free_s = now_s
+        self.wire = Wire(self._byte_s, now_s)
+        self._wire_free_s = now_s
         self._event_s = now_s
+        self._advancing = False
+        self._faults = FaultSchedule(self)
         self._boot_end_s = math.inf
         self._program: Generator[Wait | float] | None = None
         self._waits_for: Wait | float = Wait.IDLE
         self._dead = False  # critical alarm: nothing but a reset gets through
         self._reports = 0
         self._silent = False  # booting, or frozen
-        self.plugged = True
+        self._plugged = True
         self._boot()
 
     # ------------------------------------------------------------------------------------------ the port's side
@@ -65,7 +70,7 @@ class Firmware:
         """A host opened the port: DTR resets the board."""
         with self._lock:
             self._advance()
-            self._leaving.clear()
+            self.wire.clear()
             if self.settings.resets_on_connect:
                 self._power_cycle(lose_position=not self.settings.position_survives_reset)
 
@@ -84,28 +89,20 @@ class Firmware:
         """Up to `size` bytes that have reached the host by now (None = all)."""
         with self._lock:
             self._advance()
-            now_s, out = self.clock.now_s(), bytearray()
-            while self._leaving and self._leaving[0][0] <= now_s and (size is None or len(out) < size):
-                at_s, chunk = self._leaving.popleft()
-                room = len(chunk) if size is None else size - len(out)
-                out += chunk[:room]
-                if chunk[room:]:
-                    self._leaving.appendleft((at_s, chunk[room:]))
-            return bytes(out)
+            return self.wire.receive(self.clock.now_s(), size)
 
     @property
     def in_waiting(self) -> int:
         """Bytes that :meth:`read` would give now."""
         with self._lock:
             self._advance()
-            now_s = self.clock.now_s()
-            return sum(len(chunk) for at_s, chunk in self._leaving if at_s <= now_s)
+            return self.wire.waiting(self.clock.now_s())
 
     def next_event_s(self) -> float:
         """When something will be emitted or change by itself; inf = never."""
         with self._lock:
             self._advance()
-            return min(self._next_internal_s(), self._leaving[0][0] if self._leaving else math.inf)
+            return min(self._next_internal_s(), self.wire.next_s())
 
     # ------------------------------------------------------------------------------------------ the scene's side
     def instant(self, time_s: float) -> MotionInstant:
@@ -124,18 +121,31 @@ class Firmware:
             return [entry for entry in self._timeline.laser_log if entry[0] <= now_s]
 
     # ------------------------------------------------------------------------------------------ what happens to a board
+    def let_happen(self, fault: ControllerFault) -> None:
+        """Let `fault` strike at its time on the rig's clock."""
+        with self._lock:
+            self._advance()
+            self._faults.add(fault, self._event_s)
+
     def power_cycle(self) -> None:
         """It restarts by itself (a brown-out): the position is forgotten, the mechanics stay where they are."""
         with self._lock:
             self._advance()
             self._power_cycle(lose_position=True)
 
+    @property
+    def plugged(self) -> bool:
+        """Whether the cable is on."""
+        with self._lock:
+            self._advance()
+            return self._plugged
+
     def unplug(self) -> None:
         """The cable comes off; the board goes on."""
-        self.plugged = False
+        self._plugged = False
 
     def plug(self) -> None:
-        self.plugged = True
+        self._plugged = True
 
     def freeze(self) -> None:
         """The board's processor hangs: nothing is answered any more, motion and laser stay as they are until a power cycle."""
@@ -143,18 +153,31 @@ class Firmware:
             self._advance()
             self._silent, self._boot_end_s = True, math.inf
 
+    def press_reset(self) -> None:
+        """The reset button: as a reset by the host, ALARM:3 in motion."""
+        with self._lock:
+            self._advance()
+            if not self._silent:
+                self._reset(self._event_s)
+
     def trip_limit(self) -> None:
         """An axis runs into its limit switch: ALARM:1, and nothing but a reset gets through."""
         with self._lock:
             self._advance()
             self._critical_alarm(1)
 
+    def leave_travel(self) -> None:
+        """A target seems to lie beyond the travel of its axis (soft limits): ALARM:2, and nothing but a reset gets through."""
+        with self._lock:
+            self._advance()
+            self._critical_alarm(2)
+
     def open_door(self) -> None:
         """The safety door opens: motion stops, then the laser goes dark; held open until :meth:`close_door`."""
         with self._lock:
             self._advance()
             self._machine.door_ajar = True
-            self._machine.open_door(self.clock.now_s())
+            self._machine.open_door(self._event_s)
 
     def close_door(self) -> None:
         """Ready for ``~``."""
@@ -164,24 +187,34 @@ class Firmware:
 
     # ------------------------------------------------------------------------------------------ events in order of time
     def _advance(self) -> None:
-        now_s = self.clock.now_s()
-        while (due_s := self._next_internal_s()) <= now_s:
-            self._event_s = time_s = max(due_s, self._event_s)
-            if due_s == self._boot_end_s:
-                self._wake(time_s)
-            elif self._arriving and due_s == self._arriving[0][0]:
-                self._receive(time_s, self._arriving.popleft()[1])
-            elif due_s == self._machine.planner.end_s:
-                self._machine.finish_motion(time_s)
-            self._run_program(time_s)
-        self._event_s = now_s
+        if self._advancing:  # a fault that strikes now
+            return
+        self._advancing = True
+        try:
+            now_s = self.clock.now_s()
+            while (due_s := self._next_internal_s()) <= now_s:
+                self._event_s = time_s = max(due_s, self._event_s)
+                if due_s == self._boot_end_s:
+                    self._wake(time_s)
+                elif self._arriving and due_s == self._arriving[0][0]:
+                    self._receive(time_s, self._arriving.popleft()[1])
+                elif due_s == self._machine.planner.end_s:
+                    self._machine.finish_motion(time_s)
+                elif due_s == self._faults.next_s():
+                    self._faults.happen(time_s, self._machine.planner.moving)
+                self._run_program(time_s)
+                if self._machine.planner.moving:
+                    self._faults.aim(time_s, self._machine.planner.end_s)
+            self._event_s = now_s
+        finally:
+            self._advancing = False
 
     def _next_internal_s(self) -> float:
         arriving = self._arriving[0][0] if self._arriving else math.inf
         waiting = math.inf
         if isinstance(self._waits_for, float) and self._program is not None and not self._halted:
             waiting = self._waits_for
-        return min(arriving, self._machine.planner.end_s, self._boot_end_s, waiting)
+        return min(arriving, self._machine.planner.end_s, self._boot_end_s, waiting, self._faults.next_s())
 
     @property
     def _halted(self) -> bool:
@@ -190,7 +223,7 @@ class Firmware:
 
     def _boot(self) -> None:
         self._silent = True
-        self._boot_end_s = self.clock.now_s() + self.settings.boot_s
+        self._boot_end_s = self._event_s + self.settings.boot_s
 
     def _wake(self, time_s: float) -> None:
         self._boot_end_s = math.inf
@@ -198,7 +231,7 @@ class Firmware:
         self._greet(time_s)
 
     def _power_cycle(self, *, lose_position: bool) -> None:
-        now_s = self.clock.now_s()
+        now_s = self._event_s
         self._machine.planner.abort(now_s)
         self._machine.restart(now_s, lose_position=lose_position)
         self._forget_input()
@@ -253,7 +286,9 @@ class Firmware:
         self._greet(time_s)
 
     def _critical_alarm(self, number: int) -> None:
-        time_s = self.clock.now_s()
+        if self._silent:
+            return
+        time_s = self._event_s
         self._machine.planner.abort(time_s)
         self._machine.alarm()
         self._forget_input()
@@ -313,8 +348,7 @@ class Firmware:
     # ------------------------------------------------------------------------------------------ answers
     def _say(self, time_s: float, *lines: str) -> None:
         chunk = "".join(f"{line}\r\n" for line in lines).encode("ascii")
-        self._line_free_s = max(self._line_free_s, time_s) + len(chunk) * self._byte_s
-        self._leaving.append((self._line_free_s, chunk))
+        self.wire.send(time_s, chunk)
 
     def _report(self, time_s: float) -> None:
         sample = self._timeline.at(time_s)

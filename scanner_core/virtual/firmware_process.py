@@ -24,6 +24,7 @@ from dataclasses import asdict, replace
 from typing import Any
 
 from scanner_core.clock import ScaledClock
+from scanner_core.virtual.controller_faults import CONTROLLER_FAULTS
 from scanner_core.virtual.firmware import Firmware
 from scanner_core.virtual.firmware_settings import FirmwareSettings
 
@@ -50,6 +51,8 @@ class FirmwareServer:
             for key, _ in self._selector.select(min(max(0.0, left_s), _LONGEST_WAIT_S)):
                 key.data()
             self._send_answers()
+            if not self._firmware.plugged:
+                self._let_go()
 
     def _serve(self, port: int, accept: Callable[[socket.socket], None]) -> int:
         listener = socket.create_server((_HOST, port))
@@ -58,7 +61,7 @@ class FirmwareServer:
 
     # ------------------------------------------------------------------------------------------ serial side
     def _accept_host(self, connection: socket.socket) -> None:
-        if self._host is not None:
+        if self._host is not None or not self._firmware.plugged:
             connection.close()
             return
         self._prepare(connection)
@@ -74,8 +77,13 @@ class FirmwareServer:
         if chunk:
             self._firmware.write(chunk)
         else:
-            self._selector.unregister(connection)
-            connection.close()
+            self._let_go()
+
+    def _let_go(self) -> None:
+        """The host is gone, or the cable is off."""
+        if self._host is not None:
+            self._selector.unregister(self._host)
+            self._host.close()
             self._host = None
 
     def _send_answers(self) -> None:
@@ -119,6 +127,9 @@ class FirmwareServer:
             if question.get("happen") in _EVENTS:
                 getattr(self._firmware, question["happen"])()
                 return {"happened": question["happen"]}
+            if question.get("fault") in CONTROLLER_FAULTS:
+                self._firmware.let_happen(type(CONTROLLER_FAULTS[question["fault"]])(**question["values"]))
+                return {"fault": question["fault"]}
         except (ValueError, KeyError, TypeError, AttributeError) as fault:
             return {"error": f"{type(fault).__name__}: {fault}"}
         return {"error": "ask instant, laser_log or clock"}

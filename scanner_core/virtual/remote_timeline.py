@@ -5,10 +5,12 @@ from __future__ import annotations
 import json
 import socket
 import threading
+from dataclasses import asdict
 from typing import Any
 
 from scanner_core.clock import ScaledClock
 from scanner_core.errors import DeviceLostError
+from scanner_core.virtual.controller_faults import ControllerFault
 from scanner_core.virtual.motion_state import MotionInstant
 
 _TIMEOUT_S = 5.0
@@ -47,6 +49,10 @@ class RemoteTimeline:
     def happen(self, event: str) -> None:
         """Let something happen to the board: ``open_door``, ``close_door``, ``trip_limit``, ``power_cycle``, ``freeze``."""
         self._ask(happen=event)
+
+    def let_happen(self, fault: ControllerFault) -> None:
+        """Let `fault` strike the board at its time on :attr:`clock`."""
+        self._ask(fault=fault.name, values=asdict(fault))
 
     def close(self) -> None:
         self._answers.close()

@@ -17,6 +17,7 @@ from vtkmodules.vtkCommonCore import reference
 from vtkmodules.vtkCommonDataModel import vtkGenericCell, vtkStaticCellLocator
 
 from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.virtual.bench_faults import ShinyPatch
 from scanner_core.virtual.motion_state import MotionInstant
 from scanner_core.virtual.presets import VirtualPreset
 from scanner_core.virtual.specimens.specimen import Specimen, poly_data
@@ -56,10 +57,11 @@ _HEXAGON = 7
 
 
 class Scene:
-    """The specimen on the table, under the beam and before the cameras."""
+    """The specimen on the table, under the beam and before the cameras; `patch` is a place where it is wet."""
 
-    def __init__(self, preset: VirtualPreset, specimen: Specimen | None) -> None:
+    def __init__(self, preset: VirtualPreset, specimen: Specimen | None, patch: ShinyPatch | None = None) -> None:
         self.specimen = specimen
+        self._patch = None if patch is None or specimen is None else (_patch_centre(specimen, patch), patch)
         self._preset = preset
         self._surface = None if specimen is None else _Surface(specimen)
         self._eyes_table = np.stack([camera.centre_mm() for camera in preset.cameras])
@@ -119,12 +121,20 @@ class Scene:
             return None
         weight = np.array(shares)
         centre: Array = weight @ np.array(points) / weight.sum()
-        stray = self._stray(np.array(points[len(points) // 2]), np.array(normals[len(points) // 2]), direction)
-        if stray is not None:
-            point, normal, albedo = stray
-            points.append(point)
-            normals.append(normal)
-            shares.append(self._preset.specular * albedo)
+        mirrored = self._preset.specular
+        if self._patch is not None:
+            middle, patch = self._patch
+            away_mm = float(np.linalg.norm(centre - middle))
+            mirrored = patch.mirrored if away_mm < patch.radius_mm else mirrored
+            if away_mm < 0.5 * patch.radius_mm:
+                shares = [share * patch.glare for share in shares]
+        if mirrored > 0:
+            stray = self._stray(np.array(points[len(points) // 2]), np.array(normals[len(points) // 2]), direction)
+            if stray is not None:
+                point, normal, albedo = stray
+                points.append(point)
+                normals.append(normal)
+                shares.append(mirrored * albedo)
         where, up = np.array(points), np.array(normals)
         return Footprint(where, up, np.array(shares), self._seen(where, up, eyes), centre)
 
@@ -148,7 +158,7 @@ class Scene:
 
     def _stray(self, point: Array, normal: Array, direction: Array) -> tuple[list[float], list[float], float] | None:
         """Where the mirrored part of the light hits again; the matt table mirrors nothing."""
-        if self._preset.specular <= 0 or point[2] <= 0:
+        if point[2] <= 0:
             return None
         mirrored = direction - 2 * (direction @ normal) * normal
         return self._first_hit((point + _LIFT_MM * normal).tolist(), mirrored.tolist())
@@ -190,6 +200,16 @@ class _Surface:
     def meets(self, start: list[float], end: list[float]) -> bool:
         """Whether the surface meets the segment."""
         return bool(self._locator.IntersectWithLine(start, end, 0.0, self._t, self._point, self._parametric, self._sub, self._id, self._cell))
+
+
+def _patch_centre(specimen: Specimen, patch: ShinyPatch) -> Array:
+    """(3,) mm: the surface's vertex farthest towards the patch's azimuth, near half the height."""
+    vertices = specimen.mesh.vertices
+    middle = 0.5 * (vertices[:, 2].min() + vertices[:, 2].max())
+    belt = vertices[np.abs(vertices[:, 2] - middle) < 0.1 * np.ptp(vertices[:, 2])]
+    towards = radians(patch.azimuth_deg)
+    centre: Array = belt[np.argmax(belt @ [cos(towards), sin(towards), 0.0])] if len(belt) else vertices.mean(axis=0)
+    return centre
 
 
 def _beam_nodes(preset: VirtualPreset) -> tuple[Array, Array]:

@@ -56,6 +56,22 @@ def bench(request: pytest.FixtureRequest, remote_bench: Bench) -> Iterator[Bench
         yield Bench(here.open, here.clock, firmware, lambda: firmware.laser_log, lambda event: getattr(firmware, event)())
 
 
+def test_homing_is_needed_until_it_was_done_and_again_after_a_reset(bench: Bench) -> None:
+    with bench.open() as controller:
+        assert controller.needs_homing
+        controller.home()
+        assert not controller.needs_homing
+        controller.stop()
+        assert controller.recover()
+        assert not controller.needs_homing  # a stop at rest loses nothing
+        bench.happen("power_cycle")
+        bench.clock.sleep(1.0)
+        with pytest.raises(DeviceLostError):
+            controller.aim(1.0, 1.0)
+        controller.recover()
+        assert controller.needs_homing
+
+
 def test_aim_arrives_dark(bench: Bench) -> None:
     with bench.open() as controller:
         changes = len(bench.laser_log())

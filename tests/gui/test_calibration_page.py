@@ -10,7 +10,7 @@ from typing import Any, cast
 
 import numpy as np
 import pytest
-from PySide6.QtWidgets import QApplication, QFileDialog, QPushButton
+from PySide6.QtWidgets import QApplication, QPushButton
 
 from app.background import Background
 from app.controllers.calibration import BoardLook
@@ -21,6 +21,7 @@ from app.views.board_watch_view import BoardWatchView
 from app.views.calibrating_panel import CalibratingPanel
 from app.views.calibration_panel import CalibrationPanel
 from app.views.coverage_map import CoverageMap
+from app.views.file_dialogs import FileDialog
 from app.views.rig_page import RigPage
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.devices.camera import Frame
@@ -273,11 +274,14 @@ def test_cancel_keeps_the_calibration_in_use(program: Program) -> None:
 
 
 # ------------------------------------------------------------------------------------------ the target
-def test_the_target_is_written_and_told(rig: RigController, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_target_is_written_and_told(rig: RigController, tmp_path: Path) -> None:
     panel = CalibrationPanel(rig)
-    chosen = tmp_path / "target"
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(chosen), ""))
     next(made for made in panel.findChildren(QPushButton) if made.text() == "Print the target…").click()
+    dialog = panel.findChild(FileDialog)
+    assert isinstance(dialog, FileDialog)
+    dialog.setDirectory(str(tmp_path))
+    dialog.selectFile("target")
+    dialog.accept()
     assert rig.target.busy
     _until_written(rig)
     assert (tmp_path / "target.pdf").read_bytes().startswith(b"%PDF")

@@ -9,6 +9,7 @@ import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
+from app.controllers.emission import Emission
 from app.program import Program
 from app.views.export_page import ExportPage
 from scanner_core.acquisition.status import FinishReason
@@ -42,7 +43,7 @@ def test_from_the_order_to_an_stl(program: Program, tmp_path: Path) -> None:
     counts = result.counts
     assert counts.planned == counts.measured + sum(counts.rejected.values()) + counts.skipped
     assert len(scene.cloud) == counts.measured >= 0.9 * POINTS
-    assert not services.rig.snapshot.laser_on
+    assert services.rig.emission is Emission.DARK
 
     QTest.keyClick(window, Qt.Key.Key_F7)
     until(lambda: services.reconstruction.shown_triangles, 60, "the inflating surface")

@@ -13,6 +13,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from app.controllers.case import free_case_path, read_case_name
+from app.controllers.emission import Emission
 from app.draft import DraftValues
 from app.program import Program
 from app.views.pages import PAGES
@@ -35,6 +36,7 @@ import sys, time
 from pathlib import Path
 from app.main import make_application
 from app.controllers.case import free_case_path, read_case_name
+from app.controllers.emission import Emission
 from app.draft import DraftValues
 from app.program import Program
 
@@ -84,7 +86,7 @@ def test_escape_ends_a_scan_from_another_page_and_the_counts_balance(program: Pr
     counts = result.counts
     assert counts.measured > 50
     assert counts.planned == counts.measured + sum(counts.rejected.values()) + counts.skipped
-    assert not services.rig.snapshot.laser_on
+    assert services.rig.emission is Emission.DARK
     assert services.case.path is not None
 
 

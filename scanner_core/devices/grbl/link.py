@@ -8,14 +8,17 @@ noticed yet cannot start the next move.
 from __future__ import annotations
 
 import threading
+import time
 from collections import deque
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from enum import Enum
 
 from scanner_core.clock import Clock
 from scanner_core.devices.grbl.line_buffer import LineBuffer
-from scanner_core.devices.grbl.lines import Alarm, Banner, Line, Ok, Refusal, Report, parse_line
+from scanner_core.devices.grbl.lines import Alarm, Banner, Line, Ok, Other, Refusal, Report, parse_line
 from scanner_core.devices.grbl.meanings import LOCKED, alarm_meaning, refusal_meaning
+from scanner_core.devices.laser_safety import UNWATCHED_S, Darkened
 from scanner_core.devices.motion import MotionState
 from scanner_core.devices.serial_port import BytePort
 from scanner_core.errors import (
@@ -33,9 +36,11 @@ ANSWER_S = 2.0
 
 _SLICE_S = 0.2
 _ALIVE_PERIOD_S = 0.5
+_AGAIN_S = 0.4
+"""After so much silence a question that costs nothing is asked again."""
 _QUIET_S = 0.1
 _TRANSCRIPT_LINES = 200
-_LOCKED_NUMBER = 9
+_LOCKED_NUMBER, _DOOR_NUMBER = 9, 13
 
 
 class Halt(Enum):
@@ -43,7 +48,6 @@ class Halt(Enum):
 
     STOPPED = "stop() was called"
     FAULT = "a fault was raised"
-    LASER_TIMER = "the standing laser had been on for long enough"
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,16 +65,22 @@ class GrblLink:
     def __init__(self, port: BytePort, port_name: str, clock: Clock) -> None:
         self.port_name, self.clock = port_name, clock
         self.restarted = False
+        self.judge: Callable[[Report], DeviceError | None] = lambda _: None
+        """Sees every report; what it returns is raised, the laser off, unless the board has been reset already."""
+        self.talked_s = time.monotonic()
+        """When the owner last waited or sent, ``time.monotonic()``."""
         self._port = port
         self._buffer = LineBuffer()
         self._lines: deque[Line] = deque()
         self._transcript: deque[TranscriptLine] = deque(maxlen=_TRANSCRIPT_LINES)
         self._write_lock = threading.RLock()
-        self._halt: Halt | None = None
+        self._halt: Halt | Darkened | None = None
         self._closed = False
+        self._axes = 0
+        """Numbers of a position, from the first report that had one."""
 
     @property
-    def halt(self) -> Halt | None:
+    def halt(self) -> Halt | Darkened | None:
         return self._halt
 
     @property
@@ -82,10 +92,12 @@ class GrblLink:
         return [asdict(line) for line in tuple(self._transcript)]
 
     # ------------------------------------------------------------------------------------------ the one conversation
-    def command(self, text: str, deadline_s: float = ANSWER_S, *, motion: bool = False) -> list[Line]:
+    def command(self, text: str, deadline_s: float = ANSWER_S, *, mute: bool = False) -> list[Line]:
         """Send a line and wait for its answer; the lines that came before ``ok``.
 
-        With `motion` the board is asked twice a second whether it is still there and whether its door is open.
+        Meanwhile the board is asked twice a second whether it is still there, whether its door is open and its laser dark,
+        unless it answers no questions (`mute`: it homes).  A board that has been idle for :data:`ANSWER_S` has nothing left to
+        answer: its ``ok`` is lost, and no longer waited for.
 
         Raises
         ------
@@ -95,9 +107,10 @@ class GrblLink:
         self._send(f"{text}\n".encode("ascii"), text)
         now_s = self.clock.now_s()
         end_s, asked_s, heard_s = now_s + deadline_s, now_s, now_s
+        idle_s: float | None = None
         before: list[Line] = []
         while True:
-            wake_s = min(end_s, asked_s + _ALIVE_PERIOD_S) if motion else end_s
+            wake_s = end_s if mute else min(end_s, asked_s + _ALIVE_PERIOD_S)
             line = self._next_line(wake_s, text)
             now_s = self.clock.now_s()
             if isinstance(line, Ok):
@@ -106,38 +119,46 @@ class GrblLink:
                 raise self._refused(text, line.number)
             if isinstance(line, Report):
                 heard_s = now_s
+                self._check_report(line)
                 if line.state is MotionState.DOOR:
                     raise self.fault(ControllerAlarmError("E-MOT-16"))
+                idle_s = None if line.state is not MotionState.IDLE else now_s if idle_s is None else idle_s
+                if idle_s is not None and now_s - idle_s > ANSWER_S:
+                    raise self.fault(self._timeout(text, now_s - end_s + deadline_s))
             elif line is not None:
                 self._expect_no_reset(line, text)
                 before.append(line)
             if now_s >= end_s:
                 raise self.fault(self._timeout(text, deadline_s))
-            if motion and now_s >= asked_s + _ALIVE_PERIOD_S:
+            if not mute and now_s >= asked_s + _ALIVE_PERIOD_S:
                 if asked_s - heard_s > ANSWER_S:
                     raise self.fault(self._timeout("?", ANSWER_S))
                 asked_s = now_s
                 self._send(b"?", "?", even_when_halted=True)
 
     def report(self, deadline_s: float = ANSWER_S) -> Report:
-        """Ask for the status; also while halted.
+        """Ask for the status; also while halted.  What comes garbled, or not at all, is asked for again until the deadline.
 
         Raises
         ------
         DeviceTimeoutError, DeviceLostError, ControllerAlarmError
         """
-        self._send(b"?", "?", even_when_halted=True)
+        self._lines = deque(line for line in self._lines if not isinstance(line, Report))  # of a question before this one
         end_s = self.clock.now_s() + deadline_s
         while True:
-            line = self._next_line(end_s, "?", even_when_halted=True)
-            if isinstance(line, Report):
+            self._send(b"?", "?", even_when_halted=True)
+            line = self._next_line(min(end_s, self.clock.now_s() + _AGAIN_S), "?", even_when_halted=True)
+            while not (line is None or isinstance(line, Report | Other | Banner)):
+                if self._halt is None:
+                    self._expect_no_reset(line, "?")
+                line = self._next_line(min(end_s, self.clock.now_s() + _AGAIN_S), "?", even_when_halted=True)
+            if isinstance(line, Report) and self._whole(line):
+                self._check_report(line)
                 return line
-            if line is None:
-                raise self.fault(self._timeout("?", deadline_s))
-            if self._halt is None:
+            if isinstance(line, Banner) and self._halt is None:
                 self._expect_no_reset(line, "?")
-            elif isinstance(line, Banner):  # a question that came just before a reset is forgotten by it
-                self._send(b"?", "?", even_when_halted=True)
+            if self.clock.now_s() >= end_s:
+                raise self.fault(self._timeout("?", deadline_s))
 
     def listen(self, deadline_s: float) -> Line | None:
         """The next line whatever it is, or None; for handshake and recovery."""
@@ -149,7 +170,7 @@ class GrblLink:
         return self._buffer.unfinished
 
     # ------------------------------------------------------------------------------------------ reset and after
-    def stop(self, reason: Halt = Halt.STOPPED) -> None:
+    def stop(self, reason: Halt | Darkened = Halt.STOPPED) -> None:
         """Reset the board now: laser off, motion stopped.  From any thread; after close() there is nothing to stop."""
         with self._write_lock:
             if self._closed:
@@ -172,10 +193,14 @@ class GrblLink:
         with self._write_lock:
             self.stop(Halt.FAULT)
             self._halt = None
-        alarmed, greeted = False, False
+        alarmed, greeted, again = False, False, False
         end_s = self.clock.now_s() + deadline_s
         while not greeted:
-            line = self._next_line(end_s, "reset")
+            line = self._next_line(end_s if again else end_s - 0.5 * deadline_s, "reset")
+            if line is None and not again:  # its greeting was garbled, or it has just been reset by itself
+                self._port.write(RESET)
+                again = True
+                continue
             if line is None:
                 raise self.fault(self._timeout("reset", deadline_s))
             greeted = isinstance(line, Banner)
@@ -213,25 +238,26 @@ class GrblLink:
         with self._write_lock:
             self._check_open()
             if self._halt is not None and not even_when_halted:
-                raise MotionStoppedError("E-MOT-15", command=text)
+                raise self._stopped(text)
             self._note("out", text)
+            self.talked_s = time.monotonic()
             self._port.write(chunk)
 
     def _next_line(self, end_s: float, text: str, *, even_when_halted: bool = False) -> Line | None:
         """The next line, None when `end_s` comes first."""
         while True:
+            self.talked_s = time.monotonic()
             if self._halt is not None and not even_when_halted:
-                raise MotionStoppedError("E-MOT-15", command=text)
+                raise self._stopped(text)
             if self._lines:
                 return self._lines.popleft()
             self._check_open()
             left_s = end_s - self.clock.now_s()
-            if left_s < 0.0:
-                return None
-            for line in self._buffer.feed(self._port.read(min(left_s, _SLICE_S))):
+            # One look also when the time is up: a process that did not run for a while must not take that for a silent board.
+            for line in self._buffer.feed(self._port.read(min(max(left_s, 0.0), _SLICE_S))):
                 self._note("in", line)
                 self._lines.append(parse_line(line))
-            if left_s == 0.0 and not self._lines:
+            if left_s <= 0.0 and not self._lines:
                 return None
 
     def _check_open(self) -> None:
@@ -242,9 +268,26 @@ class GrblLink:
         self._transcript.append(TranscriptLine(round(self.clock.now_s(), 4), direction, line))
 
     # ------------------------------------------------------------------------------------------ faults
+    def _whole(self, report: Report) -> bool:
+        """Whether noise has spared it, as far as one can see; boards that leave the position out are believed as they are."""
+        axes = 0 if report.position is None else len(report.position)
+        if self._axes == 0:
+            self._axes = axes
+        return report.state is not MotionState.UNKNOWN and axes == self._axes
+
+    def _check_report(self, report: Report) -> None:
+        error = self.judge(report)
+        if error is not None and self._halt is None:
+            raise self.fault(error)
+
+    def _stopped(self, text: str) -> MotionStoppedError:
+        if self._halt is Darkened.UNWATCHED:
+            return MotionStoppedError("E-MOT-19", seconds=UNWATCHED_S)
+        return MotionStoppedError("E-MOT-15", command=text)
+
     def _expect_no_reset(self, line: Line, text: str) -> None:
         if isinstance(line, Alarm | Banner) and self._halt is not None:
-            raise MotionStoppedError("E-MOT-15", command=text)
+            raise self._stopped(text)
         if isinstance(line, Alarm):
             meaning = alarm_meaning(line.number)
             self.restarted = True
@@ -256,6 +299,8 @@ class GrblLink:
     def _refused(self, text: str, number: int) -> DeviceError:
         if number == _LOCKED_NUMBER:
             return self.fault(ControllerAlarmError("E-MOT-05", alarm="lock", meaning=LOCKED.text, remedy=LOCKED.remedy))
+        if number == _DOOR_NUMBER:
+            return self.fault(ControllerAlarmError("E-MOT-16"))
         return self.fault(DeviceError("E-MOT-06", command=text, number=number, meaning=refusal_meaning(number)))
 
     def _timeout(self, text: str, deadline_s: float) -> DeviceTimeoutError:

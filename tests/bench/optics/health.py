@@ -31,7 +31,8 @@ from scanner_core.devices.rig import load_preset
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.optics.triangulation import Triangulator
-from scanner_core.virtual.disturbances import CameraBumped, Disturbance, Disturbed, LostSteps
+from scanner_core.virtual.bench_faults import BenchFault, CameraBumped, LostSteps
+from scanner_core.virtual.disturbed import Disturbed
 from scanner_core.virtual.presets import PRESETS
 from scanner_core.virtual.specimens import load_specimen
 
@@ -61,12 +62,12 @@ class Scanned:
         return seen.epipolar_residual_px
 
 
-def scan(preset: str, specimen: str, points: int, views: int, seed: int, *disturbances: Disturbance) -> Scanned:
+def scan(preset: str, specimen: str, points: int, views: int, seed: int, *faults: BenchFault) -> Scanned:
     body, config = load_specimen(specimen), load_preset(preset)
     with (
         tempfile.TemporaryDirectory() as folder,
         CaseStore.create(Path(folder) / "case.impronta") as store,
-        open_rig(config, body, "max", seed, disturbances) as rig,
+        open_rig(config, body, "max", seed, faults) as rig,
     ):
         runner = ScanRunner(rig, PlanRequest(views, points, body.radius_mm, body.height_mm), store)
         runner.start()
@@ -80,7 +81,7 @@ def scan(preset: str, specimen: str, points: int, views: int, seed: int, *distur
 def shift_px(preset: str, across_px: float, along_px: float) -> Array:
     """Of the right camera's image."""
     disturbed = Disturbed(PRESETS[preset])
-    disturbed.happen([CameraBumped(across_px, along_px)], 0.0)
+    disturbed.let_happen(CameraBumped(across_px, along_px))
     return np.array(disturbed.image_shift_px(1, 0.0))
 
 

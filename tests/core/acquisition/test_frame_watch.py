@@ -15,6 +15,7 @@ SEEN = Spot(301.0, 146.0, 1.0, 0.8, 200.0, 1500.0, 20, 0.02)
 DARK = SpotMiss(MissReason.NO_SPOT)
 BRIGHT = SpotMiss(MissReason.TOO_BRIGHT, 250.0)
 FLAT = SpotMiss(MissReason.SATURATED, 255.0)
+TORN = SpotMiss(MissReason.TORN)
 Seen = Spot | SpotMiss | None
 
 
@@ -42,6 +43,7 @@ def test_a_clean_scan_finds_nothing() -> None:
         ([(SEEN, FLAT), (DARK, DARK)] * 40, "H-LGT-02", "right"),
         ([(SEEN, DARK)] * 160, "H-CAM-02", "right"),
         ([(SEEN, None)] * 6, "H-CAM-01", "right"),
+        ([(TORN, SEEN), (SEEN, SEEN)] * 3, "H-CAM-03", "left"),
         ([(DARK, DARK)] * 210, "H-LSR-01", None),
     ],
 )

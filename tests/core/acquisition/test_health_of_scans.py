@@ -17,13 +17,13 @@ from scanner_core.devices.rig import load_preset
 from scanner_core.geometry.icosahedron import icosahedron
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.subdivision import subdivide_uniform
-from scanner_core.virtual.disturbances import CameraBumped, Disturbance, FramesDropped, LampOn, LostSteps, TriggerLost
+from scanner_core.virtual.bench_faults import BenchFault, CameraBumped, FramesDropped, LampOn, LostSteps, TriggerLost
 from scanner_core.virtual.specimens import Specimen, load_specimen
 
 
-def _scan(folder: Path, body: Specimen, points: int, views: int, *disturbances: Disturbance) -> ScanResult:
+def _scan(folder: Path, body: Specimen, points: int, views: int, *faults: BenchFault) -> ScanResult:
     request = PlanRequest(views, points, body.radius_mm, body.height_mm)
-    with CaseStore.create(folder / "case.impronta") as store, open_rig(load_preset("bench"), body, "max", 11, disturbances) as rig:
+    with CaseStore.create(folder / "case.impronta") as store, open_rig(load_preset("bench"), body, "max", 11, faults) as rig:
         runner = ScanRunner(rig, request, store)
         runner.start()
         assert runner.join(120)
@@ -64,7 +64,8 @@ def test_a_clean_scan_is_not_accused(tmp_path: Path) -> None:
 
 
 def test_what_goes_wrong_is_named_by_its_cause(tmp_path: Path) -> None:
-    faults = LampOn(duration_s=3.0, at_s=20.0), CameraBumped(0.2, 0.0, at_s=24.0), TriggerLost("left", at_s=40.0), FramesDropped(0.15, at_s=48.0)
+    lamp, bump = LampOn(duration_s=3.0, at_s=20.0), CameraBumped(0.2, 0.0, at_s=24.0)
+    faults = lamp, bump, TriggerLost(camera="left", at_s=40.0), FramesDropped(0.15, at_s=48.0)
     result = _scan(tmp_path, load_specimen("sphere"), 900, 4, *faults)
     named = {"H-LGT-01", "H-EPI-01", "H-SYN-01", "H-CAM-01"}
     assert named <= _codes(result) <= named | {"H-TAB-02", "H-VIEW-01", "H-VIEW-02", "H-VIEW-03", "H-VIEW-04"}

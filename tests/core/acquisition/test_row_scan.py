@@ -15,20 +15,26 @@ from scanner_core.acquisition.handover import LatestSlot
 from scanner_core.acquisition.plan import Row
 from scanner_core.acquisition.row_scan import RowScan
 from scanner_core.devices.camera import Frame, Trigger
-from scanner_core.errors import DeviceLostError
+from scanner_core.errors import ControllerAlarmError, DeviceLostError
 from scanner_core.optics.spot_detection import SpotDetector
 
 ROW = Row(view=0, first_id=100, count=200, y_deg=0.0, x_from_deg=-1.0, x_to_deg=1.0)
 
 
+_Y, _X = np.mgrid[:48, :64]
+SPOT = (200 * np.exp(-((_X - 30.3) ** 2 + (_Y - 20.6) ** 2) / (2 * 1.6**2))).astype(np.uint8)
+
+
 class ScriptedCamera:
-    """Delivers dark frames; drops some, or fails at one, or delivers for ever."""
+    """Delivers dark frames, some with a spot; drops some, or fails at one, or delivers for ever."""
 
     size_px = (64, 48)
     rate_hz = 60.0
 
-    def __init__(self, name: str, drops: frozenset[int] = frozenset(), fails_at: int | None = None, endless: bool = False) -> None:
-        self.name, self._drops, self._fails_at, self._endless = name, drops, fails_at, endless
+    def __init__(
+        self, name: str, drops: frozenset[int] = frozenset(), fails_at: int | None = None, endless: bool = False, lit: frozenset[int] = frozenset()
+    ) -> None:
+        self.name, self._drops, self._fails_at, self._endless, self._lit = name, drops, fails_at, endless, lit
         self._trigger = Trigger(0, 0, 0.0)
 
     def start(self, trigger: Trigger) -> None:
@@ -42,7 +48,7 @@ class ScriptedCamera:
             if trigger_id == self._fails_at:
                 raise DeviceLostError("E-CAM-02", camera=self.name)
             if trigger_id not in self._drops:
-                yield Frame(image, trigger_id, trigger_id / 60, self.name)
+                yield Frame(SPOT if trigger_id in self._lit else image, trigger_id, trigger_id / 60, self.name)
         while self._endless and not stop.wait(0.01):
             pass
 
@@ -85,6 +91,30 @@ def test_dropped_frames_are_visible() -> None:
 def test_a_camera_that_fails_ends_the_row_with_its_error() -> None:
     with pytest.raises(DeviceLostError, match="right was unplugged"):
         _run(ScriptedCamera("left", endless=True), ScriptedCamera("right", fails_at=180))
+
+
+@pytest.mark.parametrize("opened", [False, True])
+def test_frames_since_the_last_spot_count_only_when_the_beam_was_lit_to_the_end(opened: bool) -> None:
+    """The lid opens at 161: what was exposed before it stands, the dark frames after it are no measurements."""
+    cameras = [ScriptedCamera("left", lit=frozenset(range(110, 150))), ScriptedCamera("right", lit=frozenset(range(110, 161)))]
+    captures = [CaptureThread(camera, SpotDetector(), LatestSlot()) for camera in cameras]
+    given: list[int] = []
+
+    def confirm() -> None:
+        assert given == list(range(100, 161)), "before the confirmation: up to the last light, all of it"
+        if opened:
+            raise ControllerAlarmError("E-MOT-16")
+
+    scan = RowScan(captures[0], captures[1], ROW, 0.0, threading.Event(), lambda: None, confirm)
+    try:
+        for batch in scan.batches():
+            given += [pair.trigger_id for pair in batch]
+    except ControllerAlarmError:
+        assert opened
+    finally:
+        for capture in captures:
+            capture.close()
+    assert given == list(range(100, 161 if opened else 300))
 
 
 def test_a_cancelled_row_ends_soon_and_counts_nothing_twice() -> None:

@@ -95,7 +95,7 @@ def live(path: Path, kept: Callable[[CaseStore], None], batches: int = 4, batch:
         kept(store)
         again = store.begin_scan("scan", "name = 'rig'", "def", "another", PLAN)
         kept(store)
-        store.append(again, observations(2000, batch))
+        store.append(again, observations(1_000_000, batch))
         kept(store)
 
 

@@ -36,11 +36,11 @@ def after_every_kill(life: RecordedLife, folder: Path) -> None:
 
 
 def after_power_cuts(life: RecordedLife, folder: Path, each: int = 2) -> None:
-    """At every moment `each` times: the less is kept of what was not synced, the more often."""
+    """At every moment `each` times; half of them lose all that was not synced, the others a random share, by sector."""
     rng = np.random.default_rng(SEED)
     for count, disk in life.disks():
-        for number in range(each):
-            share = 0.0 if number == 0 else rng.uniform()
+        for _ in range(each):
+            share = max(0.0, rng.uniform(-1, 1))
             verify(folder, disk.after_power_cut(lambda share=share: bool(rng.uniform() < share)), life.allowed(count))
 
 

@@ -54,14 +54,36 @@ def test_observations_come_back_to_the_last_bit(tmp_path: Path) -> None:
     assert np.allclose(table.right_uncertainty_px, 0.012345, atol=1e-6)
 
 
-def test_at_rest_a_case_is_one_small_file(tmp_path: Path) -> None:
+def test_at_rest_a_point_takes_at_most_150_bytes(tmp_path: Path) -> None:
+    """100,000 points with the noise of real ones in every digit, and 10 % of rejected ones on top."""
     path = tmp_path / "a.impronta"
+    rng = np.random.default_rng(7)
+    count, points = 110_000, 100_000
+    good = np.ones(count, np.bool_)
+    good[rng.choice(count, count - points, replace=False)] = False
+    pixels, sigmas = rng.uniform(0, 1279, (count, 4)), rng.normal(1.2, 0.2, (count, 4))
+    peaks, uncertainties, angles = rng.uniform(60, 250, (count, 2)), rng.uniform(0.01, 0.15, (count, 2)), rng.normal(0, 0.01, 8)
     with CaseStore.create(path) as store:
         scan = _begin(store)
-        for first in range(0, 20000, 500):
-            store.append(scan, _observations(first, 500))
+        for first in range(0, count, 5000):
+            rows = []
+            for i in range(first, first + 5000):
+                spots = [
+                    Spot(*map(float, pixels[i, 2 * k : 2 * k + 2]), *sigmas[i, 2 * k : 2 * k + 2], peaks[i, k], 3000.0, 20, uncertainties[i, k])
+                    for k in range(2)
+                ]
+                view = i * 8 // count
+                pair = spots if good[i] else [spots[0] if i % 2 else None, None]
+                rows.append(StereoObservation(i, view, MEASURED if good[i] else "no_spot", i / 60 + 0.0123, 45.0 * view + angles[view], *pair))
+            store.append(scan, rows)
     assert [file.name for file in tmp_path.iterdir()] == ["a.impronta"]
-    assert path.stat().st_size / 20000 < 150
+    bytes_a_point = path.stat().st_size / points
+    print(f"{bytes_a_point:.1f} bytes a point")
+    assert bytes_a_point < 150
+    with CaseStore.open(path, read_only=True) as store:
+        table = store.observations(scan)
+    assert np.array_equal(np.hstack([table.left_px, table.right_px]), pixels[good])  # to the last bit
+    assert np.array_equal(table.table_deg, (45.0 * table.view) + angles[table.view])
 
 
 def test_a_second_program_is_refused_in_one_sentence(tmp_path: Path) -> None:

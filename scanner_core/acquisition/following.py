@@ -1,0 +1,128 @@
+"""Follows a plan on the open rig: table, beam, cameras, and what was seen into the case.
+
+The scan's thread alone calls it, and with it owns the controller; the snapshots that it keeps may be read from any.
+"""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+from functools import partial
+
+from scanner_core.acquisition.capture import CaptureThread
+from scanner_core.acquisition.control import ScanControl
+from scanner_core.acquisition.engine import EvaluatedPairs, StereoEngine
+from scanner_core.acquisition.handover import PointLog
+from scanner_core.acquisition.health import HealthMonitor
+from scanner_core.acquisition.keeping import Keeper
+from scanner_core.acquisition.plan import Row, ScanPlan, ViewPlan
+from scanner_core.acquisition.rig_session import OpenRig
+from scanner_core.acquisition.row_scan import RowScan
+from scanner_core.acquisition.status import ScanState
+from scanner_core.acquisition.sweep_exposure import exposed_for
+from scanner_core.acquisition.tally import Tally
+from scanner_core.case.store import CaseStore
+from scanner_core.devices.motion import MotionStatus
+
+_STATUS_PERIOD_S = 0.2
+_MOVE_DEADLINE_S = 30.0
+
+
+@dataclass(frozen=True, slots=True)
+class Pass:
+    """One plan that is being followed: its record in the case, its counts, and where its points go."""
+
+    scan_id: int
+    plan: ScanPlan
+    tally: Tally
+    cloud: PointLog
+
+
+class PlanFollower:
+    """The passes of one scan."""
+
+    def __init__(self, rig: OpenRig, engine: StereoEngine, store: CaseStore, health: HealthMonitor, control: ScanControl) -> None:
+        self._rig, self._engine, self._store, self._health, self._control = rig, engine, store, health, control
+        self._keeper = Keeper(store)
+        self._asked_s = 0.0
+        self.motion: MotionStatus = rig.motion.status()
+        """The controller's newest report."""
+        self.view = 0
+        self.exposures = 0
+
+    def follow(self, run: Pass, left: CaptureThread, right: CaptureThread) -> None:
+        """Scan every view of a plan that has rows; a quota that a view could not fill is carried to the next."""
+        with exposed_for(self._rig, run.plan):
+            owed = 0
+            for view in run.plan.views:
+                if self._control.cancelled.is_set():
+                    break
+                if not view.rows:
+                    continue
+                self.view = view.rows[0].view
+                self._rig.motion.rotate_to(view.table_deg)
+                table_deg = self.ask().table_deg
+                self._store.put_view(run.scan_id, self.view, table_deg)
+                wanted = None if view.quota is None else view.quota + owed
+                measured = self._scan_view(run, view, table_deg, wanted, left, right)
+                owed = 0 if wanted is None else wanted - measured
+                self._health.end_view(self.view, table_deg)
+        self.keep()
+
+    def keep(self) -> None:
+        """Write to the case what it does not hold yet."""
+        self._keeper.keep()
+
+    def ask(self) -> MotionStatus:
+        """The controller's report now."""
+        self.motion = self._rig.motion.status()
+        self._asked_s = time.monotonic()
+        return self.motion
+
+    # ------------------------------------------------------------------------------------------ inner
+    def _scan_view(self, run: Pass, view: ViewPlan, table_deg: float, wanted: int | None, left: CaptureThread, right: CaptureThread) -> int:
+        measured = 0
+        for row in view.rows:
+            self._rest_while_paused()
+            if self._control.cancelled.is_set() or (wanted is not None and measured >= wanted):
+                break
+            self._rig.motion.aim(row.x_from_deg, row.y_deg)
+            self._rig.motion.sweep(row.x_to_deg, row.y_deg, run.plan.sweep_speed_deg_s)
+            at_rest = partial(self._rig.motion.wait_idle, _MOVE_DEADLINE_S)
+            scan = RowScan(left, right, row, self._rig.clock.now_s(), self._control.cancelled, self._poll, at_rest)
+            try:
+                for pairs in scan.batches():
+                    seen = self._engine.evaluate(pairs, row.view, table_deg)
+                    if wanted is not None and measured + len(seen.points) >= wanted:
+                        seen = seen.until(wanted - measured)
+                        scan.stop()
+                    measured += len(seen.points)
+                    self._record(run, row, seen)
+                    self._health.add(pairs, seen, row.view, table_deg)
+                    if wanted is not None and measured >= wanted:
+                        break
+            finally:
+                scan.finish()
+            at_rest()
+        return measured
+
+    def _record(self, run: Pass, row: Row, seen: EvaluatedPairs) -> None:
+        self.exposures += len(seen.observations)
+        run.cloud.append(seen.points, row.view)
+        run.tally.add((observation.verdict for observation in seen.observations), self._rig.clock.now_s())
+        self._keeper.add(run.scan_id, seen.observations)
+
+    def _rest_while_paused(self) -> None:
+        if not self._control.rest_wanted:
+            return
+        self._rig.motion.laser(False)
+        before = self._control.state
+        self.keep()
+        self._control.enter(ScanState.PAUSED)
+        while not self._control.wait_to_go_on(_STATUS_PERIOD_S):
+            self._poll()
+        self._control.enter(before)
+
+    def _poll(self) -> None:
+        if time.monotonic() - self._asked_s > _STATUS_PERIOD_S and not self._control.cancelled.is_set():
+            self.ask()

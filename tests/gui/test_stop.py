@@ -1,0 +1,218 @@
+"""Esc and the stop button reach the laser from every page, every dialog, every menu and every list."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QMenu, QSpinBox, QWidget
+
+from app.controllers.emission import Emission
+from app.program import Program
+from app.stop_key import StopKey
+from app.views.file_dialogs import FileDialog
+from app.views.pages import PAGES
+from scanner_core.acquisition.status import FinishReason, ScanState
+from tests.gui.waiting import until, wait_ms
+
+
+class Stops:
+    """Counts, in the place of the laser."""
+
+    def __init__(self, program: Program, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.window, self.count = program.window, 0
+        monkeypatch.setattr(program._stop_key, "_stop", self._stop)
+        monkeypatch.setattr(program.services.rig, "laser_off", self._stop)
+        monkeypatch.setattr(program.services.acquisition, "stop", self._stop)
+
+    def _stop(self) -> None:
+        self.count += 1
+
+    def by_key(self, receiver: QWidget) -> bool:
+        """Esc, pressed where the keyboard is; whether it stopped, once."""
+        wait_ms(60)  # longer than two receivers of one press are apart
+        before = self.count
+        QTest.keyClick(receiver, Qt.Key.Key_Escape)
+        wait_ms(10)
+        return self.count == before + 1
+
+    def by_button(self) -> bool:
+        """A click at the place of the button, through the window as the mouse does it."""
+        wait_ms(60)
+        before = self.count
+        button = self.window.rail.stop_button
+        place = button.mapTo(self.window, button.rect().center())
+        handle = self.window.windowHandle()
+        QTest.mouseClick(handle, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, QPoint(place))
+        wait_ms(10)
+        return self.count > before
+
+
+@pytest.fixture
+def stops(program: Program, monkeypatch: pytest.MonkeyPatch) -> Iterator[Stops]:
+    QTest.qWaitForWindowExposed(program.window)
+    yield Stops(program, monkeypatch)
+    while (popup := QApplication.activePopupWidget()) is not None:
+        popup.close()
+
+
+def test_every_page_and_every_field(program: Program, stops: Stops) -> None:
+    for info in PAGES:
+        program.window.show_page(info.id)
+        wait_ms(30)
+        assert stops.by_key(program.window), info.id
+        assert stops.by_button(), info.id
+        page = program.window.pages[info.id]
+        for kind in (QLineEdit, QSpinBox, QComboBox):
+            for field in page.findChildren(kind):
+                if field.isVisible() and field.isEnabled():
+                    field.setFocus()
+                    assert stops.by_key(field), (info.id, field)
+
+
+def test_every_menu_and_every_list(program: Program, stops: Stops) -> None:
+    window = program.window
+    for action in window.menuBar().actions():
+        menu = action.menu()
+        assert isinstance(menu, QMenu)
+        menu.popup(window.mapToGlobal(QPoint(300, 30)))
+        until(menu.isVisible, 5, "the menu")
+        assert stops.by_key(menu), action.text()
+        until(lambda menu=menu: not menu.isVisible(), 5, "the menu closed as ever")
+        menu.popup(window.mapToGlobal(QPoint(300, 30)))
+        until(menu.isVisible, 5, "the menu")
+        assert stops.by_button(), action.text()
+    window.show_page("rig")
+    until(lambda: program.services.rig.snapshot.connected and program.services.rig.snapshot.calibrating is None, 120, "the rig")
+    wait_ms(50)
+    for combo in window.pages["rig"].findChildren(QComboBox):
+        for way in ("key", "button"):
+            if not combo.isVisible():
+                continue
+            combo.showPopup()
+            until(lambda: QApplication.activePopupWidget() is not None, 5, "the list")
+            popup = QApplication.activePopupWidget()
+            assert stops.by_key(combo.view()) if way == "key" else stops.by_button(), way
+            until(lambda popup=popup: not popup.isVisible(), 5, "the list closed as ever")
+
+
+def _dialog(program: Program) -> FileDialog:
+    until(lambda: program.window.findChildren(FileDialog), 10, "the dialog")
+    return program.window.findChildren(FileDialog)[-1]
+
+
+def test_every_dialog(program: Program, stops: Stops) -> None:
+    window = program.window
+    until(lambda: program.services.rig.snapshot.connected and program.services.rig.snapshot.calibrating is None, 120, "the rig")
+    rig, export = window.pages["rig"], window.pages["export"]
+    opened = {
+        "case": lambda: window.actions_by_id["open_case"].trigger(),
+        "mesh": rig._choose_file,
+        "target": rig.calibration._choose_target,
+        "folder": export._browse,
+    }
+    for name, opens in opened.items():
+        window.show_page({"case": "home", "folder": "export"}.get(name, "rig"))
+        opens()
+        dialog = _dialog(program)
+        assert QApplication.activeModalWidget() is None, name
+        assert dialog.testOption(FileDialog.Option.DontUseNativeDialog), name
+        assert stops.by_button(), name
+        assert dialog.isVisible(), "the button stops, the dialog stays"
+        field = dialog.findChild(QLineEdit)
+        assert field is not None
+        assert stops.by_key(field), name
+        until(lambda: not window.findChildren(FileDialog), 5, f"{name} closed as ever")
+
+
+def test_a_dialog_says_inside_what_others_ask_in_a_box(program: Program, tmp_path: Path) -> None:
+    window = program.window
+    (tmp_path / "there.pdf").write_bytes(b"old")
+    chosen: list[Path] = []
+    from app.views.file_dialogs import choose_file, choose_folder, choose_new_file
+
+    choose_file(window, "A file", str(tmp_path), "All (*)", chosen.append)
+    dialog = _dialog(program)
+    dialog.selectFile("missing.pdf")
+    dialog.accept()
+    assert dialog.isVisible()
+    assert dialog.labelText(FileDialog.DialogLabel.FileName) == "There is no such file:"
+    dialog.selectFile("there.pdf")
+    dialog.accept()
+    choose_new_file(window, "A new file", str(tmp_path / "there.pdf"), "PDF (*.pdf)", "pdf", chosen.append)
+    dialog = _dialog(program)
+    dialog.accept()
+    assert dialog.isVisible()
+    assert dialog.labelText(FileDialog.DialogLabel.Accept) == "Replace it"
+    dialog.accept()
+    choose_new_file(window, "A new file", str(tmp_path / "new"), "PDF (*.pdf)", "pdf", chosen.append)
+    _dialog(program).accept()
+    choose_folder(window, "A folder", str(tmp_path), chosen.append)
+    _dialog(program).accept()
+    assert QApplication.activeModalWidget() is None
+    assert chosen == [tmp_path / "there.pdf", tmp_path / "there.pdf", tmp_path / "new.pdf", tmp_path]
+
+
+def test_a_held_key_and_one_press_on_its_way_are_one_stop(application: QApplication) -> None:
+    count = []
+    field = QLineEdit()
+    key = StopKey(lambda: count.append(1), field)
+    application.installEventFilter(key)
+    field.show()
+    try:
+        QTest.keyClick(field, Qt.Key.Key_Escape)
+        QTest.keyClick(field, Qt.Key.Key_A)
+        assert len(count) == 1
+    finally:
+        application.removeEventFilter(key)
+        field.close()
+
+
+@pytest.mark.parametrize("way", ["key", "button"])
+def test_a_scan_ends_while_a_dialog_is_open(program: Program, way: str) -> None:
+    window, services = program.window, program.services
+    until(lambda: services.rig.snapshot.connected and services.rig.snapshot.calibration is not None, 120, "a calibrated rig")
+    services.draft.edit("views", 2)
+    services.draft.edit("points", 40_000)
+    window.start_scan()
+    until(lambda: services.acquisition.status is not None and services.acquisition.status.state is ScanState.SCANNING, 60, "the scan")
+    window.choose_case()
+    dialog = _dialog(program)
+    if way == "key":
+        QTest.keyClick(dialog, Qt.Key.Key_Escape)
+    else:
+        button = window.rail.stop_button
+        place = button.mapTo(window, button.rect().center())
+        QTest.mouseClick(window.windowHandle(), Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, QPoint(place))
+    until(lambda: not services.acquisition.running, 20, "the end of the scan")
+    assert services.acquisition.result is not None
+    assert services.acquisition.result.finish_reason is FinishReason.CANCELLED
+    until(lambda: services.rig.emission is Emission.DARK, 5, "the controller says that it is dark")
+    until(lambda: window.status_line.laser.text == "Laser off", 5, "and so does the window")
+
+
+def test_a_stop_before_the_first_row_begins_no_scan(program: Program) -> None:
+    window, services = program.window, program.services
+    until(lambda: services.rig.snapshot.connected and services.rig.snapshot.calibration is not None, 120, "a calibrated rig")
+    window.start_scan()
+    window.laser_off()  # the case is being made
+    until(lambda: not services.acquisition.running, 20, "the end")
+    wait_ms(300)
+    assert not services.acquisition.running
+    assert services.acquisition.result is None or services.acquisition.result.finish_reason is FinishReason.CANCELLED
+
+
+def test_a_controller_that_says_nothing_is_unknown(program: Program, monkeypatch: pytest.MonkeyPatch) -> None:
+    window, services = program.window, program.services
+    assert services.rig.emission is Emission.NO_RIG
+    until(lambda: services.rig.emission is Emission.DARK, 60, "the rig")
+    until(lambda: window.status_line.laser.text == "Laser off", 5)
+    blocked = monkeypatch.context
+    with blocked() as patch:
+        patch.setattr(services.rig._device, "_idle", lambda: None)  # nobody asks any more
+        until(lambda: services.rig.emission is Emission.UNKNOWN, 5, "a second without a report")
+        until(lambda: window.status_line.laser.text == "Laser unknown", 5)
+    until(lambda: window.status_line.laser.text == "Laser off", 5, "asked again")
