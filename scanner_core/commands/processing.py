@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import dataclass
 from pathlib import Path
 
 from scanner_core.case.processing import GATES, PROCESSING, Gates, ProcessedCase, Processing, chosen_processing, process_case
@@ -11,10 +12,26 @@ from scanner_core.devices.rig import RigConfig, dump_rig, load_rig_or_preset
 from scanner_core.errors import CalibrationError, UsageError
 
 
-def processed_as_asked(store: CaseStore, given: argparse.Namespace) -> ProcessedCase:
-    """The points by the options; without any of them by what the case holds.
+@dataclass(frozen=True, slots=True)
+class AskedProcessing:
+    """What the options say, and the rig whose calibration the case does not hold yet."""
 
-    Once there are points the choice is kept in the case, and with it a calibration that the case did not know.
+    processing: Processing
+    rig: RigConfig | None
+
+    def points(self, store: CaseStore) -> ProcessedCase:
+        return process_case(store, self.processing, None if self.rig is None else self.rig.calibration)
+
+    def keep(self, store: CaseStore) -> None:
+        """Let the case have this choice."""
+        if self.rig is not None and self.processing.calibration is not None:
+            store.put_calibration(self.processing.calibration, dump_rig(self.rig))
+        if self.processing != chosen_processing(store):
+            store.edit(PROCESSING, self.processing.as_dict(), "Points computed anew")
+
+
+def asked_processing(store: CaseStore, given: argparse.Namespace) -> AskedProcessing:
+    """The processing of the options; without any of them what the case holds.
 
     Raises
     ------
@@ -27,19 +44,14 @@ def processed_as_asked(store: CaseStore, given: argparse.Namespace) -> Processed
     if given.as_scanned and changed:
         raise UsageError("E-USE-01", what="--as-scanned is said together with a change", do="leave one of the two away")
     if not (given.as_scanned or changed):
-        return process_case(store, chosen_processing(store))
+        return AskedProcessing(chosen_processing(store), None)
     if given.calibration in store.calibration_ids() and not Path(given.calibration).exists():
         rig, identity = None, given.calibration
     else:
         rig = _calibrated(given.calibration)
         identity = None if rig is None or rig.calibration is None else rig.calibration.identity()
-    processing = Processing(identity, _gates(given.gate), tuple(sorted(set(given.without_view))), tuple(sorted(set(given.scan))))
-    processed = process_case(store, processing, None if rig is None else rig.calibration)
-    if rig is not None and identity is not None:
-        store.put_calibration(identity, dump_rig(rig))
-    if processing != chosen_processing(store):
-        store.edit(PROCESSING, processing.as_dict(), "Points computed anew")
-    return processed
+    views, scans = (tuple(sorted(set(numbers))) for numbers in (given.without_view, given.scan))
+    return AskedProcessing(Processing(identity, _gates(given.gate), views, scans), rig)
 
 
 def _calibrated(name: str | None) -> RigConfig | None:

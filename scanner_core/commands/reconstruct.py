@@ -10,7 +10,7 @@ import numpy as np
 
 from scanner_core.case.store import SUFFIX, CaseStore
 from scanner_core.commands.console import Console
-from scanner_core.commands.processing import processed_as_asked
+from scanner_core.commands.processing import asked_processing
 from scanner_core.commands.reconstructing import reconstruction_summary, run_reconstruction
 from scanner_core.errors import InputFileError, UsageError
 from scanner_core.files import check_free
@@ -27,8 +27,7 @@ _MM = {"mm": 1.0, "m": 1000.0, "inch": 25.4}
 def run(given: argparse.Namespace, console: Console) -> int:
     source, out = Path(given.input), Path(given.out).resolve()
     is_case = source.suffix.lower() == SUFFIX
-    asked = (given.calibration, *given.gate, *given.without_view, *given.scan)
-    if not is_case and (given.as_scanned or any(value is not None for value in asked)):
+    if not is_case and (given.as_scanned or given.calibration or given.gate or given.without_view or given.scan):
         raise UsageError("E-USE-01", what="Only the points of a case can be computed anew", do="leave the options of the processing away")
     if is_case and given.units != "mm":
         raise UsageError("E-USE-01", what=f"A case is in millimetres, not in '{given.units}'", do="leave --units away")
@@ -38,11 +37,13 @@ def run(given: argparse.Namespace, console: Console) -> int:
     if is_case:
         parameters = replace(parameters, table_mm=0.0)  # what was scanned stands on the turntable
         with CaseStore.open(source) as store:
-            processed = processed_as_asked(store, given)
+            asked = asked_processing(store, given)
+            processed = asked.points(store)
             told = processed.as_dict()
             surface = run_reconstruction(console, processed.cloud, parameters)
             provenance = {"parameters": parameters.as_dict(), "report": surface.report.as_dict(), "seed": given.seed, "processing": told}
             provenance |= {"scans": told["scans"], "calibration": processed.calibrations[0]}
+            asked.keep(store)
             store.put_mesh(surface.mesh, provenance)
         _deliver(surface, out, given.force, console, {"processing": told})
     else:

@@ -97,7 +97,7 @@ def _atheris(reader: str, inputs: int, seed: int, folder: Path) -> None:
         if watch.summary.inputs == inputs:
             watch.write()
 
-    limits = [f"-runs={inputs}", f"-seed={seed}", "-max_len=65536", "-timeout=30", "-rss_limit_mb=4096", f"-artifact_prefix={folder}/"]
+    limits = [f"-runs={inputs}", f"-seed={seed}", "-max_len=65536", "-timeout=0", "-rss_limit_mb=4096", f"-artifact_prefix={folder}/"]
     # The first folder receives what the fuzzer finds worth keeping.
     (folder / "kept").mkdir(exist_ok=True)
     atheris.Setup([sys.argv[0], *limits, f"-dict={words}", str(folder / "kept"), str(seeds)], one)

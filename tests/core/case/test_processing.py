@@ -77,7 +77,8 @@ def _scan(store: CaseStore, first: int, seed: int, order: np.random.Generator | 
 
 
 @cache
-def _content() -> bytes:
+def small_case() -> bytes:
+    """A case of one scan, as a file."""
     with tempfile.TemporaryDirectory() as folder:
         with CaseStore.create(Path(folder) / "a.impronta") as store:
             _scan(store, 0, 1)
@@ -86,7 +87,7 @@ def _content() -> bytes:
 
 @pytest.fixture
 def store(tmp_path: Path) -> Iterator[CaseStore]:
-    (tmp_path / "a.impronta").write_bytes(_content())
+    (tmp_path / "a.impronta").write_bytes(small_case())
     with CaseStore.open(tmp_path / "a.impronta") as store:
         yield store
 
