@@ -23,6 +23,7 @@ from scanner_core.geometry.point_cloud import PointCloud
 
 if TYPE_CHECKING:
     from scanner_core.case.store import CaseEdit, CaseStore
+    from scanner_core.devices.rig import RigConfig
 
 SUFFIX = ".impronta"
 RECENT = 12
@@ -41,6 +42,7 @@ class CaseContent:
     cloud: PointCloud | None
     surface: Surface | None
     provenance: dict[str, object]
+    processing: dict[str, object]
 
 
 class CaseController(QObject):
@@ -73,7 +75,9 @@ class CaseController(QObject):
         self.cloud: PointCloud | None = None
         self.surface: Surface | None = None
         self.provenance: dict[str, object] = {}
-        self.opening = False
+        self.processing: dict[str, object] = {}
+        """How the points are computed, as the case keeps it; empty for as scanned."""
+        self.opening = self.computing = False
         self.undo_words: str | None = None
         self.redo_words: str | None = None
         self._held: CaseStore | None = None  # the thread's
@@ -122,13 +126,13 @@ class CaseController(QObject):
             self._held = _create(folder, values)
             return self._held
 
-        self._do(work, lambda store: self._take(store, CaseContent(values, None, None, {}), then), partial(self._failed, failed))
+        self._do(work, lambda store: self._take(store, CaseContent(values, None, None, {}, {}), then), partial(self._failed, failed))
 
     def close(self) -> None:
         """Close the file; it is whole at any time, closing only tidies it up."""
         self._write_order()
         self.store, self._draft.keep_order = None, None
-        self.cloud, self.surface, self.provenance = None, None, {}
+        self.cloud, self.surface, self.provenance, self.processing = None, None, {}, {}
         self._thread.call(self._let_go)
         self._show_words((None, None))
         self.opened.emit()
@@ -176,6 +180,33 @@ class CaseController(QObject):
 
         self._do(do, done)
 
+    def process(self, rig: RigConfig | None, gates: dict[str, float]) -> None:
+        """Compute the points anew: with the calibration of `rig`, or as scanned, and with gates by their names."""
+        calibration = None if rig is None else rig.calibration
+        identity = None if calibration is None else calibration.identity()
+
+        def work(store: CaseStore) -> None:
+            from scanner_core.case.processing import PROCESSING, Gates, chosen_processing, process_case
+            from scanner_core.devices.rig import dump_rig
+
+            before = chosen_processing(store)
+            kept = {name: value for name, value in before.gates.given().items() if name not in ("least_peak_dn", "epipolar_sigmas")}
+            processing = replace(before, calibration=identity, gates=Gates(**(kept | gates)))
+            process_case(store, processing, calibration)  # a choice that leaves nothing is told, and not kept
+            if rig is not None and identity is not None:
+                store.put_calibration(identity, dump_rig(rig))
+            store.edit(PROCESSING, processing.as_dict(), "Points computed anew")
+
+        self.computing = True
+        self.edited.emit()
+        self.change(work, reread=True)
+        self._thread.call(partial(self._background.post, self._computed))
+
+    def _computed(self) -> None:
+        """Whatever came of it: what is shown is the case's choice."""
+        self.computing = False
+        self.edited.emit()
+
     def after(self, call: Callable[[], None]) -> None:
         """`call` in the GUI thread, when what was asked of the case so far is done."""
         self._do(lambda: None, lambda _: call())
@@ -195,7 +226,7 @@ class CaseController(QObject):
         store, before = self.store, self._draft.values
         if store is None:
             return
-        shown = CaseContent(before, self.cloud, self.surface, self.provenance)
+        shown = CaseContent(before, self.cloud, self.surface, self.provenance, self.processing)
 
         def work() -> CaseContent | None:
             done = step(store)
@@ -213,7 +244,7 @@ class CaseController(QObject):
         for name, value in asdict(content.values).items():
             if value != getattr(self._draft.values, name):
                 self._draft.put(name, value)
-        self.cloud, self.surface, self.provenance = content.cloud, content.surface, content.provenance
+        self.cloud, self.surface, self.provenance, self.processing = content.cloud, content.surface, content.provenance, content.processing
         self.opened.emit()
 
     def _edit_order(self, name: str) -> None:
@@ -250,6 +281,7 @@ class CaseController(QObject):
     def _take(self, store: CaseStore, content: CaseContent, then: Callable[[CaseStore], None] | None) -> None:
         self.opening = False
         self.store, self.cloud, self.surface, self.provenance = store, content.cloud, content.surface, content.provenance
+        self.processing = content.processing
         if content.values != self._draft.values:
             self._draft.load(content.values)
         self._draft.keep_order = self._edit_order
@@ -305,7 +337,8 @@ def _content(store: CaseStore, before: DraftValues) -> CaseContent:
 
     mesh, provenance = kept(store.mesh) or (None, {})
     surface = None if mesh is None else Surface.of(mesh, growing=False)
-    return CaseContent(_values(store, before), kept(lambda: case_cloud(store)), surface, provenance)
+    choice = store.value("processing")
+    return CaseContent(_values(store, before), kept(lambda: case_cloud(store)), surface, provenance, choice if isinstance(choice, dict) else {})
 
 
 def _values(store: CaseStore, before: DraftValues) -> DraftValues:

@@ -233,6 +233,7 @@ class MainWindow(QMainWindow):
         services.acquisition.add_point_sink(lambda points, towards: self._with_scene(lambda scene: scene.append_points(points, towards)))
         services.case.opened.connect(self._show_case)
         services.case.meshed.connect(self._show_mesh)
+        services.case.edited.connect(self._show_activity)
         services.reconstruction.began.connect(self._begin_reconstruction)
         services.reconstruction.grown.connect(lambda surface: self._with_scene(lambda scene: scene.show_mesh(surface)))
         services.reconstruction.ended.connect(self._end_reconstruction)
@@ -348,6 +349,8 @@ class MainWindow(QMainWindow):
             text = self.tr("Reconstructing")
         elif services.rig.snapshot.calibrating is not None:
             text = self.tr("Calibrating")
+        elif services.case.computing:
+            text = self.tr("Computing the points anew…")
         elif services.case.opening:
             text = self.tr("Opening the case…")
         self.status_line.show_activity(text)

@@ -11,8 +11,14 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLineEdit
 
 from app.program import Program
+from app.views.reconstruct_page import ReconstructPage
+from scanner_core.acquisition.plan import PlanRequest
+from scanner_core.acquisition.rig_session import open_rig
+from scanner_core.acquisition.runner import ScanRunner
 from scanner_core.case.store import CaseStore, Order
+from scanner_core.devices.rig import load_preset
 from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.virtual.specimens import load_specimen
 from tests.gui.waiting import until, wait_ms
 
 TETRAHEDRON = TriangleMesh(np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]), np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]))
@@ -125,3 +131,37 @@ def test_a_new_case_counts_the_order_on_and_leaves_the_old_one_alone(program: Pr
     program.services.draft.edit("order", "A-9")
     program.window.close()
     assert _order(case).number == "A-1"
+
+
+def test_points_computed_anew_are_undone(program: Program, tmp_path: Path) -> None:
+    """Narrower gates leave fewer points; a gate that leaves none is told and not kept."""
+    path = tmp_path / "s.impronta"
+    specimen = load_specimen("sphere")
+    with CaseStore.create(path) as store, open_rig(load_preset("bench"), specimen, seed=2) as rig:
+        runner = ScanRunner(rig, PlanRequest(2, 300, specimen.radius_mm, specimen.height_mm), store)
+        runner.start()
+        assert runner.join(60.0)
+    services, window = program.services, program.window
+    page = window.pages["reconstruct"]
+    assert isinstance(page, ReconstructPage)
+    rows = page.processing
+    window.open_case(path)
+    until(lambda: services.case.cloud is not None, 30, "the points")
+    assert services.case.cloud is not None
+    before = len(services.case.cloud)
+    assert rows.peak.isEnabled()
+    rows.epipolar.setValue(1)
+    assert not rows.peak.isEnabled()
+    until(lambda: not services.case.computing, 30, "the points anew")
+    assert services.case.cloud is not None
+    after = len(services.case.cloud)
+    assert 0 < after < before
+    until(lambda: _undo_text(program) == "&Undo: Points computed anew", 10)
+    rows.peak.setValue(255)
+    until(lambda: not services.case.computing and window.banner.text, 30, "the sentence")
+    assert "E-CASE-05" in window.banner.details
+    assert rows.peak.value() == 0
+    assert rows.epipolar.value() == 1
+    window.undo()
+    until(lambda: services.case.cloud is not None and len(services.case.cloud) == before, 30, "as scanned")
+    assert rows.epipolar.value() == 0
