@@ -113,6 +113,7 @@ def _parser() -> argparse.ArgumentParser:
     reconstruct.add_argument("--open-holes", action="store_true", help="leave away what no point supports, instead of capping it")
     reconstruct.add_argument("--units", choices=("mm", "m", "inch"), default="mm", help="of the input's coordinates")
     reconstruct.add_argument("--seed", type=_seed, default=0, metavar="N")
+    _processing(reconstruct)
     reconstruct.add_argument("--force", action="store_true", help="overwrite the output")
 
     info = _command(commands, "info", "what is in a case, mesh or point file")
@@ -128,6 +129,17 @@ def _parser() -> argparse.ArgumentParser:
     doctor = _command(commands, "doctor", "check the rig and the machine")
     doctor.add_argument("--rig", default="bench", metavar="RIG.toml", help="a rig file, or the name of a preset")
     return parser
+
+
+def _processing(parser: argparse.ArgumentParser) -> None:
+    """How the points of a case are computed; the choice is kept in the case."""
+    parser.add_argument("--calibration", metavar="RIG.toml", help="of a case: another calibration (a rig file, a preset, or an id of the case)")
+    gates = "limits of a case's points: least_sigma_px, most_sigma_px, least_peak_dn, most_uncertainty_px (of the spots; only narrower), "
+    gates += "epipolar_sigmas (3), volume_radius_mm, volume_height_mm, table_mm (0.15); may be repeated"
+    parser.add_argument("--gate", action="append", default=[], metavar="NAME=VALUE", help=gates)
+    parser.add_argument("--without-view", action="append", type=_seed, default=[], metavar="N", help="leave a view of a case out; may be repeated")
+    parser.add_argument("--scan", action="append", type=_count, default=[], metavar="N", help="of a case: merge these scans (default: the newest)")
+    parser.add_argument("--as-scanned", action="store_true", help="drop what was chosen for a case before")
 
 
 def _verify(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:

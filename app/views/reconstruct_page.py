@@ -12,6 +12,7 @@ from app.translation import QT_TRANSLATE_NOOP
 from app.views import format as fmt
 from app.views.page import Page
 from app.views.parts import BigNumber, button, label, number_field, row, seam
+from app.views.processing_rows import ProcessingRows
 
 PHASE_WORDS = {
     "inflate": (QT_TRANSLATE_NOOP("phases", "Inflate"), QT_TRANSLATE_NOOP("phases", "grows to the points")),
@@ -50,6 +51,10 @@ class ReconstructPage(Page):
         box.addWidget(self._warnings)
         box.addStretch(1)
         box.addWidget(seam())
+        self.processing = ProcessingRows(services)
+        box.addWidget(label(self.tr("Points"), "section"))
+        box.addWidget(self.processing)
+        box.addWidget(label(self.tr("Surface"), "section"))
         draft = services.draft
         self._wanted = number_field(
             0, 2_000_000, 1000, lambda value: draft.edit("triangles", value), special=self.tr("automatic")
@@ -63,7 +68,7 @@ class ReconstructPage(Page):
         for line_number, (name, field) in enumerate(((self.tr("Triangles, at most"), self._wanted), (self.tr("Tolerance"), self._tolerance))):
             caption = label(name, "muted")
             caption.setBuddy(field)
-            field.setFixedWidth(120)
+            field.setFixedWidth(150)
             wishes.addWidget(caption, line_number, 0)
             wishes.addWidget(field, line_number, 1)
         box.addLayout(wishes)
@@ -76,9 +81,11 @@ class ReconstructPage(Page):
         services.reconstruction.changed.connect(self._show)
         services.reconstruction.began.connect(self._show)
         services.reconstruction.ended.connect(self._show)
+        services.reconstruction.ended.connect(self.processing.show_choice)
         services.case.opened.connect(self._show)
         services.case.meshed.connect(self._show)
         services.acquisition.ended.connect(self._show)
+        services.acquisition.ended.connect(self.processing.show_choice)
         draft.changed.connect(self._show_field)
         for name in ("triangles", "tolerance_um"):
             self._show_field(name)

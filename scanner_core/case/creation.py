@@ -9,6 +9,7 @@ from pathlib import Path
 
 from scanner_core import __version__
 from scanner_core.case.connection import database, migrate, sentences
+from scanner_core.case.database import note
 from scanner_core.case.moment import now
 from scanner_core.case.schema import APPLICATION_ID
 from scanner_core.files import replaced_when_whole
@@ -36,7 +37,7 @@ def create_case(path: Path) -> None:
             connection.execute(f"PRAGMA application_id = {APPLICATION_ID}")
             migrate(path, connection)
             connection.executemany("INSERT INTO info VALUES (?, ?)", [("created", now()), ("program", f"impronta {__version__}")])
-            connection.execute("INSERT INTO audit (time, event, detail) VALUES (?, 'created', ?)", (now(), f"impronta {__version__}"))
+            note(connection, "created", f"impronta {__version__}")
         finally:
             connection.close()
     _sweep(path.parent)

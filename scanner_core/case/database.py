@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from scanner_core.case.connection import sentences
+from scanner_core.case.moment import now
 from scanner_core.errors import CaseError, StorageError
 
 _UNLIMITED = 4_294_967_294
@@ -40,8 +41,8 @@ class CaseDatabase:
 
         What does not fit is refused as on a full disk (E-DISK-01), and what was kept before stays.
         """
-        (now,) = self._rows("PRAGMA page_count")[0]
-        self._rows(f"PRAGMA max_page_count = {_UNLIMITED if pages is None else int(now) + pages}")
+        (pages_now,) = self._rows("PRAGMA page_count")[0]
+        self._rows(f"PRAGMA max_page_count = {_UNLIMITED if pages is None else int(pages_now) + pages}")
 
     @contextmanager
     def _transaction(self) -> Iterator[sqlite3.Connection]:
@@ -65,3 +66,8 @@ class CaseDatabase:
             if self._closed:
                 raise CaseError("E-CASE-06", path=self.path)
             return self._connection.execute(query, values).fetchall()
+
+
+def note(connection: sqlite3.Connection, event: str, detail: str) -> None:
+    """A line of the audit trail, in the transaction of what it tells."""
+    connection.execute("INSERT INTO audit (time, event, detail) VALUES (?, ?, ?)", (now(), event, detail))

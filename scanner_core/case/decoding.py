@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.case.observation import ObservationTable
+from scanner_core.case.observation import ObservationTable, PairTable
 from scanner_core.errors import CaseFormatError, ImprontaError
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.one_line import one_line
@@ -133,6 +133,16 @@ def observations(rows: Sequence[tuple[Any, ...]]) -> ObservationTable:
         left_sigma_px=numbers[:, 9:11] * 1e-3,
         right_sigma_px=numbers[:, 11:13] * 1e-3,
     )
+
+
+def pairs(rows: Sequence[tuple[Any, ...]]) -> PairTable:
+    """Rows as of :func:`observations`, then the two peaks and the verdict's name."""
+    width = len(_COLUMNS)
+    peaks = np.array([row[width : width + 2] for row in rows], np.float64).reshape(-1, 2)
+    if not ((peaks >= 0) & (peaks <= 65_535)).all():
+        raise ValueError("a peak that no camera has")
+    verdicts = np.array([text(row[width + 2]) for row in rows], np.object_)
+    return PairTable(observations([row[:width] for row in rows]), verdicts, peaks)
 
 
 def trigger_ids(rows: Sequence[tuple[Any, ...]]) -> NDArray[np.int64]:

@@ -22,7 +22,7 @@ import sqlite3
 from dataclasses import asdict
 
 from scanner_core.case import decoding
-from scanner_core.case.database import CaseDatabase
+from scanner_core.case.database import CaseDatabase, note
 from scanner_core.case.decoding import damaged, text
 from scanner_core.case.moment import now
 from scanner_core.case.records import AuditLine, CaseEdit, Order
@@ -82,7 +82,7 @@ class EditJournal(CaseDatabase):
             number, key, words, value_json = row
             connection.execute("UPDATE edit SET undone = ? WHERE id = ?", (undone, number))
             _set(connection, key, value_json)
-            _note(connection, event, f"{key}: {words}")
+            note(connection, event, f"{key}: {words}")
             return CaseEdit(text(key), text(words), None if value_json is None else decoding.tree(value_json))
 
     # ------------------------------------------------------------------------------------------ order
@@ -103,7 +103,7 @@ class EditJournal(CaseDatabase):
     def audit(self, event: str, detail: str = "") -> None:
         """Add a line to the audit trail."""
         with self._transaction() as connection:
-            _note(connection, event, detail)
+            note(connection, event, detail)
 
     def audit_trail(self) -> list[AuditLine]:
         """What happened, in its order."""
@@ -124,7 +124,7 @@ class EditJournal(CaseDatabase):
             "INSERT INTO edit (time, key, words, before_json, after_json) VALUES (?, ?, ?, ?, ?)", (now(), key, words, before_json, after_json)
         )
         _set(connection, key, after_json)
-        _note(connection, "edited", f"{key}: {words}")
+        note(connection, "edited", f"{key}: {words}")
         return CaseEdit(key, words, value)
 
 
@@ -139,10 +139,6 @@ def _set(connection: sqlite3.Connection, key: str, value_json: str | None) -> No
         if value_json is not None:
             order = Order(**decoding.table(value_json))
             connection.execute("INSERT INTO order_entry VALUES (1, ?, ?, ?, ?, ?)", tuple(asdict(order).values()))
-
-
-def _note(connection: sqlite3.Connection, event: str, detail: str) -> None:
-    connection.execute("INSERT INTO audit (time, event, detail) VALUES (?, ?, ?)", (now(), event, detail))
 
 
 def _text(value: object) -> str:

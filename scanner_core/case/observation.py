@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,3 +52,22 @@ class ObservationTable:
 
     def __len__(self) -> int:
         return len(self.trigger_id)
+
+    def select(self, which: NDArray[np.bool_]) -> ObservationTable:
+        """The rows of a mask (n,)."""
+        return ObservationTable(*(getattr(self, column.name)[which] for column in fields(self)))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PairTable:
+    """What both cameras saw as one spot each, whatever became of it, in the order of the trigger ids.
+
+    Attributes
+    ----------
+    verdict : (n,) of strings
+    peak_dn : (n, 2) brightest pixel of the left and the right spot
+    """
+
+    observations: ObservationTable
+    verdict: NDArray[np.object_]
+    peak_dn: NDArray[np.float64]

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from scanner_core.case.observation import ObservationTable
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import RigConfig, parse_rig
-from scanner_core.errors import CaseError, CaseFormatError, UsageError
+from scanner_core.errors import CaseFormatError, UsageError
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.geometry.surface_scatter import excess_scatter_mm
@@ -99,20 +99,3 @@ def case_rig(store: CaseStore, calibration_id: str) -> tuple[RigConfig, StereoCa
     if rig.calibration is None or rig.calibration.identity() != calibration_id:
         raise CaseFormatError("E-CASE-01", path=store.path, reason=f"its calibration {one_line(calibration_id)} is empty, or another")
     return rig, rig.calibration
-
-
-def case_cloud(store: CaseStore) -> PointCloud:
-    """The registered cloud of the newest scan of a case that has points, in the order of the trigger ids.
-
-    Raises
-    ------
-    CaseError
-        E-CASE-05 when no scan has a point.
-    """
-    for scan in reversed(store.scans()):
-        if scan.kind == "scan":
-            table = store.observations(scan.id)
-            if len(table):
-                measured = triangulate_observations(table, *case_rig(store, scan.calibration_id), store.corrections(scan.id))
-                return finite(measured, store).cloud
-    raise CaseError("E-CASE-05", path=store.path, what="points", do="scan first")

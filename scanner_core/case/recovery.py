@@ -15,11 +15,9 @@ from typing import Any
 from scanner_core.acquisition.plan import PlanRequest, ScanPlan
 from scanner_core.acquisition.status import FinishReason, ScanCounts
 from scanner_core.case.observation import MEASURED
+from scanner_core.case.processing import DISCARDED
 from scanner_core.case.store import CaseStore, Order, ScanRecord
 from scanner_core.errors import CaseFormatError, ImprontaError
-
-DISCARDED = "discarded_scans"
-"""The key of the edit that lists the ids of discarded scans."""
 
 
 @dataclass(frozen=True, slots=True)

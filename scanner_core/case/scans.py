@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from scanner_core.acquisition.status import FinishReason, ScanCounts
 from scanner_core.case import decoding
-from scanner_core.case.database import CaseDatabase
+from scanner_core.case.database import CaseDatabase, note
 from scanner_core.case.decoding import damaged, text
 from scanner_core.case.moment import now
-from scanner_core.case.observation import MEASURED, ObservationTable, StereoObservation
+from scanner_core.case.observation import MEASURED, ObservationTable, PairTable, StereoObservation
 from scanner_core.case.records import RegistrationRecord, ScanRecord
 from scanner_core.errors import CaseFormatError
 from scanner_core.geometry.rigid import RigidTransform
@@ -43,7 +43,9 @@ class ScanTables(CaseDatabase):
                 "INSERT INTO scan (kind, rig_toml, calibration_id, plan_json, started) VALUES (?, ?, ?, ?, ?)",
                 (kind, rig_toml, calibration_id, json.dumps(plan), now()),
             )
-            return int(cursor.lastrowid or 0)
+            number = int(cursor.lastrowid or 0)
+            note(connection, "scan begun", f"scan {number}, {kind}, calibration {calibration_id}")
+            return number
 
     def append(self, scan_id: int, observations: Sequence[StereoObservation]) -> None:
         """Keep observations; once this returns they survive the death of the program and of the machine."""
@@ -66,6 +68,7 @@ class ScanTables(CaseDatabase):
             connection.execute(
                 "UPDATE scan SET ended = ?, finish_reason = ?, counts_json = ? WHERE id = ?", (now(), reason.value, json.dumps(tally), scan_id)
             )
+            note(connection, "scan ended", f"scan {scan_id}, {reason.value}, {counts.measured} measured")
 
     def scans(self) -> list[ScanRecord]:
         """All scans in the order of their beginning."""
@@ -92,6 +95,16 @@ class ScanTables(CaseDatabase):
     def calibration_toml(self, calibration_id: str) -> str:
         """The calibration as it was used, a rig file's text."""
         return self._one("SELECT toml FROM calibration WHERE id = ?", calibration_id, f"its calibration {calibration_id} is missing")
+
+    def calibration_ids(self) -> list[str]:
+        """Of all calibrations that the case holds."""
+        with damaged(self.path, "list of calibrations"):
+            return [text(number) for (number,) in self._rows("SELECT id FROM calibration ORDER BY id")]
+
+    def put_calibration(self, calibration_id: str, calibration_toml: str) -> None:
+        """Keep another calibration, a rig file's text by the calibration's identity, to process the observations with."""
+        with self._transaction() as connection:
+            connection.execute("INSERT OR IGNORE INTO calibration VALUES (?, ?)", (calibration_id, calibration_toml))
 
     def _one(self, query: str, key: object, reason: str) -> str:
         rows = self._rows(query, (key,))
@@ -124,6 +137,18 @@ class ScanTables(CaseDatabase):
         with damaged(self.path, "list of observations"):
             return decoding.observations(rows)
 
+    def pairs(self, scan_id: int) -> PairTable:
+        """Of a scan, what both cameras saw as one spot each, in the order of the trigger ids."""
+        rows = self._rows(
+            "SELECT trigger_id, view, table_deg, left_x_px, left_y_px, right_x_px, right_y_px, left_u_upx, right_u_upx, "
+            "left_sx_mpx, left_sy_mpx, right_sx_mpx, right_sy_mpx, left_peak_dn, right_peak_dn, name "
+            "FROM observation JOIN verdict ON verdict.id = verdict "
+            "WHERE scan_id = ? AND left_x_px IS NOT NULL AND right_x_px IS NOT NULL ORDER BY trigger_id",
+            (scan_id,),
+        )
+        with damaged(self.path, "list of observations"):
+            return decoding.pairs(rows)
+
     # ------------------------------------------------------------------------------------------ registration
     def put_corrections(self, scan_id: int, corrections: Sequence[RigidTransform]) -> None:
         """The registration's correction of every view: object frame to object frame, (4, 4), mm."""
@@ -151,6 +176,7 @@ class ScanTables(CaseDatabase):
                 "INSERT INTO registration (scan_id, created, calibration_id, report_json) VALUES (?, ?, ?, ?)",
                 (scan_id, now(), calibration_id, json.dumps(report)),
             )
+            note(connection, "views registered", f"scan {scan_id}, calibration {calibration_id}")
 
     def registrations(self, scan_id: int) -> list[RegistrationRecord]:
         """All registrations of a scan, oldest first."""

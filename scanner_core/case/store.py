@@ -60,8 +60,10 @@ class CaseStore(ScanTables, SurfaceTables):
                 raise
 
             def end() -> None:
-                connection.fold_in(opened)
-                connection.release(mark)
+                try:
+                    connection.fold_in(opened)
+                finally:
+                    connection.release(mark)
 
             return cls(path, opened, end, read_only=False)
 

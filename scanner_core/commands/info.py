@@ -6,6 +6,7 @@ import argparse
 from dataclasses import asdict
 from pathlib import Path
 
+from scanner_core.case.processing import chosen_processing
 from scanner_core.case.store import SUFFIX, CaseStore
 from scanner_core.commands.console import Console
 from scanner_core.errors import InputFileError
@@ -35,6 +36,7 @@ def _case(path: Path) -> dict[str, object]:
     with CaseStore.open(path, read_only=True) as store:
         scans = [
             {
+                "id": scan.id,
                 "kind": scan.kind,
                 "started": scan.started,
                 "finish_reason": scan.finish_reason or "interrupted",
@@ -46,7 +48,8 @@ def _case(path: Path) -> dict[str, object]:
             for scan in store.scans()
         ]
         values: dict[str, object] = {"kind": "case", "file": str(path), "order": asdict(store.order()), "scans": scans, "meshes": store.mesh_count()}
-        if store.mesh_count():
+        values["processing"] = chosen_processing(store).as_dict()
+        if store.mesh_id() is not None:
             mesh, provenance = store.mesh()
             values["mesh"] = {"vertices": len(mesh.vertices), "triangles": len(mesh.triangles), "provenance": provenance}
         return values

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
-from scanner_core.case.points import case_cloud
 from scanner_core.case.store import SUFFIX, CaseStore
 from scanner_core.commands.console import Console
+from scanner_core.commands.processing import asked_processing
 from scanner_core.commands.reconstructing import reconstruction_summary, run_reconstruction
 from scanner_core.errors import InputFileError, UsageError
 from scanner_core.files import check_free
@@ -27,6 +27,8 @@ _MM = {"mm": 1.0, "m": 1000.0, "inch": 25.4}
 def run(given: argparse.Namespace, console: Console) -> int:
     source, out = Path(given.input), Path(given.out).resolve()
     is_case = source.suffix.lower() == SUFFIX
+    if not is_case and (given.as_scanned or given.calibration or given.gate or given.without_view or given.scan):
+        raise UsageError("E-USE-01", what="Only the points of a case can be computed anew", do="leave the options of the processing away")
     if is_case and given.units != "mm":
         raise UsageError("E-USE-01", what=f"A case is in millimetres, not in '{given.units}'", do="leave --units away")
     check_suffix(out)
@@ -35,11 +37,18 @@ def run(given: argparse.Namespace, console: Console) -> int:
     if is_case:
         parameters = replace(parameters, table_mm=0.0)  # what was scanned stands on the turntable
         with CaseStore.open(source) as store:
-            surface = run_reconstruction(console, case_cloud(store), parameters)
-            store.put_mesh(surface.mesh, {"parameters": parameters.as_dict(), "report": surface.report.as_dict(), "seed": given.seed})
+            asked = asked_processing(store, given)
+            processed = asked.points(store)
+            told = processed.as_dict()
+            surface = run_reconstruction(console, processed.cloud, parameters)
+            provenance = {"parameters": parameters.as_dict(), "report": surface.report.as_dict(), "seed": given.seed, "processing": told}
+            provenance |= {"scans": told["scans"], "calibration": processed.calibrations[0]}
+            asked.keep(store)
+            store.put_mesh(surface.mesh, provenance)
+        _deliver(surface, out, given.force, console, {"processing": told})
     else:
         surface = run_reconstruction(console, _in_mm(read_points(source), _MM[given.units]), parameters)
-    _deliver(surface, out, given.force, console)
+        _deliver(surface, out, given.force, console, {})
     return 0
 
 
@@ -50,12 +59,12 @@ def _in_mm(cloud: PointCloud, scale: float) -> PointCloud:
     return PointCloud(cloud.points * scale, covariances, cloud.views, cloud.trigger_ids)
 
 
-def _deliver(surface: Reconstruction, out: Path, force: bool, console: Console) -> None:
+def _deliver(surface: Reconstruction, out: Path, force: bool, console: Console, more: dict[str, object]) -> None:
     warnings = [*surface.report.warnings, *_rounding(out, surface.mesh)]
     write_mesh(out, surface.mesh, force=force)
     for warning in warnings:
         console.say(f"Warning: {warning}")
-    values = surface.report.as_dict() | {"warnings": warnings, "mesh": str(out)}
+    values = surface.report.as_dict() | {"warnings": warnings, "mesh": str(out)} | more
     # The warnings stand on standard error already.
     console.result(values, [*reconstruction_summary(values | {"warnings": []}), f"Written to {out}."])
 

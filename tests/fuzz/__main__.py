@@ -15,8 +15,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-_BATCH = 2000
-"""Hypothesis remembers all that it has tried: a new search now and then keeps its memory small."""
+_BUNCH, _BUNCHES = 25, 100
+"""Inputs in one example, because hypothesis takes longer for an example than most readers do; and examples in one search,
+because it remembers all that it has tried."""
 
 
 def main() -> int:
@@ -54,19 +55,24 @@ def main() -> int:
 def _hypothesis(reader: str, inputs: int, seed: int, folder: Path) -> None:
     import hypothesis
     from hypothesis import HealthCheck, Phase, settings
+    from hypothesis import strategies as st
 
     from tests.fuzz.corpus import dictionary, samples
     from tests.fuzz.damage import damaged_files
     from tests.fuzz.watch import Watch
 
-    files = damaged_files(samples(reader), dictionary(reader))
+    bunches = st.lists(damaged_files(samples(reader), dictionary(reader)), min_size=_BUNCH, max_size=_BUNCH)
     watch = Watch(reader, folder)
+
+    def all_of(bunch: list[bytes]) -> None:
+        for content in bunch[: inputs - watch.summary.inputs]:
+            watch(content)
+
     while watch.summary.inputs < inputs:
-        count = min(_BATCH, inputs - watch.summary.inputs)
-        given = hypothesis.given(files)(lambda content: watch(content))
+        given = hypothesis.given(bunches)(lambda bunch: all_of(bunch))
         given = hypothesis.seed(seed * 1_000_003 + watch.summary.inputs)(given)
         limits = settings(
-            max_examples=count, database=None, deadline=None, derandomize=False, phases=[Phase.generate], suppress_health_check=list(HealthCheck)
+            max_examples=_BUNCHES, database=None, deadline=None, derandomize=False, phases=[Phase.generate], suppress_health_check=list(HealthCheck)
         )
         limits(given)()
     watch.write()
@@ -91,7 +97,7 @@ def _atheris(reader: str, inputs: int, seed: int, folder: Path) -> None:
         if watch.summary.inputs == inputs:
             watch.write()
 
-    limits = [f"-runs={inputs}", f"-seed={seed}", "-max_len=65536", "-timeout=30", "-rss_limit_mb=4096", f"-artifact_prefix={folder}/"]
+    limits = [f"-runs={inputs}", f"-seed={seed}", "-max_len=65536", "-timeout=0", "-rss_limit_mb=4096", f"-artifact_prefix={folder}/"]
     # The first folder receives what the fuzzer finds worth keeping.
     (folder / "kept").mkdir(exist_ok=True)
     atheris.Setup([sys.argv[0], *limits, f"-dict={words}", str(folder / "kept"), str(seeds)], one)

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from scanner_core.acquisition.plan import read_plan
-from scanner_core.case.points import case_cloud
+from scanner_core.case.processing import case_cloud
 from scanner_core.case.store import SUFFIX, CaseStore
 from scanner_core.devices.grbl.line_buffer import LONGEST_LINE, LineBuffer
 from scanner_core.devices.grbl.lines import Report, Setting, parse_line

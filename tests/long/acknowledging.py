@@ -19,7 +19,7 @@ from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.acquisition.runner import ScanRunner
 from scanner_core.case.observation import StereoObservation
-from scanner_core.case.points import case_cloud
+from scanner_core.case.processing import case_cloud
 from scanner_core.case.store import CaseStore, Order
 from scanner_core.devices.rig import ControllerConfig, load_preset
 from scanner_core.jobs.blocking import run_in_worker

@@ -25,7 +25,7 @@ import pytest
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.acquisition.runner import ScanRunner
-from scanner_core.case.points import case_cloud
+from scanner_core.case.processing import case_cloud
 from scanner_core.case.recovery import find_interrupted
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import dump_rig, load_preset

@@ -14,7 +14,7 @@ from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.acquisition.runner import ScanResult, ScanRunner
 from scanner_core.acquisition.status import FinishReason, ScanState
-from scanner_core.case.points import case_cloud
+from scanner_core.case.processing import case_cloud
 from scanner_core.case.recovery import describe, discard, find_interrupted, interruption, keep
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import load_preset
@@ -103,6 +103,7 @@ def test_an_object_that_was_moved_ends_it_and_changes_nothing(case: Path) -> Non
         assert result.finish_reason is FinishReason.FAILED
         assert result.error is not None
         assert result.error.code == "E-SCAN-03"
+        assert result.error.__traceback__ is None  # it would hold the rig for as long as somebody holds the result
         balanced(result)
         assert result.counts.measured == result.resumed
         np.testing.assert_array_equal(store.exposed_ids(scan_id), before)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import sqlite3
 from contextlib import closing
 from pathlib import Path
@@ -10,6 +11,7 @@ import numpy as np
 import pytest
 
 from scanner_core import __version__
+from scanner_core.acquisition.status import FinishReason, ScanCounts
 from scanner_core.case.schema import APPLICATION_ID, MIGRATIONS, VERSION
 from scanner_core.case.store import CaseStore, Order
 from scanner_core.errors import CaseError, CaseFormatError
@@ -36,7 +38,10 @@ def test_an_old_case_is_migrated_and_keeps_everything(tmp_path: Path) -> None:
         assert len(store.exposed_ids(1)) == OBSERVATIONS
         assert len(store.mesh()[0].vertices) == MESHES[-1]
         assert store.mesh()[1] == {"seed": 1}
-    assert content(path) == before
+        assert [line.event for line in store.audit_trail()] == ["created", "migrated"]
+    after = content(path)
+    after["audit"].pop()
+    assert after == before
     with closing(sqlite3.connect(path)) as connection:
         assert connection.execute("PRAGMA user_version").fetchone() == (VERSION,)
         assert connection.execute("PRAGMA application_id").fetchone() == (APPLICATION_ID,)
@@ -71,6 +76,55 @@ def test_a_migration_that_fails_leaves_the_old_case(tmp_path: Path, monkeypatch:
         assert connection.execute("PRAGMA user_version").fetchone() == (1,)
         assert connection.execute("SELECT count(*) FROM sqlite_schema WHERE name = 'one'").fetchone() == (0,)
     CaseStore.open(path).close()
+
+
+def killed(path: Path, script: str) -> Path:
+    """A copy of the case as a program leaves it that is killed after the script."""
+    left = path.with_name("left.impronta")
+    with closing(sqlite3.connect(path)) as connection:
+        connection.execute("PRAGMA locking_mode = EXCLUSIVE")
+        connection.execute("PRAGMA journal_mode = WAL")
+        connection.executescript(script)
+        for end in ("", "-wal"):
+            shutil.copyfile(f"{path}{end}", f"{left}{end}")
+    return left
+
+
+def test_an_old_case_that_an_old_program_left_open_is_migrated(tmp_path: Path) -> None:
+    write_old_case(tmp_path / "old.impronta")
+    left = killed(tmp_path / "old.impronta", "UPDATE order_entry SET number = '18'; DELETE FROM mesh WHERE id = 2;")
+    for read_only in (True, False):
+        with CaseStore.open(left, read_only=read_only) as store:
+            assert store.order().number == "18"
+            assert store.mesh_id() == 1
+        assert left.with_name("left.impronta-wal").exists() == read_only
+
+
+def test_a_newer_case_that_is_still_in_its_log_is_refused_and_kept(tmp_path: Path) -> None:
+    CaseStore.create(tmp_path / "new.impronta").close()
+    left = killed(tmp_path / "new.impronta", f"PRAGMA user_version = {VERSION + 1}; CREATE TABLE tomorrow (a);")
+    for read_only in (True, False):
+        with pytest.raises(CaseFormatError, match=r"left\.impronta .*E-CASE-03"):
+            CaseStore.open(left, read_only=read_only)
+    with closing(sqlite3.connect(left)) as connection:
+        assert connection.execute("PRAGMA user_version").fetchone() == (VERSION + 1,)
+        assert connection.execute("SELECT count(*) FROM tomorrow").fetchone() == (0,)
+
+
+def test_the_audit_trail_tells_what_happened(tmp_path: Path) -> None:
+    with CaseStore.create(tmp_path / "a.impronta") as store:
+        scan = store.begin_scan("scan", "rig", "abc", "calibration", PLAN)
+        store.end_scan(scan, FinishReason.COMPLETED, ScanCounts(9, 7, {"no_spot": 2}))
+        store.put_registration(scan, "abc", {})
+        store.audit("exported", "mesh.stl")
+        lines = [(line.event, line.detail) for line in store.audit_trail()]
+    assert lines == [
+        ("created", f"impronta {__version__}"),
+        ("scan begun", "scan 1, scan, calibration abc"),
+        ("scan ended", "scan 1, completed, 7 measured"),
+        ("views registered", "scan 1, calibration abc"),
+        ("exported", "mesh.stl"),
+    ]
 
 
 def test_registrations_masks_and_comparisons_come_back(tmp_path: Path) -> None:

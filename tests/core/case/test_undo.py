@@ -43,6 +43,7 @@ class UndoMachine(RuleBasedStateMachine):
             self.store = CaseStore.open(self.path)
             self.now["order"] = asdict(self.store.order())
             self.meshes = list(MESHES)
+            self.lines += 1  # migrated
         else:
             self.store = CaseStore.create(self.path)
 
