@@ -23,7 +23,7 @@ from scanner_core.virtual.fault import Fault, Place
 if TYPE_CHECKING:
     from scanner_core.case.store import CaseStore
 
-_TRIES_S = 2.0
+_TRIES_S = 1.0
 """How long the other program tries to get a case."""
 
 

@@ -150,7 +150,7 @@ def _make_case(path: Path) -> None:
         store.put_mesh(TriangleMesh(mesh.vertices, mesh.triangles, {"supported": np.ones(len(mesh.vertices), np.uint8)}), {"seed": 0})
         store.put_mask("stable", {"mesh": 1}, np.arange(8) < 5)
         store.put_comparison({"mesh": 1}, {"file": "b.stl"}, {"tolerance_um": 250}, {"rms_um": 12.5}, np.linspace(-1, 1, 8))
-        store.edit("processing", {"gates": {"epipolar": 4.0}}, "Gates changed")
+        store.edit("processing", {"gates": {"epipolar_sigmas": 4.0}}, "Gates changed")
         store.put_order(Order("4711", "P-12", "right", "ear", "for the mould"))
         store.undo()
 
