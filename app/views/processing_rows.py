@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QComboBox, QGridLayout, QWidget
 from app.services import Services
 from app.views.parts import label, number_field
 
-_WIDTH = 150
+_WIDTH = 140
 
 
 class ProcessingRows(QWidget):
