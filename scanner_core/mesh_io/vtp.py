@@ -23,6 +23,9 @@ _TYPES = {
     "Float32": "f4", "Float64": "f8",
 }  # fmt: skip
 _MOST_VALUES = 1_000_000_000
+_MOST_GROWTH, _FREE_BYTES = 200, 64 << 20
+"""All arrays together may be so many times as large as the file, beyond the first 64 MiB: any number of arrays can name the same bytes."""
+_TOO_LARGE = "its arrays together are too large for the file that holds them"
 _APPENDED = re.compile(rb"<AppendedData[^>]{0,200}>\s{0,200}_")  # bounded: a search that fails stays linear
 
 Column = NDArray[np.generic]
@@ -38,7 +41,7 @@ def parse_vtp(content: bytes) -> TriangleMesh:
         The bytes are no VTP; the array is named.
     """
     root, appended = _tree(content)
-    arrays = _Arrays(root, appended)
+    arrays = _Arrays(root, appended, _FREE_BYTES + _MOST_GROWTH * len(content))
     pieces = root.findall("PolyData/Piece")
     if root.tag != "VTKFile" or root.get("type") != "PolyData" or not pieces:
         raise MalformedError("it is no VTKFile of the type PolyData")
@@ -134,7 +137,8 @@ def _whole(element: ElementTree.Element, name: str, place: str) -> int:
 class _Arrays:
     """Reads the DataArray elements of one file."""
 
-    def __init__(self, root: ElementTree.Element, appended: bytes) -> None:
+    def __init__(self, root: ElementTree.Element, appended: bytes, most_bytes: int) -> None:
+        self._room = most_bytes
         self._order = ">" if root.get("byte_order") == "BigEndian" else "<"
         self._header = np.dtype(self._order + ("u8" if root.get("header_type") == "UInt64" else "u4"))
         self._compressor = root.get("compressor")
@@ -165,6 +169,9 @@ class _Arrays:
                     values = self._values(self._unbase64(self._appended[offset:], name), kind, name)
             case other:
                 raise MalformedError(f"{name} has the unknown format {shown(other.encode())}")
+        self._room -= values.nbytes
+        if self._room < 0:
+            raise MalformedError(_TOO_LARGE)
         if count is not None and len(values) != count:
             raise MalformedError(f"{name} holds {len(values)} values where {count} are announced")
         return values
@@ -205,6 +212,8 @@ class _Arrays:
         block_bytes, last_bytes, packed = heads[1], heads[2], heads[3:]
         total = block_bytes * (blocks - 1) + (last_bytes or block_bytes)
         begin = (3 + blocks) * size
+        if total > self._room:
+            raise MalformedError(_TOO_LARGE)
         if begin + sum(packed) > len(content) or total > _MOST_VALUES:
             raise MalformedError(f"{name} announces more bytes than there are")
         pieces = []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import tracemalloc
+import zlib
 from pathlib import Path
 
 import numpy as np
@@ -230,6 +231,70 @@ def test_compressed_blocks_that_promise_gigabytes(tmp_path: Path) -> None:
             assert tracemalloc.get_traced_memory()[1] < MOST_MEMORY
         finally:
             tracemalloc.stop()
+
+
+def test_many_arrays_that_name_the_same_bytes() -> None:
+    """Another bomb: what is small once is large a thousand times."""
+    values = 1_000_000
+    packed = zlib.compress(bytes(4 * values), 9)
+    block = np.array([1, 4 * values, 0, len(packed)], "<u4").tobytes() + packed
+    arrays = "".join(f'<DataArray type="Float32" Name="a{i}" format="appended" offset="{len(block) * 3}"/>' for i in range(1000))
+    head = np.array([3, 4 * values, 0, *[len(packed)] * 3], "<u4").tobytes() + packed * 3
+    content = (
+        f'<VTKFile type="PolyData" compressor="vtkZLibDataCompressor"><PolyData><Piece NumberOfPoints="{values}" NumberOfPolys="0"><Points>'
+        '<DataArray type="Float32" NumberOfComponents="3" format="appended" offset="0"/></Points>'
+        f'<PointData>{arrays.replace(str(len(block) * 3), str(len(head)))}</PointData></Piece></PolyData><AppendedData encoding="raw">_'
+    ).encode() + head + block + b"</AppendedData></VTKFile>"  # fmt: skip
+    tracemalloc.start()
+    try:
+        with pytest.raises(MalformedError, match="too large for the file"):
+            MESH_PARSERS[".vtp"](content)
+        assert tracemalloc.get_traced_memory()[1] < 300_000_000
+    finally:
+        tracemalloc.stop()
+
+
+@pytest.mark.parametrize(
+    ("suffix", "content"),
+    [
+        (".xyz", b"1" * 60_000 + b"x"),
+        (".csv", b"a," * 30_000),
+        (".xyz", b"(" * 60_000),
+        (".xyz", b" " * 60_000 + b"x"),
+        (".vtp", b"<AppendedData" + b" " * 60_000),
+        (".stl", b"solid" + b"\n" * 60_000 + b"facet normal" + b" " * 1000),
+    ],
+    ids=range(6),
+)
+def test_searches_that_fail_stay_quick(suffix: str, content: bytes) -> None:
+    """Each took minutes, or would with a careless pattern."""
+    if suffix in MESH_PARSERS:
+        with pytest.raises(MalformedError):
+            MESH_PARSERS[suffix](content)
+    else:  # a line of names without rows
+        assert len(POINT_PARSERS[suffix](content)) == 0
+
+
+def test_a_document_type_is_refused_wherever_and_in_whatever_encoding() -> None:
+    text = '<?xml version="1.0"?>' + "<!--" + "x" * 5000 + '--><!DOCTYPE a [<!ENTITY b "cccccccccc">]><VTKFile>&b;</VTKFile>'
+    for content in (text.encode(), text.encode("utf-16")):
+        with pytest.raises(MalformedError, match="declares entities"):
+            MESH_PARSERS[".vtp"](content)
+
+
+def test_files_beyond_the_limit_are_not_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("scanner_core.mesh_io.reader.MOST_BYTES", 100)
+    (tmp_path / "a.stl").write_bytes(bytes(101))
+    with pytest.raises(InputFileError, match=r"101 bytes, and 100 are the limit.*E-FILE-05"):
+        read_mesh(tmp_path / "a.stl")
+
+
+def test_polygons_that_cross_themselves_do_not_cost_without_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("scanner_core.mesh_io.polygons._VAIN_TESTS", 1000)
+    rng = np.random.default_rng(0)
+    faces = b"".join(b"f " + b" ".join(b"%d" % i for i in rng.permutation(200) + 1) + b"\n" for _ in range(20))
+    mesh = MESH_PARSERS[".obj"](b"".join(b"v %f %f %f\n" % tuple(v) for v in rng.normal(size=(200, 3))) + faces)
+    assert len(mesh.triangles) == 20 * 198
 
 
 @pytest.mark.parametrize("suffix", [".stl", ".ply", ".obj", ".vtp"])
