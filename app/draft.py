@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, replace
 
 from PySide6.QtCore import QCoreApplication, QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
@@ -41,6 +42,10 @@ class DraftValues:
     tolerance_um: int = 0
 
 
+ORDER_FIELDS = ("order", "patient_code", "side", "kind")
+"""What belongs to the order, and so to the case while one is open."""
+
+
 class Draft(QObject):
     """The current values; `changed(name)` after every edit, undo and redo."""
 
@@ -50,6 +55,9 @@ class Draft(QObject):
         super().__init__(parent)
         self._values = DraftValues()
         self._stack = stack
+        self._sealed = 0
+        self.keep_order: Callable[[str], None] | None = None
+        """While a case is open, called with the field of the order that was edited, and undo is the case's affair."""
 
     @property
     def values(self) -> DraftValues:
@@ -58,8 +66,17 @@ class Draft(QObject):
     def edit(self, name: str, value: object) -> None:
         """A person's edit: it can be undone."""
         old = getattr(self._values, name)
-        if value != old:
-            self._stack.push(_Edit(self, name, old, value))
+        if value == old:
+            return
+        if self.keep_order is not None and name in ORDER_FIELDS:
+            self.put(name, value)
+            self.keep_order(name)
+        else:
+            self._stack.push(_Edit(self, name, old, value, self._sealed))
+
+    def seal(self) -> None:
+        """What is typed from now on is a step of its own, also in the field of the last one."""
+        self._sealed += 1
 
     def load(self, values: DraftValues) -> None:
         """Values that come with an opened case: nothing to undo before them."""
@@ -74,7 +91,7 @@ class Draft(QObject):
         self.changed.emit(name)
 
 
-_EDIT_TEXTS = {
+EDIT_TEXTS = {
     "order": QT_TRANSLATE_NOOP("draft", "Edit order number"),
     "patient_code": QT_TRANSLATE_NOOP("draft", "Edit patient code"),
     "side": QT_TRANSLATE_NOOP("draft", "Change side"),
@@ -89,9 +106,9 @@ _EDIT_TEXTS = {
 class _Edit(QUndoCommand):
     """One field; typing on in the same field is one step."""
 
-    def __init__(self, draft: Draft, name: str, old: object, new: object) -> None:
-        super().__init__(QCoreApplication.translate("draft", _EDIT_TEXTS[name]))
-        self._draft, self._name, self._old, self.new = draft, name, old, new
+    def __init__(self, draft: Draft, name: str, old: object, new: object, sealed: int) -> None:
+        super().__init__(QCoreApplication.translate("draft", EDIT_TEXTS[name]))
+        self._draft, self._name, self._old, self.new, self.sealed = draft, name, old, new, sealed
 
     def redo(self) -> None:
         self._draft.put(self._name, self.new)
@@ -100,13 +117,18 @@ class _Edit(QUndoCommand):
         self._draft.put(self._name, self._old)
 
     def id(self) -> int:
-        return 1 + list(_EDIT_TEXTS).index(self._name)
+        return 1 + list(EDIT_TEXTS).index(self._name)
 
     def mergeWith(self, other: QUndoCommand) -> bool:  # noqa: N802 - Qt's name
-        if not isinstance(other, _Edit) or other.id() != self.id() or self._name in ("side", "kind"):
+        if not isinstance(other, _Edit) or other.id() != self.id() or other.sealed != self.sealed or self._name in ("side", "kind"):
             return False
         self.new = other.new
         return True
+
+
+def next_order(values: DraftValues) -> DraftValues:
+    """The form for the order after this one: its number counted on, no code yet, the plan as it was."""
+    return replace(values, order=first_order(values.order).order if values.order else "", patient_code="")
 
 
 def first_order(last: str) -> DraftValues:

@@ -18,6 +18,7 @@ from app.controllers.acquisition import AcquisitionController
 from app.controllers.case import CaseController
 from app.controllers.export import ExportController
 from app.controllers.reconstruction import ReconstructionController
+from app.controllers.recovery import RecoveryController
 from app.controllers.rig import RigController
 from app.controllers.shading import Shading
 from app.draft import Draft, first_order
@@ -28,6 +29,7 @@ from app.services import Services
 from app.settings import load_settings, save_settings, settings_path
 from app.stop_key import StopKey
 from app.theme import apply_theme, icon
+from app.undo import UndoHistory
 from app.views.main_window import MainWindow
 
 _DEADLINE_S = 8.0
@@ -65,13 +67,14 @@ class Program(QObject):
         self.undo_stack = QUndoStack(self)
         draft = Draft(self.undo_stack, self)
         rig = RigController(self.background, self._settings_file.parent / "rigs", self.tell, self)
-        cases = CaseController(self.background, self.settings, draft, self.tell, self)
+        cases = CaseController(self.background, self.settings, draft, self.tell, self, settings_file=self._settings_file)
         acquisition = AcquisitionController(self.background, rig, cases, self.tell, self)
         reconstruction = ReconstructionController(self.background, cases, self.tell, self)
         export = ExportController(self.background, self.settings, cases, self.tell, self)
-        self.services = Services(self.settings, draft, self.background, rig, cases, acquisition, reconstruction, export)
+        recovery = RecoveryController(self.background, self.settings, cases, acquisition, self.tell, self)
+        self.services = Services(self.settings, draft, self.background, rig, cases, acquisition, reconstruction, export, recovery)
         draft.load(first_order(self.settings.last_order))
-        self.window = MainWindow(self.services, self.undo_stack)
+        self.window = MainWindow(self.services, UndoHistory(self.undo_stack, draft, cases, self))
         self.window.closing.connect(self.shut_down)
         self._stop_key = StopKey(self.window.laser_off, self.window.rail.stop_button, self)
         application.installEventFilter(self._stop_key)
@@ -100,6 +103,7 @@ class Program(QObject):
         self.services.rig.choose(preset=self.settings.preset, specimen=self.settings.specimen, speed=self.settings.speed)
         if case is not None:
             self.window.open_case(case)
+        self.services.recovery.look()
 
     def _make_scene(self) -> None:
         if self._closed:
@@ -131,7 +135,8 @@ class Program(QObject):
         if not services.rig.shutdown(_DEADLINE_S):
             late.append("rig")
         services.reconstruction.shutdown()
-        services.case.close()
+        if not services.case.shutdown(_DEADLINE_S):
+            late.append("case")
         if not self._shading.close(_DEADLINE_S):
             late.append("shading")
         late += self.background.join(_DEADLINE_S)

@@ -9,6 +9,7 @@ from app.controllers.acquisition import AcquisitionController
 from app.controllers.case import CaseController
 from app.controllers.export import ExportController
 from app.controllers.reconstruction import ReconstructionController
+from app.controllers.recovery import RecoveryController
 from app.controllers.rig import RigController
 from app.draft import Draft
 from app.settings import Settings
@@ -26,3 +27,4 @@ class Services:
     acquisition: AcquisitionController
     reconstruction: ReconstructionController
     export: ExportController
+    recovery: RecoveryController

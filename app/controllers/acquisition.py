@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -80,11 +81,21 @@ class AcquisitionController(QObject):
         if not self._rig.snapshot.connected:
             self._tell(UsageError("E-USE-01", what="The rig is not open yet", do="wait until the status line shows it, or choose it on the Rig page"))
             return
+        self._prepare()
+        self._case.close()
+        self._case.create(lambda store: self._begin(store, request), self._no_case)
+
+    def resume(self, path: Path) -> None:
+        """Go on with the interrupted scan of a case; known points are measured again first."""
+        if self.running or not self._rig.snapshot.connected:
+            return
+        self._prepare()
+        self._case.open(path, lambda store: self._begin(store, None), self._no_case)
+
+    def _prepare(self) -> None:
         self._wanted, self._stopped = True, False
         self.status, self.result = None, None
-        self._case.close()
         self.began.emit()
-        self._case.create(lambda store: self._begin(store, request))
 
     def pause_or_resume(self) -> None:
         if self._runner is not None:
@@ -138,17 +149,15 @@ class AcquisitionController(QObject):
             sink(points, towards)
 
     # -------------------------------------------------------------------------------- inside
-    def _begin(self, store: CaseStore, request: PlanRequest) -> None:
+    def _begin(self, store: CaseStore, request: PlanRequest | None) -> None:
+        """A new scan as requested, or the rest of the interrupted one."""
         if self._stopped:  # while the case was made
-            self._wanted = False
-            self.changed.emit()
-            self.ended.emit()
+            self._no_case()
             return
         rig = self._rig.borrow()
         if rig is None:
-            self._wanted = False
+            self._no_case()
             self._tell(UsageError("E-USE-01", what="The rig is not open yet", do="wait until the status line shows it"))
-            self.changed.emit()
             return
         self._borrowed = True
         self._background.run("scan-start", lambda: _runner(rig, request, store), self._follow, self._not_started)
@@ -175,11 +184,15 @@ class AcquisitionController(QObject):
         return replace(status, rate_hz=status.rate_hz * speed, seconds=own_s, seconds_left=left)
 
     def _not_started(self, fault: Exception) -> None:
-        self._wanted = False
         self._let_go()
+        self._no_case()
+        self._tell(fault)
+
+    def _no_case(self, _fault: Exception | None = None) -> None:
+        """It did not begin after all; the reason has been told."""
+        self._wanted = False
         self.changed.emit()
         self.ended.emit()
-        self._tell(fault)
 
     def _finish(self, runner: ScanRunner) -> None:
         self._drain_points(runner)
@@ -194,9 +207,15 @@ class AcquisitionController(QObject):
             self._tell(self.status.error)
 
 
-def _runner(rig: OpenRig, request: PlanRequest, store: CaseStore) -> ScanRunner:
+def _runner(rig: OpenRig, request: PlanRequest | None, store: CaseStore) -> ScanRunner:
     from scanner_core.acquisition.runner import ScanRunner
+    from scanner_core.case.recovery import interruption
+    from scanner_core.errors import AcquisitionError
 
-    runner = ScanRunner(rig, request, store)
+    interrupted = None if request is not None else interruption(store)
+    if request is None and interrupted is None:
+        raise AcquisitionError("E-SCAN-04", path=store.path)
+    rig.concern(store)
+    runner = ScanRunner(rig, request or PlanRequest(), store, interruption=interrupted)
     runner.start()
     return runner

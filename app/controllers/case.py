@@ -1,60 +1,92 @@
-"""The open case: its file, its order, its points and its mesh; never opened or read on the GUI thread."""
+"""The open case: its file, its order, its points and its mesh; opened, read and written in a thread of its own, in order."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from datetime import date
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.background import Background
-from app.draft import Draft, DraftValues
-from app.settings import Settings
+from app.controllers.device_thread import DeviceThread
+from app.draft import EDIT_TEXTS, Draft, DraftValues
+from app.settings import Settings, save_settings
 from app.views.surface import Surface
 from scanner_core import wall_clock
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
 
 if TYPE_CHECKING:
-    from scanner_core.case.store import CaseStore
+    from scanner_core.case.store import CaseEdit, CaseStore
+    from scanner_core.devices.rig import RigConfig
 
 SUFFIX = ".impronta"
 RECENT = 12
+_TYPING_MS = 700
+"""An edit of the order is written when nothing was typed for so long."""
+_IN_THE_CASE = {"order": "number", "kind": "type"}
+"""Fields of the order by their names in the draft, where they are called otherwise."""
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class OpenedCase:
-    """A case as it was read: the store, and what it holds already."""
+class CaseContent:
+    """What a case shows: its order, the points of its newest scan, its mesh."""
 
-    store: CaseStore
     values: DraftValues
     cloud: PointCloud | None
     surface: Surface | None
     provenance: dict[str, object]
+    processing: dict[str, object]
 
 
 class CaseController(QObject):
     """One case at a time."""
 
     opened = Signal()
-    """Another case, or none: everything that is shown of it is stale."""
+    """Another case, or none, or another content: everything that is shown of it is stale."""
     meshed = Signal()
     """The case has a new mesh."""
+    stepped = Signal()
+    """Something was done to the case that can be undone."""
+    edited = Signal()
+    """`undo_words` or `redo_words` are others."""
 
     def __init__(
-        self, background: Background, settings: Settings, draft: Draft, tell: Callable[[BaseException], None], parent: QObject | None = None
+        self,
+        background: Background,
+        settings: Settings,
+        draft: Draft,
+        tell: Callable[[BaseException], None],
+        parent: QObject | None = None,
+        *,
+        settings_file: Path | None = None,
     ) -> None:
+        """The recent cases are kept in `settings_file` as soon as there is a new one: a program that is killed must not forget them."""
         super().__init__(parent)
         self._background, self._settings, self._draft, self._tell = background, settings, draft, tell
+        self._settings_file = settings_file
         self.store: CaseStore | None = None
         self.cloud: PointCloud | None = None
         self.surface: Surface | None = None
         self.provenance: dict[str, object] = {}
-        self.opening = False
+        self.processing: dict[str, object] = {}
+        """How the points are computed, as the case keeps it; empty for as scanned."""
+        self.opening = self.computing = False
+        self.undo_words: str | None = None
+        self.redo_words: str | None = None
+        self._held: CaseStore | None = None  # the thread's
+        self._typed: str | None = None
+        self._typing = QTimer(self)
+        self._typing.setSingleShot(True)
+        self._typing.timeout.connect(self._write_order)
+        self._thread = DeviceThread("case", lambda: None, 60.0, tell)
+        self._thread.start()
 
     @property
     def path(self) -> Path | None:
@@ -67,31 +99,48 @@ class CaseController(QObject):
         return report if isinstance(report, dict) else {}
 
     # -------------------------------------------------------------------------------- commands
-    def open(self, path: Path) -> None:
-        """Open another case; the present one is closed first."""
+    def open(self, path: Path, then: Callable[[CaseStore], None] | None = None, failed: Callable[[Exception], None] | None = None) -> None:
+        """Open another case; the present one is closed first.  `then` gets it in the GUI thread, or `failed` the fault, which is told."""
         self.close()
         self.opening = True
         before = self._draft.values
-        self._background.run("case-open", lambda: _open(path, before), self._take, self._failed)
 
-    def create(self, then: Callable[[CaseStore], None]) -> None:
-        """A new case file for the order as it was entered; `then` gets it in the GUI thread."""
+        def work() -> tuple[CaseStore, CaseContent]:
+            from scanner_core.case.store import CaseStore
+
+            store = self._held = CaseStore.open(path)
+            try:
+                return store, _content(store, before)
+            except BaseException:
+                self._let_go()
+                raise
+
+        self._do(work, lambda got: self._take(*got, then), partial(self._failed, failed))
+
+    def create(self, then: Callable[[CaseStore], None], failed: Callable[[Exception], None] | None = None) -> None:
+        """A new case file for the order as it was entered; `then` and `failed` as for :meth:`open`."""
         values, folder = self._draft.values, Path(self._settings.case_folder)
         self.opening = True
 
-        def done(store: CaseStore) -> None:
-            self._take(OpenedCase(store, values, None, None, {}))
-            then(store)
+        def work() -> CaseStore:
+            self._held = _create(folder, values)
+            return self._held
 
-        self._background.run("case-create", lambda: _create(folder, values), done, self._failed)
+        self._do(work, lambda store: self._take(store, CaseContent(values, None, None, {}, {}), then), partial(self._failed, failed))
 
     def close(self) -> None:
         """Close the file; it is whole at any time, closing only tidies it up."""
-        store, self.store = self.store, None
-        self.cloud, self.surface, self.provenance = None, None, {}
-        if store is not None:
-            self._background.run("case-close", store.close)
+        self._write_order()
+        self.store, self._draft.keep_order = None, None
+        self.cloud, self.surface, self.provenance, self.processing = None, None, {}, {}
+        self._thread.call(self._let_go)
+        self._show_words((None, None))
         self.opened.emit()
+
+    def shutdown(self, timeout_s: float) -> bool:
+        """Close the file and end the thread; False when it did not in time."""
+        self.close()
+        return self._thread.close(timeout_s)
 
     def take_cloud(self, cloud: PointCloud | None) -> None:
         """The registered points of a scan that has ended."""
@@ -107,52 +156,196 @@ class CaseController(QObject):
             return Surface.of(mesh, growing=False)
 
         def kept(surface: Surface) -> None:
-            self.surface, self.provenance = surface, provenance
-            self.meshed.emit()
+            if store is self.store:
+                self.surface, self.provenance = surface, provenance
+                self.meshed.emit()
+                self._step()
 
-        self._background.run("case-mesh", keep, kept, self._tell)
+        self._do(keep, kept)
 
-    # -------------------------------------------------------------------------------- inside
-    def _take(self, case: OpenedCase) -> None:
-        self.opening = False
-        self.store, self.cloud, self.surface, self.provenance = case.store, case.cloud, case.surface, case.provenance
-        if case.values != self._draft.values:
-            self._draft.load(case.values)
-        path = str(case.store.path)
-        self._settings.recent_cases = [path, *(old for old in self._settings.recent_cases if old != path)][:RECENT]
-        self._settings.last_order = case.values.order
+    # -------------------------------------------------------------------------------- edits
+    def change(self, work: Callable[[CaseStore], object], *, reread: bool = False) -> None:
+        """Something that a person does to the open case, and can undo: `work` edits the store in the case's thread."""
+        store, before = self.store, self._draft.values
+        if store is None:
+            return
+
+        def do() -> CaseContent | None:
+            work(store)
+            return _content(store, before) if reread else None
+
+        def done(content: CaseContent | None) -> None:
+            self._show(content)
+            self._step()
+
+        self._do(do, done)
+
+    def process(self, rig: RigConfig | None, gates: dict[str, float]) -> None:
+        """Compute the points anew: with the calibration of `rig`, or as scanned, and with gates by their names."""
+        calibration = None if rig is None else rig.calibration
+        identity = None if calibration is None else calibration.identity()
+
+        def work(store: CaseStore) -> None:
+            from scanner_core.case.processing import PROCESSING, Gates, chosen_processing, process_case
+            from scanner_core.devices.rig import dump_rig
+
+            before = chosen_processing(store)
+            kept = {name: value for name, value in before.gates.given().items() if name not in ("least_peak_dn", "epipolar_sigmas")}
+            processing = replace(before, calibration=identity, gates=Gates(**(kept | gates)))
+            process_case(store, processing, calibration)  # a choice that leaves nothing is told, and not kept
+            if rig is not None and identity is not None:
+                store.put_calibration(identity, dump_rig(rig))
+            store.edit(PROCESSING, processing.as_dict(), "Points computed anew")
+
+        self.computing = True
+        self.edited.emit()
+        self.change(work, reread=True)
+        self._thread.call(partial(self._background.post, self._computed))
+
+    def _computed(self) -> None:
+        """Whatever came of it: what is shown is the case's choice."""
+        self.computing = False
+        self.edited.emit()
+
+    def after(self, call: Callable[[], None]) -> None:
+        """`call` in the GUI thread, when what was asked of the case so far is done."""
+        self._do(lambda: None, lambda _: call())
+
+    def undo(self) -> None:
+        """Take the newest edit of the case back."""
+        self._go(lambda store: store.undo())
+        self._show_words((self.undo_words, self.undo_words))  # as far as is known yet
+
+    def redo(self) -> None:
+        """Do again what was undone last."""
+        self._go(lambda store: store.redo())
+        self._show_words((self.redo_words, self.redo_words))
+
+    def _go(self, step: Callable[[CaseStore], CaseEdit | None]) -> None:
+        self._write_order()
+        store, before = self.store, self._draft.values
+        if store is None:
+            return
+        shown = CaseContent(before, self.cloud, self.surface, self.provenance, self.processing)
+
+        def work() -> CaseContent | None:
+            done = step(store)
+            if done is None:
+                return None
+            return replace(shown, values=_values(store, before)) if done.key == "order" else _content(store, before)
+
+        self._do(work, self._show)
+        self._ask_words()
+
+    def _show(self, content: CaseContent | None) -> None:
+        """What the open case shows from now on."""
+        if content is None or self.store is None:
+            return
+        for name, value in asdict(content.values).items():
+            if value != getattr(self._draft.values, name):
+                self._draft.put(name, value)
+        self.cloud, self.surface, self.provenance, self.processing = content.cloud, content.surface, content.provenance, content.processing
         self.opened.emit()
 
-    def _failed(self, fault: Exception) -> None:
+    def _edit_order(self, name: str) -> None:
+        """A field of the order was edited while the case is open."""
+        if self._typed not in (None, name):
+            self._write_order()
+        self._typed = name
+        self._typing.start(_TYPING_MS)
+        self._show_words((EDIT_TEXTS[name], None))
+
+    def _write_order(self) -> None:
+        """What was typed, as one edit of the case."""
+        name, self._typed = self._typed, None
+        self._typing.stop()
+        if name is None:
+            return
+        field, value = _IN_THE_CASE.get(name, name), getattr(self._draft.values, name)
+        self.change(lambda store: store.edit("order", asdict(store.order()) | {field: value}, EDIT_TEXTS[name]))
+
+    def _step(self) -> None:
+        self.stepped.emit()
+        self._ask_words()
+
+    def _ask_words(self) -> None:
+        store = self.store
+        if store is not None:
+            self._do(lambda: (store.undoable, store.redoable), self._show_words)
+
+    def _show_words(self, words: tuple[str | None, str | None]) -> None:
+        self.undo_words, self.redo_words = words if self.store is not None else (None, None)
+        self.edited.emit()
+
+    # -------------------------------------------------------------------------------- inside
+    def _take(self, store: CaseStore, content: CaseContent, then: Callable[[CaseStore], None] | None) -> None:
+        self.opening = False
+        self.store, self.cloud, self.surface, self.provenance = store, content.cloud, content.surface, content.provenance
+        self.processing = content.processing
+        if content.values != self._draft.values:
+            self._draft.load(content.values)
+        self._draft.keep_order = self._edit_order
+        path = str(store.path)
+        self._settings.recent_cases = [path, *(old for old in self._settings.recent_cases if old != path)][:RECENT]
+        self._settings.last_order = content.values.order
+        if self._settings_file is not None:
+            kept = replace(self._settings, recent_cases=list(self._settings.recent_cases))
+            self._thread.call(partial(save_settings, kept, self._settings_file))
+        self._ask_words()
+        self.opened.emit()
+        if then is not None:
+            then(store)
+
+    def _failed(self, failed: Callable[[Exception], None] | None, fault: Exception) -> None:
         self.opening = False
         self.opened.emit()
         self._tell(fault)
+        if failed is not None:
+            failed(fault)
+
+    def _do(self, work: Callable[[], T], done: Callable[[T], None], failed: Callable[[Exception], None] | None = None) -> None:
+        """`work` in the case's thread, after what was asked before; then `done` or `failed` in the GUI thread."""
+
+        def body() -> None:
+            try:
+                result = work()
+            except Exception as fault:
+                self._background.post(partial(failed or self._tell, fault))
+            else:
+                self._background.post(lambda: done(result))
+
+        self._thread.call(body)
+
+    def _let_go(self) -> None:
+        store, self._held = self._held, None
+        if store is not None:
+            store.close()
 
 
-def _open(path: Path, before: DraftValues) -> OpenedCase:
+def _content(store: CaseStore, before: DraftValues) -> CaseContent:
+    """As the case stands; what it does not tell stays as it was `before`."""
     from scanner_core.case.processing import case_cloud
-    from scanner_core.case.store import CaseStore
     from scanner_core.errors import CaseError
 
-    store = CaseStore.open(path)
-    try:
-        order = store.order()
-        side = order.side if order.side in ("left", "right") else before.side
-        kind = order.type if order.type in ("ear", "arch", "other") else "other"
-        values = replace(before, order=order.number, patient_code=order.patient_code, side=side, kind=kind)
-        cloud, surface = None, None
-        provenance: dict[str, object] = {}
+    def kept(read: Callable[[], T]) -> T | None:
         try:
-            cloud = case_cloud(store)
-            mesh, provenance = store.mesh()
-            surface = Surface.of(mesh, growing=False)
+            return read()
         except CaseError as fault:
             if fault.code != "E-CASE-05":  # it holds none yet
                 raise
-    except BaseException:
-        store.close()
-        raise
-    return OpenedCase(store, values, cloud, surface, provenance)
+            return None
+
+    mesh, provenance = kept(store.mesh) or (None, {})
+    surface = None if mesh is None else Surface.of(mesh, growing=False)
+    choice = store.value("processing")
+    return CaseContent(_values(store, before), kept(lambda: case_cloud(store)), surface, provenance, choice if isinstance(choice, dict) else {})
+
+
+def _values(store: CaseStore, before: DraftValues) -> DraftValues:
+    order = store.order()
+    side = order.side if order.side in ("left", "right") else before.side
+    kind = order.type if order.type in ("ear", "arch", "other") else "other"
+    return replace(before, order=order.number, patient_code=order.patient_code, side=side, kind=kind)
 
 
 def _create(folder: Path, values: DraftValues) -> CaseStore:

@@ -1,4 +1,4 @@
-"""One thread that owns the open rig while no scan does: everything that talks to a device runs here, in order."""
+"""One thread for what must happen in order: the calls to the devices of the idle rig, or to the open case."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ Call = Callable[[], None]
 class DeviceThread:
     """Runs calls one after the other; in between, every `period_s`, it calls `idle`."""
 
-    def __init__(self, idle: Call, period_s: float, tell: Callable[[BaseException], None]) -> None:
+    def __init__(self, name: str, idle: Call, period_s: float, tell: Callable[[BaseException], None]) -> None:
         self._idle, self._period_s, self._tell = idle, period_s, tell
         self._calls: queue.SimpleQueue[Call | None] = queue.SimpleQueue()
-        self._thread = threading.Thread(target=self._run, name="rig")
+        self._thread = threading.Thread(target=self._run, name=name)
 
     def start(self) -> None:
         self._thread.start()

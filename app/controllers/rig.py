@@ -56,10 +56,12 @@ class RigController(QObject):
         """Set while somebody looks at the cameras of the idle rig."""
         self.frames: dict[str, LatestSlot[Frame]] = {"left": LatestSlot(), "right": LatestSlot()}
         """The newest frames of the idle rig."""
+        self.faults: list[tuple[str, float]] = []
+        """What was let happen on the open virtual rig: its title and when, ``time.monotonic()``."""
         self.calibration = CalibrationRun()
         self.target = TargetController(background, tell, self)
         self._closing = threading.Event()
-        self._device = DeviceThread(self._watch, _STATUS_PERIOD_S, tell)
+        self._device = DeviceThread("rig", self._watch, _STATUS_PERIOD_S, tell)
         self._device.start()
 
     # -------------------------------------------------------------------------------- what a person chooses
@@ -94,6 +96,25 @@ class RigController(QObject):
         rig = self._rig
         if rig is not None:
             self._background.run("laser-off", rig.motion.stop, lambda _: self._device.call(self._recover), self._tell)
+
+    def let_happen(self, name: str, in_s: float) -> None:
+        """Let something go wrong on the virtual rig, in so many seconds of its clock."""
+        rig = self._rig
+        if rig is None:
+            return
+
+        def work() -> str:
+            from scanner_core.virtual.faults import parse_fault
+
+            fault = parse_fault(f"{name}@{in_s:g}")
+            rig.inject(fault)
+            return fault.title
+
+        def done(title: str) -> None:
+            self.faults.append((title, time.monotonic() + in_s))
+            self.changed.emit()
+
+        self._background.run("fault", work, done, self._tell)
 
     # -------------------------------------------------------------------------------- lending
     def borrow(self) -> OpenRig | None:
@@ -214,6 +235,7 @@ class RigController(QObject):
 
     # -------------------------------------------------------------------------------- back in the GUI thread
     def _opened(self, config: RigConfig, specimen: Specimen, sphere: SphereTrend | None) -> None:
+        self.faults.clear()
         opened = replace(self.snapshot, config=config, connected=True, sphere=sphere)
         self._news(replace(opened, specimen_radius_mm=specimen.radius_mm, specimen_height_mm=specimen.height_mm))
 

@@ -27,6 +27,7 @@ class FileDialog(QFileDialog):
         self.setFileMode(mode)
         self.setWindowModality(Qt.WindowModality.NonModal)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.resize(760, 480)
         self._to_replace: str | None = None
 
     def accept(self) -> None:

@@ -13,6 +13,7 @@ from app.controllers.case import read_case_name
 from app.draft import KINDS, SIDES, DraftValues
 from app.services import Services
 from app.views import format as fmt
+from app.views.interrupted_strip import InterruptedStrip
 from app.views.page import Page
 from app.views.parts import BigNumber, SideBadge, button, label, number_field, row, seam
 from app.views.rig_page import specimen_words
@@ -23,20 +24,27 @@ class HomePage(Page):
 
     def __init__(self, services: Services) -> None:
         super().__init__(services)
-        box = QHBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
+        self.strip = InterruptedStrip(services)
+        box = QHBoxLayout()
         box.setSpacing(0)
         box.addWidget(self._order(), 6)
         box.addWidget(seam(upright=True))
         box.addWidget(self._aside(), 5)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(0)
+        whole.addWidget(self.strip)
+        whole.addLayout(box, 1)
         services.draft.changed.connect(self._show_field)
         services.rig.changed.connect(self._show_rig_if_seen)
         services.acquisition.ended.connect(self._show_start)
         services.case.opened.connect(self._show_recent)
+        services.case.opened.connect(self._show_head)
         for name in DraftValues.__dataclass_fields__:
             self._show_field(name)
         self._show_rig()
         self._show_recent()
+        self._show_head()
 
     def entered(self) -> None:
         self._show_recent()
@@ -96,9 +104,12 @@ class HomePage(Page):
         side_box = QVBoxLayout(side)
         side_box.setContentsMargins(40, 38, 40, 30)
         side_box.setSpacing(0)
-        side_box.addWidget(label(self.tr("New case"), "headline"))
+        self._head = label("", "headline")
+        self._about = label("", "muted")
+        self._new = button(self.tr("New case"), "link", lambda: self.intent.emit("new_case"))
+        side_box.addLayout(row(self._head, 1, self._new))
         side_box.addSpacing(6)
-        side_box.addWidget(label(self.tr("The order goes with every file that leaves this program."), "muted"))
+        side_box.addWidget(self._about)
         side_box.addSpacing(28)
         side_box.addLayout(grid)
         side_box.addSpacing(24)
@@ -159,6 +170,16 @@ class HomePage(Page):
         return aside
 
     # -------------------------------------------------------------------------------- showing
+    def _show_head(self) -> None:
+        """Whose order this is: of the open case, which keeps every change, or of the next one."""
+        there = self.services.case.store is not None
+        self._head.setText(self.tr("Open case") if there else self.tr("New case"))
+        self._about.setText(
+            self.tr("Changes of the order are kept in this case.") if there else self.tr("The order goes with every file that leaves this program.")
+        )
+        self._new.setVisible(there)
+        self._show_start()
+
     def _show_field(self, name: str) -> None:
         values = self.services.draft.values
         if name == "order" and self._number.text().strip() != values.order:
@@ -205,7 +226,7 @@ class HomePage(Page):
         elif rig.calibration is None:
             self._ready.setText(self.tr("The rig has to be calibrated first."))
         else:
-            self._ready.setText(self.tr("Ready."))
+            self._ready.setText(self.tr("Ready. The scan makes a new case.") if self.services.case.store is not None else self.tr("Ready."))
         self._on_table.setText(specimen_words(rig.specimen))
 
     def _show_recent(self) -> None:
@@ -229,8 +250,9 @@ class HomePage(Page):
 
     def _open(self, item: QListWidgetItem) -> None:
         path = Path(item.data(Qt.ItemDataRole.UserRole))
-        QTimer.singleShot(0, lambda: self.services.case.open(path))
-        self.wanted.emit("reconstruct")
+        if not self.services.acquisition.running:
+            QTimer.singleShot(0, lambda: self.services.case.open(path))
+            self.wanted.emit("reconstruct")
 
 
 class _RecentCase(QWidget):

@@ -8,12 +8,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QCoreApplication, Signal
-from PySide6.QtGui import QCloseEvent, QUndoStack
+from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
 from app.actions import fill_menus, make_actions
 from app.controllers.emission import Emission, emission_words
+from app.draft import next_order
 from app.services import Services
+from app.undo import UndoHistory
 from app.views import format as fmt
 from app.views.banner import Banner
 from app.views.calibration_words import age_of, age_text, expired_text
@@ -42,10 +44,10 @@ class MainWindow(QMainWindow):
     closing = Signal()
     """Sent once, before anything is taken down."""
 
-    def __init__(self, services: Services, undo_stack: QUndoStack) -> None:
+    def __init__(self, services: Services, undo: UndoHistory) -> None:
         super().__init__()
         self.services = services
-        self._undo = undo_stack
+        self._undo = undo
         self.scene: SceneView | None = None
         self._told_s = 0.0
         self._lit_s = -LASER_HOLD_S
@@ -130,13 +132,23 @@ class MainWindow(QMainWindow):
         return next(name for name, page in self.pages.items() if page is current)
 
     def new_case(self) -> None:
-        self.services.case.close()
+        """The next order; a scan that runs keeps its case."""
+        services = self.services
+        if services.acquisition.running:
+            self._tell_running()
+            return
+        if services.case.store is not None:
+            services.case.close()
+            services.draft.load(next_order(services.draft.values))
         self.show_page("home")
 
     def choose_case(self) -> None:
         choose_file(self, self.tr("Open a case"), self.services.settings.case_folder, self.tr("Cases (*.impronta)"), self.open_case)
 
     def open_case(self, path: Path) -> None:
+        if self.services.acquisition.running:
+            self._tell_running()
+            return
         self.services.case.open(path)
         self.show_page("reconstruct")
 
@@ -154,7 +166,6 @@ class MainWindow(QMainWindow):
         if self.services.acquisition.running or self.services.reconstruction.running:
             return
         self.banner.dismiss()
-        self.show_page("scan")
         self.services.acquisition.start(
             PlanRequest(views=values.views, points=values.points, object_radius_mm=rig.specimen_radius_mm, object_height_mm=rig.specimen_height_mm)
         )
@@ -202,6 +213,9 @@ class MainWindow(QMainWindow):
         )
 
     # -------------------------------------------------------------------------------- inside
+    def _tell_running(self) -> None:
+        self.banner.tell_note(self.tr("A scan is running."), self.tr("Wait for its end or stop it first (Esc)."))
+
     def _with_scene(self, call: Callable[[SceneView], None]) -> None:
         if self.scene is not None:
             call(self.scene)
@@ -219,26 +233,23 @@ class MainWindow(QMainWindow):
         services.acquisition.add_point_sink(lambda points, towards: self._with_scene(lambda scene: scene.append_points(points, towards)))
         services.case.opened.connect(self._show_case)
         services.case.meshed.connect(self._show_mesh)
+        services.case.edited.connect(self._show_activity)
         services.reconstruction.began.connect(self._begin_reconstruction)
         services.reconstruction.grown.connect(lambda surface: self._with_scene(lambda scene: scene.show_mesh(surface)))
         services.reconstruction.ended.connect(self._end_reconstruction)
         services.reconstruction.changed.connect(self._show_activity)
-        self._undo.canUndoChanged.connect(self._show_undo)
-        self._undo.canRedoChanged.connect(self._show_undo)
-        self._undo.undoTextChanged.connect(self._show_undo)
+        self._undo.changed.connect(self._show_undo)
         self.rail.show_order(services.draft.values)
 
     def _show_undo(self) -> None:
-        for name, able, what in (
-            ("undo", self._undo.canUndo(), self._undo.undoText()),
-            ("redo", self._undo.canRedo(), self._undo.redoText()),
-        ):
+        for name, what in (("undo", self._undo.undo_words), ("redo", self._undo.redo_words)):
             action = self.actions_by_id[name]
-            action.setEnabled(able)
+            action.setEnabled(what is not None)
             plain = self.tr("&Undo") if name == "undo" else self.tr("&Redo")
-            action.setText(f"{plain}: {what}" if able and what else plain)
+            action.setText(f"{plain}: {what}" if what else plain)
 
     def _begin_scan(self) -> None:
+        self.show_page("scan")
         self._with_scene(lambda scene: scene.clear())
         self._with_scene(lambda scene: scene.set_live(True))
         self.actions_by_id["show_points"].setChecked(True)
@@ -338,6 +349,8 @@ class MainWindow(QMainWindow):
             text = self.tr("Reconstructing")
         elif services.rig.snapshot.calibrating is not None:
             text = self.tr("Calibrating")
+        elif services.case.computing:
+            text = self.tr("Computing the points anew…")
         elif services.case.opening:
             text = self.tr("Opening the case…")
         self.status_line.show_activity(text)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QCoreApplication, QSize, Qt
-from PySide6.QtWidgets import QGridLayout, QLabel, QProgressBar, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QProgressBar, QVBoxLayout, QWidget
 
 from app.controllers.reconstruction import PHASES
 from app.services import Services
@@ -12,6 +12,7 @@ from app.translation import QT_TRANSLATE_NOOP
 from app.views import format as fmt
 from app.views.page import Page
 from app.views.parts import BigNumber, button, label, number_field, row, seam
+from app.views.processing_rows import ProcessingRows
 
 PHASE_WORDS = {
     "inflate": (QT_TRANSLATE_NOOP("phases", "Inflate"), QT_TRANSLATE_NOOP("phases", "grows to the points")),
@@ -42,14 +43,23 @@ class ReconstructPage(Page):
         box.addWidget(self._bar)
         box.addWidget(self._step)
         box.addWidget(seam())
+        self._told = QWidget()
+        told = QVBoxLayout(self._told)
+        told.setContentsMargins(0, 0, 0, 0)
         self._facts = QGridLayout()
         self._facts.setColumnStretch(0, 1)
         self._facts.setVerticalSpacing(5)
-        box.addLayout(self._facts)
+        told.addLayout(self._facts)
         self._warnings = label("", "bad", wrap=True)
-        box.addWidget(self._warnings)
+        told.addWidget(self._warnings)
+        box.addWidget(self._told)
         box.addStretch(1)
         box.addWidget(seam())
+        self.processing = ProcessingRows(services)
+        self.anew = button(self.tr("Compute the points anew…"), "link", self._unfold)
+        box.addWidget(self.anew)
+        box.addWidget(self.processing)
+        self.processing.hide()
         draft = services.draft
         self._wanted = number_field(
             0, 2_000_000, 1000, lambda value: draft.edit("triangles", value), special=self.tr("automatic")
@@ -63,7 +73,7 @@ class ReconstructPage(Page):
         for line_number, (name, field) in enumerate(((self.tr("Triangles, at most"), self._wanted), (self.tr("Tolerance"), self._tolerance))):
             caption = label(name, "muted")
             caption.setBuddy(field)
-            field.setFixedWidth(120)
+            field.setFixedWidth(140)
             wishes.addWidget(caption, line_number, 0)
             wishes.addWidget(field, line_number, 1)
         box.addLayout(wishes)
@@ -76,9 +86,11 @@ class ReconstructPage(Page):
         services.reconstruction.changed.connect(self._show)
         services.reconstruction.began.connect(self._show)
         services.reconstruction.ended.connect(self._show)
+        services.reconstruction.ended.connect(self.processing.show_choice)
         services.case.opened.connect(self._show)
         services.case.meshed.connect(self._show)
         services.acquisition.ended.connect(self._show)
+        services.acquisition.ended.connect(self.processing.show_choice)
         draft.changed.connect(self._show_field)
         for name in ("triangles", "tolerance_um"):
             self._show_field(name)
@@ -86,6 +98,12 @@ class ReconstructPage(Page):
 
     def entered(self) -> None:
         self._show()
+
+    def _unfold(self) -> None:
+        """The place of the facts, which are those of the points as they were."""
+        folded = self.processing.isHidden()
+        self.processing.setVisible(folded)
+        self._told.setVisible(not folded)
 
     def _show_field(self, name: str) -> None:
         values = self.services.draft.values

@@ -17,6 +17,7 @@ from app.views.board_watch_view import BoardWatchView
 from app.views.calibrating_panel import CalibratingPanel
 from app.views.calibration_panel import CalibrationPanel
 from app.views.camera_preview import CameraPreview
+from app.views.fault_panel import FaultPanel
 from app.views.file_dialogs import choose_file
 from app.views.page import Page
 from app.views.parts import Lamp, button, label, row, seam
@@ -57,6 +58,7 @@ class RigPage(Page):
         self.board = BoardWatchView()
         self.progress = CalibratingPanel(services.rig)
         self._emission: Emission | None = None
+        self.faults = FaultPanel(services.rig)
         self._lefts, self._rights = QStackedWidget(), QStackedWidget()
         for stack, parts in ((self._lefts, (self._left(), self.board)), (self._rights, (self.calibration, self.progress))):
             for part in parts:
@@ -161,6 +163,8 @@ class RigPage(Page):
         side_box.addSpacing(22)
         self._previews = {"left": CameraPreview(self.tr("Camera left")), "right": CameraPreview(self.tr("Camera right"))}
         side_box.addLayout(row(*self._previews.values(), spacing=10), 3)
+        side_box.addSpacing(12)
+        side_box.addWidget(self.faults)
         side_box.addStretch(1)
         return side
 
@@ -179,6 +183,7 @@ class RigPage(Page):
         self._specimen.setCurrentIndex(at)
         self._speeds[rig.speed].setChecked(True)
         self._show_devices()
+        self.faults.show_rig()
         for part in (self._preset, self._specimen, self._file, *self._speeds.values()):
             part.setEnabled(not rig.busy and rig.calibrating is None)
         self._show_calibration()

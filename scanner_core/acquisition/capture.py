@@ -9,13 +9,14 @@ from __future__ import annotations
 import queue
 import threading
 import time
+from contextlib import suppress
 from dataclasses import dataclass
 
 import cv2
 
 from scanner_core.acquisition.handover import LatestSlot, Preview
 from scanner_core.devices.camera import Camera, Trigger
-from scanner_core.errors import DeviceError, ImprontaError
+from scanner_core.errors import DeviceError
 from scanner_core.optics.spot import MissReason, Spot, SpotMiss
 from scanner_core.optics.spot_detection import SpotDetector
 from scanner_core.optics.spot_tracking import SpotTracker
@@ -96,11 +97,10 @@ class CaptureThread:
         while (trigger := self._runs.get()) is not None:
             try:
                 self._follow(trigger)
-            except ImprontaError as error:
-                self._post(CaptureFault(error))
-            except Exception as error:  # an unexpected fault must reach the scan, not end in this thread
-                self._post(CaptureFault(error))
-            self._post(RunEnd())
+                self._post(RunEnd())
+            except Exception as error:  # also an unexpected fault must reach the scan, not end in this thread
+                self._insist(CaptureFault(error))
+                self._insist(RunEnd())
 
     def _follow(self, trigger: Trigger) -> None:
         shown_s = 0.0
@@ -112,6 +112,16 @@ class CaptureThread:
                 self._preview.put(Preview(frame, seen))
                 shown_s = now_s
             self._post(SpotEvent(frame.trigger_id, frame.time_s, seen))
+
+    def _insist(self, event: CaptureEvent) -> None:
+        """Post what must arrive: the run has failed, so of its spots the oldest can make room."""
+        while True:
+            try:
+                self.events.put_nowait(event)
+                return
+            except queue.Full:
+                with suppress(queue.Empty):
+                    self.events.get_nowait()
 
     def _post(self, event: CaptureEvent) -> None:
         end_s = time.monotonic() + _PATIENCE_S

@@ -18,6 +18,7 @@ from __future__ import annotations
 import json
 import threading
 import time
+import traceback
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import asdict, dataclass
@@ -209,6 +210,7 @@ class ScanRunner:
         except BaseException as fault:
             error = error or self._as_error(fault)
             reason = FinishReason.FAILED
+        _without_frames(error)
         result = ScanResult(
             finish_reason=reason,
             counts=self._tally.counts(),
@@ -353,4 +355,12 @@ class ScanRunner:
             return None  # the controller's answer to the stop that was asked for
         if isinstance(fault, ImprontaError):
             return fault
-        return AcquisitionError("E-SCAN-02", reason=f"{type(fault).__name__}: {fault}", case=self._store.path)
+        details = "".join(traceback.format_exception(fault))
+        return AcquisitionError("E-SCAN-02", reason=f"{type(fault).__name__}: {fault}", case=self._store.path, details=details)
+
+
+def _without_frames(error: BaseException | None) -> None:
+    """A result outlives its scan, and an error's tracebacks hold every local of it: cameras, their rig, some 80 MB."""
+    while error is not None:
+        error.__traceback__ = None
+        error = error.__cause__ or error.__context__

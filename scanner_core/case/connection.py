@@ -3,7 +3,10 @@
 Why these pragmas
 
 - ``journal_mode=WAL`` appends to a log and never rewrites what stands.
-- ``synchronous=FULL`` syncs that log at every commit, so that a transaction that returned also survives a power cut.
+- ``synchronous=EXTRA`` syncs that log at every commit, as FULL does, so that a transaction that returned also survives a
+  power cut.  It is set first because the change to WAL is itself a small transaction with a rollback journal: FULL
+  deletes that journal without syncing the folder, and a file system that forgets the deletion brings it back hot, when
+  the case has grown long since; it is then rolled back to what it was, and damaged.  EXTRA syncs the folder.
 - ``locking_mode=EXCLUSIVE`` makes the second program that opens the case fail at once, and frees the lock by itself when
   the first one is killed.  Set before WAL it also keeps the log's index in memory: no ``-shm`` file.
 - what a hostile file could make SQLite do is restricted in :mod:`scanner_core.case.vetting`.
@@ -82,13 +85,13 @@ def connect(path: Path, asked: Path | None = None) -> sqlite3.Connection:
     """The case for writing; nobody else has it from now on.  Where it is a private copy, `asked` is what errors name."""
     connection = database(path)
     try:
+        connection.execute("PRAGMA synchronous = EXTRA")
         connection.execute("PRAGMA locking_mode = EXCLUSIVE")
         # The exclusive lock is taken now, so that a second program is refused at once.
         connection.execute("BEGIN EXCLUSIVE")
         connection.execute("COMMIT")
         vet(connection, asked or path)
         connection.execute("PRAGMA journal_mode = WAL")
-        connection.execute("PRAGMA synchronous = FULL")
         migrate(asked or path, connection)
     except BaseException:
         connection.close()

@@ -10,8 +10,12 @@ _ROWS = 8
 """Rows that are looked at, evenly spread."""
 _ROUGH_DN = 40.0
 """Mean step between neighbouring pixels of a row beyond which it is no image; uniformly random bytes have 85, noise a few."""
-_ALIVE_DN = 2
-"""Range of a row that shows noise; of a dark, quiet row nothing can be said."""
+_ALIVE = 0.05
+"""Least share of a row's pixels beside its median: a row that shows noise.  Of a clipped, dark one with a hot pixel nothing can be said."""
+_OFTEN = 0.3
+"""A camera of which more frames than that repeat rows is too quiet for its digits: its repetitions prove nothing."""
+_MEMORY = 32
+"""Frames over which that is averaged."""
 
 
 class TornFrames:
@@ -23,6 +27,7 @@ class TornFrames:
 
     def __init__(self) -> None:
         self._last: NDArray[np.uint8] | None = None
+        self._repeating = 0.0
 
     def torn(self, image: NDArray[np.uint8]) -> bool:
         """Whether the next frame (H, W) uint8 is torn, or an old one again."""
@@ -33,5 +38,12 @@ class TornFrames:
             return True
         if last is None or last.shape != rows.shape:
             return False
-        same = (rows == last).all(axis=1)
-        return bool(same.any() and (np.ptp(rows[same], axis=1) >= _ALIVE_DN).any())
+        same = rows[(rows == last).all(axis=1)]
+        repeats = bool(len(same)) and bool((_share_beside_median(same) >= _ALIVE).any())
+        self._repeating += (repeats - self._repeating) / _MEMORY
+        return repeats and self._repeating < _OFTEN
+
+
+def _share_beside_median(rows: NDArray[np.uint8]) -> NDArray[np.float64]:
+    share: NDArray[np.float64] = (rows != np.median(rows, axis=1, keepdims=True)).mean(axis=1)
+    return share

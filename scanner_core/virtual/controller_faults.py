@@ -176,7 +176,7 @@ class LostOk(ControllerFault):
 
     title: ClassVar[str] = "Lost ok"
     happens: ClassVar[str] = "an 'ok' of the controller gets lost on its way"
-    expected: ClassVar[str] = "ends with E-MOT-01 after the answer's deadline"
+    expected: ClassVar[str] = "ends with E-MOT-01, 2 s after the controller fell idle"
 
     def strike(self, board: Board, time_s: float) -> None:
         board.wire.lose_ok()

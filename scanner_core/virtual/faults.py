@@ -40,7 +40,7 @@ disk_full             the case's disk is full                         ends, E-DI
 case_locked           another program tries for the case              goes on; at its opening, held by the other: E-CASE-02
 clock_jump            the time of day jumps back by an hour           goes on, no duration is touched
 worker_killed         the worker is killed in its job                 E-JOB-01; points safe, a new worker
-worker_out_of_memory  the worker gets no more memory (Linux)          E-JOB-02 or E-JOB-01; points safe
+worker_out_of_memory  for 10 s the worker gets no memory (Linux)      E-JOB-02 or E-JOB-01; points safe
 program_killed        SIGKILL                                         is gone; what was acknowledged stands in the case
 ====================  ==============================================  ==================================================
 

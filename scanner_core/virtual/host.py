@@ -87,3 +87,5 @@ class Host:
                 return
             with suppress(OSError):  # its job is done, it may be gone
                 fault.strike(pid)
+                self._closing.wait(fault.lasts_s)
+                fault.put_right(pid)

@@ -23,7 +23,7 @@ from scanner_core.virtual.fault import Fault, Place
 if TYPE_CHECKING:
     from scanner_core.case.store import CaseStore
 
-_TRIES_S = 2.0
+_TRIES_S = 1.0
 """How long the other program tries to get a case."""
 
 
@@ -121,9 +121,10 @@ class ProgramKilled(HostFault):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WorkerFault(Fault, ABC):
-    """Something that befalls the worker process, `at_s` real seconds after it began the next job."""
+    """Something that befalls the worker process, `at_s` real seconds after it began the next job, for `lasts_s`."""
 
     place: ClassVar[Place] = Place.WORKER
+    lasts_s: float = 0.0
 
     def from_now(self, now_s: float) -> Self:
         """It waits for a job, whatever the rig's clock says."""
@@ -132,6 +133,9 @@ class WorkerFault(Fault, ABC):
     @abstractmethod
     def strike(self, pid: int) -> None:
         """Let it happen to the process."""
+
+    def put_right(self, pid: int) -> None:
+        """Its end, where it has one and the process is still there."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,12 +150,13 @@ class WorkerKilled(WorkerFault):
         os.kill(pid, getattr(signal, "SIGKILL", signal.SIGTERM))
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class WorkerOutOfMemory(WorkerFault):
-    """The worker gets no more memory than it has (Linux: RLIMIT_AS)."""
+    """For a while the worker gets no more memory than it has (Linux: RLIMIT_AS)."""
 
+    lasts_s: float = 10.0
     title: ClassVar[str] = "Worker out of memory"
-    happens: ClassVar[str] = "the worker process gets no more memory; the time counts from the start of the reconstruction"
+    happens: ClassVar[str] = "for 10 s the worker process gets no more memory; the time counts from the start of the reconstruction"
     expected: ClassVar[str] = "E-JOB-02 or E-JOB-01; the points are safe"
 
     def check(self) -> None:
@@ -164,7 +169,14 @@ class WorkerOutOfMemory(WorkerFault):
             import resource
 
             (size,) = (int(line.split()[1]) for line in Path(f"/proc/{pid}/status").read_text().splitlines() if line.startswith("VmSize:"))
-            resource.prlimit(pid, resource.RLIMIT_AS, (1024 * size, resource.RLIM_INFINITY))
+            resource.prlimit(pid, resource.RLIMIT_AS, (1024 * size, resource.prlimit(pid, resource.RLIMIT_AS)[1]))
+
+    def put_right(self, pid: int) -> None:
+        if sys.platform == "linux":
+            import resource
+
+            hard = resource.prlimit(pid, resource.RLIMIT_AS)[1]
+            resource.prlimit(pid, resource.RLIMIT_AS, (hard, hard))
 
 
 HOST_FAULTS: dict[str, Fault] = {

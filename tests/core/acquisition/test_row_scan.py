@@ -9,13 +9,14 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
+from scanner_core.acquisition import capture
 from scanner_core.acquisition.capture import CaptureThread
 from scanner_core.acquisition.engine import StereoPair
 from scanner_core.acquisition.handover import LatestSlot
 from scanner_core.acquisition.plan import Row
 from scanner_core.acquisition.row_scan import RowScan
 from scanner_core.devices.camera import Frame, Trigger
-from scanner_core.errors import ControllerAlarmError, DeviceLostError
+from scanner_core.errors import ControllerAlarmError, DeviceError, DeviceLostError
 from scanner_core.optics.spot_detection import SpotDetector
 
 ROW = Row(view=0, first_id=100, count=200, y_deg=0.0, x_from_deg=-1.0, x_to_deg=1.0)
@@ -137,3 +138,22 @@ def test_two_rows_in_a_row() -> None:
     finally:
         for capture in captures:
             capture.close()
+
+
+def test_frames_that_nobody_takes_are_said_and_end_the_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(capture, "_PATIENCE_S", 0.05)
+    reading = CaptureThread(ScriptedCamera("left"), SpotDetector(), LatestSlot())
+    try:
+        trigger = Trigger(0, capture.QUEUE_LENGTH + 50, 0.0)
+        reading.arm(trigger)
+        reading.expose(trigger)
+        end_s = time.monotonic() + 5.0
+        while not any(isinstance(event, capture.RunEnd) for event in tuple(reading.events.queue)) and time.monotonic() < end_s:
+            time.sleep(0.01)
+        *_, fault, last = tuple(reading.events.queue)
+        assert isinstance(last, capture.RunEnd)
+        assert isinstance(fault, capture.CaptureFault)
+        assert isinstance(fault.error, DeviceError)
+        assert fault.error.code == "E-CAM-04"
+    finally:
+        reading.close()

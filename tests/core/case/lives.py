@@ -62,7 +62,7 @@ def mesh(size: int) -> TriangleMesh:
     return TriangleMesh(rng.normal(size=(size, 3)), rng.integers(0, size, (2 * size, 3)), {"supported": np.ones(size, np.uint8)})
 
 
-def live(path: Path, kept: Callable[[CaseStore], None], batches: int = 4, batch: int = 3, vertices: int = 5) -> None:
+def live(path: Path, kept: Callable[[CaseStore], None], batches: int = 3, batch: int = 30, vertices: int = 200) -> None:
     """From creation over two sessions to the last closing; `kept` is called after everything that was acknowledged."""
     with CaseStore.create(path) as store:
         kept(store)
@@ -91,7 +91,7 @@ def live(path: Path, kept: Callable[[CaseStore], None], batches: int = 4, batch:
         kept(store)
         store.redo()
         kept(store)
-        store.edit("processing", {"calibration": None, "gates": {"residual_px": 1.5}}, "Gate changed")
+        store.edit("processing", {"calibration": None, "gates": {"epipolar_sigmas": 2.5}}, "Gate changed")
         kept(store)
         again = store.begin_scan("scan", "name = 'rig'", "def", "another", PLAN)
         kept(store)

@@ -6,7 +6,7 @@ place) is noted as well.  From any prefix of the sequence the files can be made 
 cut may.
 
 That SQLite (3.54.1) is the one inside apsw, not the one inside Python (3.40.1 when this was written).  Both went through
-the same life under ``strace -f -e trace=openat,pwrite64,ftruncate,fsync,fdatasync,unlink,link``: the same 236 calls in the
+the same life under ``strace -f -e trace=openat,pwrite64,ftruncate,fsync,fdatasync,unlink,link``: the same 283 calls in the
 same order, with the same offsets and lengths.
 """
 

@@ -70,7 +70,8 @@ def happen(remote: RemoteBoard, state: str, event: str) -> Seen:
         time.sleep(DARK_WITHIN_S[event] + 0.5)
         log = remote.witness.laser_log()
         said = []
-        if running.poll() is not None:
+        if lit and (event in BOARD_EVENTS or event == "guardian"):  # the program is there to say what it was
+            running.wait(10.0)
             said = running.stdout.read().split()
     if event == "open_door":
         remote.witness.happen("close_door")

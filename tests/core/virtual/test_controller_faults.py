@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import pytest
 
+from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.clock import Clock
 from scanner_core.devices.grbl import GrblController
-from scanner_core.errors import DeviceError
+from scanner_core.devices.motion import MotionState
+from scanner_core.devices.rig import load_preset
+from scanner_core.errors import DeviceError, UsageError
 from scanner_core.virtual.controller_faults import (
     Alarm1,
     Alarm2,
@@ -113,6 +116,19 @@ def test_a_position_with_a_wrong_digit_is_not_believed() -> None:
         assert set(places) == {22.5}
         said = [line["line"] for line in controller.transcript() if line["direction"] == "in"]
         assert any("22.500" not in str(line) for line in said)
+
+
+def test_a_rig_with_a_witness_lets_the_controllers_faults_happen_there() -> None:
+    with remote_board() as remote:
+        config = replace(load_preset("bench"), controller=remote.config)
+        with open_rig(config, None, faults=[LidOpened()]) as rig:
+            rig.clock.sleep(0.2)
+            assert rig.motion.status().state is MotionState.DOOR
+
+
+def test_nothing_happens_on_a_real_rig() -> None:
+    with open_rig(load_preset("bench"), None) as rig, pytest.raises(UsageError):
+        replace(rig, faults=None).inject(LidOpened())
 
 
 def _watch(controller: GrblController, places: list[float]) -> None:
