@@ -69,14 +69,16 @@ def vet(connection: sqlite3.Connection, path: Path) -> None:
         raise CaseFormatError("E-CASE-03", path=path, version=version, known=VERSION)
     if version < 1:
         raise CaseFormatError("E-CASE-01", path=path, reason=f"it has the version {version}, which no case has")
+    (pages,), (page_bytes,) = connection.execute("PRAGMA page_count").fetchone(), connection.execute("PRAGMA page_size").fetchone()
+    # Until the pages are checked a value may announce any size, and SQLite makes room for it: no value is larger than its file.
+    connection.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, min(LONGEST_VALUE, max(pages * page_bytes, 1_000_000)))
     if difference := _difference(_schema(connection), _schema_of(version)):
         raise CaseFormatError("E-CASE-01", path=path, reason=one_line(difference))
-    _check(connection, path)
+    _check(connection, path, CHECK_S + pages * page_bytes / CHECK_BYTES_S)
+    connection.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, LONGEST_VALUE)
 
 
-def _check(connection: sqlite3.Connection, path: Path) -> None:
-    (pages,), (size,) = connection.execute("PRAGMA page_count").fetchone(), connection.execute("PRAGMA page_size").fetchone()
-    most_s = CHECK_S + pages * size / CHECK_BYTES_S
+def _check(connection: sqlite3.Connection, path: Path, most_s: float) -> None:
     end_s = time.monotonic() + most_s
     connection.set_progress_handler(lambda: time.monotonic() > end_s, _STEPS)
     try:

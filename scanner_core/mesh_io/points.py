@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import re
+import warnings
 from typing import BinaryIO
 
 import numpy as np
@@ -68,7 +69,8 @@ def parse_npy_points(content: bytes) -> PointCloud:
         if version not in ((1, 0), (2, 0)):
             raise ValueError(f"version {version} of NPY")
         read = np.lib.format.read_array_header_1_0 if version == (1, 0) else np.lib.format.read_array_header_2_0
-        shape, fortran, kind = read(file)
+        with warnings.catch_warnings(action="ignore"):  # that Python 2 wrote it is no news to a person
+            shape, fortran, kind = read(file)
     except Exception as fault:  # the header is a Python expression: a damaged one raises nearly anything
         raise MalformedError(f"its NPY header is damaged ({shown(str(fault).encode(), 80)})") from None
     if kind.kind not in "fiu" or kind.fields is not None or kind.subdtype is not None:

@@ -14,6 +14,7 @@ from types import FrameType
 
 import psutil
 
+from tests.fuzz.corpus import samples
 from tests.fuzz.readers import READERS, REFUSALS
 
 MOST_SECONDS = 5.0
@@ -49,7 +50,7 @@ class Watch:
         self._folder = folder
         self.summary = Summary(reader)
         self._begin_s = time.perf_counter()
-        for sample in (b"", b"\0"):  # imports and caches are no growth
+        for sample in (b"", *samples(reader)):  # imports and caches are no growth
             self._outcome(sample)
         process = psutil.Process()
         self._memory = process.memory_info().rss

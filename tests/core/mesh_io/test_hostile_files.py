@@ -282,6 +282,12 @@ def test_a_document_type_is_refused_wherever_and_in_whatever_encoding() -> None:
             MESH_PARSERS[".vtp"](content)
 
 
+def test_a_file_of_python_2_is_read_without_a_word(capfd: pytest.CaptureFixture[str]) -> None:
+    content = npy(np.arange(60.0).reshape(20, 3)).replace(b"(20, 3), ", b"(20L, 3),")
+    assert len(POINT_PARSERS[".npy"](content)) == 20
+    assert capfd.readouterr() == ("", "")
+
+
 def test_files_beyond_the_limit_are_not_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("scanner_core.mesh_io.reader.MOST_BYTES", 100)
     (tmp_path / "a.stl").write_bytes(bytes(101))
