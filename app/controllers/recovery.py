@@ -101,6 +101,7 @@ class RecoveryController(QObject):
         def done(path: Path) -> None:
             self.busy = False
             then(path)
+            self.changed.emit()
             self.look()
 
         if self._case.path == scan.path:

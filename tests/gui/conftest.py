@@ -19,7 +19,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.main import make_application
 from app.program import Program
-from tests.gui.waiting import wait_ms
+from tests.gui.waiting import until, wait_ms
 
 HERE = Path(__file__).parent
 
@@ -64,6 +64,28 @@ def settings_file(tmp_path: Path) -> Path:
     path.parent.mkdir()
     path.write_text(json.dumps({"case_folder": str(tmp_path / "cases"), "export_folder": str(tmp_path / "exports"), "language": "en"}))
     return path
+
+
+@pytest.fixture(scope="module")
+def shared_settings(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Settings of :func:`shared_program`."""
+    folder = tmp_path_factory.mktemp("shared")
+    path = folder / "settings.json"
+    path.write_text(json.dumps({"case_folder": str(folder / "cases"), "export_folder": str(folder / "exports"), "language": "en"}))
+    return path
+
+
+@pytest.fixture(scope="module")
+def shared_program(application: QApplication, shared_settings: Path) -> Iterator[Program]:
+    """One program for the tests of a module, which leave it idle: its start costs more than most of them."""
+    running = Program(application, started_s=time.perf_counter(), settings_file=shared_settings)
+    until(lambda: running.window.scene is not None and running.services.reconstruction.worker_pid is not None, 120, "all that stays")
+    running.window.activateWindow()
+    QTest.qWaitForWindowActive(running.window, 3000)
+    yield running
+    running.window.close()
+    running.window.deleteLater()
+    wait_ms(10)
 
 
 @pytest.fixture

@@ -25,12 +25,12 @@ TETRAHEDRON = TriangleMesh(np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1
 
 
 @pytest.fixture
-def case(program: Program, tmp_path: Path) -> Path:
+def case(shared_program: Program, tmp_path: Path) -> Path:
     path = tmp_path / "a.impronta"
     with CaseStore.create(path) as store:
         store.put_order(Order("A-1", "P-1", "left", "ear", "by courier"))
-    program.window.open_case(path)
-    until(lambda: program.services.case.path == path, 20, "the case")
+    shared_program.window.open_case(path)
+    until(lambda: shared_program.services.case.path == path, 20, "the case")
     return path
 
 
@@ -39,30 +39,37 @@ def _order(path: Path) -> Order:
         return store.order()
 
 
+def _closed(program: Program) -> None:
+    done: list[bool] = []
+    program.services.case.close()
+    program.services.case.after(lambda: done.append(True))
+    until(lambda: done, 10, "the file is closed")
+
+
 def _undo_text(program: Program) -> str:
     return program.window.actions_by_id["undo"].text()
 
 
-def test_the_order_of_the_open_case_is_edited_in_its_file(program: Program, case: Path) -> None:
-    window, services = program.window, program.services
+def test_the_order_of_the_open_case_is_edited_in_its_file(shared_program: Program, case: Path) -> None:
+    window, services = shared_program.window, shared_program.services
     window.show_page("home")
     field = window.pages["home"].findChildren(QLineEdit)[0]
     field.selectAll()
     QTest.keyClicks(field, "A-77")
     services.draft.edit("side", "right")
-    until(lambda: _undo_text(program) == "&Undo: Change side", 10, "the words")
+    until(lambda: _undo_text(shared_program) == "&Undo: Change side", 10, "the words")
     store = services.case.store
     assert store is not None
     until(lambda: store.order() == Order("A-77", "P-1", "right", "ear", "by courier"), 10, "in the file")
     QTest.keyClick(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     until(lambda: services.draft.values.side == "left", 10, "the side as before")
     assert services.draft.values.order == "A-77"
-    until(lambda: _undo_text(program) == "&Undo: Edit order number", 10, "the next words")
+    until(lambda: _undo_text(shared_program) == "&Undo: Edit order number", 10, "the next words")
     window.services.case.close()
     until(lambda: services.case.store is None, 10)
     window.open_case(case)
     until(lambda: services.case.path == case, 20, "the case again")
-    until(lambda: _undo_text(program) == "&Undo: Edit order number", 10, "the file remembers")
+    until(lambda: _undo_text(shared_program) == "&Undo: Edit order number", 10, "the file remembers")
     assert window.actions_by_id["redo"].text() == "&Redo: Change side"
     window.undo()
     until(lambda: services.draft.values.order == "A-1", 10, "the number as before")
@@ -70,46 +77,50 @@ def test_the_order_of_the_open_case_is_edited_in_its_file(program: Program, case
     until(lambda: services.draft.values.order == "A-77", 10, "and again")
     window.redo()
     until(lambda: services.draft.values.side == "right", 10, "the side, too")
-    window.close()
+    _closed(shared_program)
     assert _order(case) == Order("A-77", "P-1", "right", "ear", "by courier")
 
 
-def test_what_was_just_typed_is_kept_when_the_window_closes(program: Program, case: Path) -> None:
+def test_what_was_just_typed_is_kept_when_the_window_closes(program: Program, tmp_path: Path) -> None:
+    case = tmp_path / "b.impronta"
+    CaseStore.create(case).close()
+    program.window.open_case(case)
+    until(lambda: program.services.case.path == case, 20, "the case")
     program.services.draft.edit("patient_code", "P-2")
     program.window.close()
     assert _order(case).patient_code == "P-2"
 
 
-def test_undo_right_after_typing_takes_it_back(program: Program, case: Path) -> None:
-    program.services.draft.edit("order", "B-2")
-    program.window.undo()
-    until(lambda: program.services.draft.values.order == "A-1", 10)
-    program.window.close()
+def test_undo_right_after_typing_takes_it_back(shared_program: Program, case: Path) -> None:
+    shared_program.services.draft.edit("order", "B-2")
+    shared_program.window.undo()
+    until(lambda: shared_program.services.draft.values.order == "A-1", 10)
+    _closed(shared_program)
     assert _order(case).number == "A-1"
 
 
-def test_a_mesh_is_undone_and_redone(program: Program, case: Path) -> None:
-    services = program.services
+def test_a_mesh_is_undone_and_redone(shared_program: Program, case: Path) -> None:
+    services = shared_program.services
     services.case.keep_mesh(TETRAHEDRON, {"report": {"triangles": 4}})
     until(lambda: services.case.surface is not None, 10, "the mesh")
-    until(lambda: _undo_text(program) == "&Undo: Surface reconstructed", 10)
-    program.window.undo()
+    until(lambda: _undo_text(shared_program) == "&Undo: Surface reconstructed", 10)
+    shared_program.window.undo()
     until(lambda: services.case.surface is None, 10, "none again")
     assert services.case.report == {}
-    program.window.redo()
+    shared_program.window.redo()
     until(lambda: services.case.surface is not None, 10, "the mesh again")
     assert services.case.report == {"triangles": 4}
 
 
-def test_form_and_case_are_undone_in_the_order_in_which_they_were_done(program: Program, case: Path) -> None:
-    services, window = program.services, program.window
+def test_form_and_case_are_undone_in_the_order_in_which_they_were_done(shared_program: Program, case: Path) -> None:
+    services, window = shared_program.services, shared_program.window
     views = services.draft.values.views
     services.draft.edit("views", views + 1)
     services.draft.edit("order", "C-3")
-    until(lambda: _undo_text(program) == "&Undo: Edit order number", 10)
+    until(lambda: _undo_text(shared_program) == "&Undo: Edit order number", 10)
     wait_ms(900)
     services.draft.edit("views", views + 2)
-    assert _undo_text(program) == "&Undo: Change number of views"
+    assert _undo_text(shared_program) == "&Undo: Change number of views"
     window.undo()
     assert services.draft.values.views == views + 1
     window.undo()
@@ -124,16 +135,16 @@ def test_form_and_case_are_undone_in_the_order_in_which_they_were_done(program: 
     assert (services.draft.values.views, services.draft.values.order) == (views + 2, "C-3")
 
 
-def test_a_new_case_counts_the_order_on_and_leaves_the_old_one_alone(program: Program, case: Path) -> None:
-    program.window.new_case()
-    values = program.services.draft.values
+def test_a_new_case_counts_the_order_on_and_leaves_the_old_one_alone(shared_program: Program, case: Path) -> None:
+    shared_program.window.new_case()
+    values = shared_program.services.draft.values
     assert (values.order, values.patient_code) == ("A-2", "")
-    program.services.draft.edit("order", "A-9")
-    program.window.close()
+    shared_program.services.draft.edit("order", "A-9")
+    _closed(shared_program)
     assert _order(case).number == "A-1"
 
 
-def test_points_computed_anew_are_undone(program: Program, tmp_path: Path) -> None:
+def test_points_computed_anew_are_undone(shared_program: Program, tmp_path: Path) -> None:
     """Narrower gates leave fewer points; a gate that leaves none is told and not kept."""
     path = tmp_path / "s.impronta"
     specimen = load_specimen("sphere")
@@ -141,7 +152,7 @@ def test_points_computed_anew_are_undone(program: Program, tmp_path: Path) -> No
         runner = ScanRunner(rig, PlanRequest(2, 300, specimen.radius_mm, specimen.height_mm), store)
         runner.start()
         assert runner.join(60.0)
-    services, window = program.services, program.window
+    services, window = shared_program.services, shared_program.window
     page = window.pages["reconstruct"]
     assert isinstance(page, ReconstructPage)
     rows = page.processing
@@ -156,7 +167,7 @@ def test_points_computed_anew_are_undone(program: Program, tmp_path: Path) -> No
     assert services.case.cloud is not None
     after = len(services.case.cloud)
     assert 0 < after < before
-    until(lambda: _undo_text(program) == "&Undo: Points computed anew", 10)
+    until(lambda: _undo_text(shared_program) == "&Undo: Points computed anew", 10)
     rows.peak.setValue(255)
     until(lambda: not services.case.computing and window.banner.text, 30, "the sentence")
     assert "E-CASE-05" in window.banner.details

@@ -10,7 +10,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QMenu, QSpinBox, QWidget
 
-from app.controllers.emission import Emission
+from app.controllers.emission import Emission, emission_of
 from app.program import Program
 from app.stop_key import StopKey
 from app.views.file_dialogs import FileDialog
@@ -52,20 +52,20 @@ class Stops:
 
 
 @pytest.fixture
-def stops(program: Program, monkeypatch: pytest.MonkeyPatch) -> Iterator[Stops]:
-    QTest.qWaitForWindowExposed(program.window)
-    yield Stops(program, monkeypatch)
+def stops(shared_program: Program, monkeypatch: pytest.MonkeyPatch) -> Iterator[Stops]:
+    QTest.qWaitForWindowExposed(shared_program.window)
+    yield Stops(shared_program, monkeypatch)
     while (popup := QApplication.activePopupWidget()) is not None:
         popup.close()
 
 
-def test_every_page_and_every_field(program: Program, stops: Stops) -> None:
+def test_every_page_and_every_field(shared_program: Program, stops: Stops) -> None:
     for info in PAGES:
-        program.window.show_page(info.id)
+        shared_program.window.show_page(info.id)
         wait_ms(30)
-        assert stops.by_key(program.window), info.id
+        assert stops.by_key(shared_program.window), info.id
         assert stops.by_button(), info.id
-        page = program.window.pages[info.id]
+        page = shared_program.window.pages[info.id]
         for kind in (QLineEdit, QSpinBox, QComboBox):
             for field in page.findChildren(kind):
                 if field.isVisible() and field.isEnabled():
@@ -73,8 +73,8 @@ def test_every_page_and_every_field(program: Program, stops: Stops) -> None:
                     assert stops.by_key(field), (info.id, field)
 
 
-def test_every_menu_and_every_list(program: Program, stops: Stops) -> None:
-    window = program.window
+def test_every_menu_and_every_list(shared_program: Program, stops: Stops) -> None:
+    window = shared_program.window
     for action in window.menuBar().actions():
         menu = action.menu()
         assert isinstance(menu, QMenu)
@@ -86,7 +86,7 @@ def test_every_menu_and_every_list(program: Program, stops: Stops) -> None:
         until(menu.isVisible, 5, "the menu")
         assert stops.by_button(), action.text()
     window.show_page("rig")
-    until(lambda: program.services.rig.snapshot.connected and program.services.rig.snapshot.calibrating is None, 120, "the rig")
+    until(lambda: shared_program.services.rig.snapshot.connected and shared_program.services.rig.snapshot.calibrating is None, 120, "the rig")
     wait_ms(50)
     for combo in window.pages["rig"].findChildren(QComboBox):
         for way in ("key", "button"):
@@ -104,9 +104,9 @@ def _dialog(program: Program) -> FileDialog:
     return program.window.findChildren(FileDialog)[-1]
 
 
-def test_every_dialog(program: Program, stops: Stops) -> None:
-    window = program.window
-    until(lambda: program.services.rig.snapshot.connected and program.services.rig.snapshot.calibrating is None, 120, "the rig")
+def test_every_dialog(shared_program: Program, stops: Stops) -> None:
+    window = shared_program.window
+    until(lambda: shared_program.services.rig.snapshot.connected and shared_program.services.rig.snapshot.calibrating is None, 120, "the rig")
     rig, export = window.pages["rig"], window.pages["export"]
     opened = {
         "case": lambda: window.actions_by_id["open_case"].trigger(),
@@ -117,7 +117,7 @@ def test_every_dialog(program: Program, stops: Stops) -> None:
     for name, opens in opened.items():
         window.show_page({"case": "home", "folder": "export"}.get(name, "rig"))
         opens()
-        dialog = _dialog(program)
+        dialog = _dialog(shared_program)
         assert QApplication.activeModalWidget() is None, name
         assert dialog.testOption(FileDialog.Option.DontUseNativeDialog), name
         assert stops.by_button(), name
@@ -128,14 +128,14 @@ def test_every_dialog(program: Program, stops: Stops) -> None:
         until(lambda: not window.findChildren(FileDialog), 5, f"{name} closed as ever")
 
 
-def test_a_dialog_says_inside_what_others_ask_in_a_box(program: Program, tmp_path: Path) -> None:
-    window = program.window
+def test_a_dialog_says_inside_what_others_ask_in_a_box(shared_program: Program, tmp_path: Path) -> None:
+    window = shared_program.window
     (tmp_path / "there.pdf").write_bytes(b"old")
     chosen: list[Path] = []
     from app.views.file_dialogs import choose_file, choose_folder, choose_new_file
 
     choose_file(window, "A file", str(tmp_path), "All (*)", chosen.append)
-    dialog = _dialog(program)
+    dialog = _dialog(shared_program)
     dialog.selectFile("missing.pdf")
     dialog.accept()
     assert dialog.isVisible()
@@ -143,15 +143,15 @@ def test_a_dialog_says_inside_what_others_ask_in_a_box(program: Program, tmp_pat
     dialog.selectFile("there.pdf")
     dialog.accept()
     choose_new_file(window, "A new file", str(tmp_path / "there.pdf"), "PDF (*.pdf)", "pdf", chosen.append)
-    dialog = _dialog(program)
+    dialog = _dialog(shared_program)
     dialog.accept()
     assert dialog.isVisible()
     assert dialog.labelText(FileDialog.DialogLabel.Accept) == "Replace it"
     dialog.accept()
     choose_new_file(window, "A new file", str(tmp_path / "new"), "PDF (*.pdf)", "pdf", chosen.append)
-    _dialog(program).accept()
+    _dialog(shared_program).accept()
     choose_folder(window, "A folder", str(tmp_path), chosen.append)
-    _dialog(program).accept()
+    _dialog(shared_program).accept()
     assert QApplication.activeModalWidget() is None
     assert chosen == [tmp_path / "there.pdf", tmp_path / "there.pdf", tmp_path / "new.pdf", tmp_path]
 
@@ -171,16 +171,16 @@ def test_a_held_key_and_one_press_on_its_way_are_one_stop(application: QApplicat
         field.close()
 
 
-@pytest.mark.parametrize("way", ["key", "button"])
-def test_a_scan_ends_while_a_dialog_is_open(program: Program, way: str) -> None:
-    window, services = program.window, program.services
+@pytest.mark.parametrize("way", [pytest.param("key", marks=pytest.mark.long), "button"])
+def test_a_scan_ends_while_a_dialog_is_open(shared_program: Program, way: str) -> None:
+    window, services = shared_program.window, shared_program.services
     until(lambda: services.rig.snapshot.connected and services.rig.snapshot.calibration is not None, 120, "a calibrated rig")
     services.draft.edit("views", 2)
     services.draft.edit("points", 40_000)
     window.start_scan()
     until(lambda: services.acquisition.status is not None and services.acquisition.status.state is ScanState.SCANNING, 60, "the scan")
     window.choose_case()
-    dialog = _dialog(program)
+    dialog = _dialog(shared_program)
     if way == "key":
         QTest.keyClick(dialog, Qt.Key.Key_Escape)
     else:
@@ -194,8 +194,8 @@ def test_a_scan_ends_while_a_dialog_is_open(program: Program, way: str) -> None:
     until(lambda: window.status_line.laser.text == "Laser off", 5, "and so does the window")
 
 
-def test_a_stop_before_the_first_row_begins_no_scan(program: Program) -> None:
-    window, services = program.window, program.services
+def test_a_stop_before_the_first_row_begins_no_scan(shared_program: Program) -> None:
+    window, services = shared_program.window, shared_program.services
     until(lambda: services.rig.snapshot.connected and services.rig.snapshot.calibration is not None, 120, "a calibrated rig")
     window.start_scan()
     window.laser_off()  # the case is being made
@@ -205,9 +205,9 @@ def test_a_stop_before_the_first_row_begins_no_scan(program: Program) -> None:
     assert services.acquisition.result is None or services.acquisition.result.finish_reason is FinishReason.CANCELLED
 
 
-def test_a_controller_that_says_nothing_is_unknown(program: Program, monkeypatch: pytest.MonkeyPatch) -> None:
-    window, services = program.window, program.services
-    assert services.rig.emission is Emission.NO_RIG
+def test_a_controller_that_says_nothing_is_unknown(shared_program: Program, monkeypatch: pytest.MonkeyPatch) -> None:
+    window, services = shared_program.window, shared_program.services
+    assert emission_of(None) is Emission.NO_RIG
     until(lambda: services.rig.emission is Emission.DARK, 60, "the rig")
     until(lambda: window.status_line.laser.text == "Laser off", 5)
     blocked = monkeypatch.context
