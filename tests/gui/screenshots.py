@@ -23,6 +23,7 @@ from PySide6.QtGui import QImage
 from app.draft import KINDS
 from app.main import make_application
 from app.program import Program
+from app.views.rig_page import RigPage
 from tests.gui.waiting import until, wait_ms
 
 SIZE = (1280, 800)
@@ -94,8 +95,26 @@ def tour(program: Program, folder: Path, points: int) -> None:
     window.show_page("home")
     window.new_case()
     shoot(program, folder / "home-later.png")
+    go_wrong(program, folder, points)
     if window.banner.text:
         print(window.banner.text, window.banner.details, file=sys.stderr)
+
+
+def go_wrong(program: Program, folder: Path, points: int) -> None:
+    """A lid that is opened in mid-scan: what is offered then, and where faults are rehearsed."""
+    window, services = program.window, program.services
+    window.start_scan()
+    until(lambda: services.acquisition.status is not None and services.acquisition.status.counts.measured > 0.3 * points, 400, "points")
+    services.rig.let_happen("lid_opened", 0)
+    until(lambda: services.recovery.scan is not None, 60, "the offer to resume")
+    window.show_page("home")
+    shoot(program, folder / "interrupted.png")
+    window.banner.dismiss()
+    window.show_page("rig")
+    page = window.pages["rig"]
+    assert isinstance(page, RigPage)
+    page.faults.toggle.click()
+    shoot(program, folder / "faults.png")
 
 
 def main() -> int:
