@@ -123,6 +123,10 @@ SENTENCES: dict[str, Sentence] = {
         "The interrupted scan cannot go on: of {known} known points {seen} were found again, {shift_um} um beside where they were.",
         "The laser is off and what was measured before is kept; put the object and the cameras back as they were and resume, or scan anew.",
     ),
+    "E-SCAN-05": Sentence(
+        "The {part} of the rig is not the one with which the scan in {path} was begun.",
+        "What was measured is kept; use the rig file of that scan to resume it, or keep what is there and scan anew.",
+    ),
     "E-SCAN-04": Sentence("{path} holds no interrupted scan.", "It was not touched; scan into a new case."),
     # ------------------------------------------------------------------------------------------ findings while scanning
     "H-EPI-01": Sentence(

@@ -119,7 +119,7 @@ class PlanFollower:
         before = self._control.state
         self.keep()
         self._control.enter(ScanState.PAUSED)
-        while not self._control.wait_to_go_on(_STATUS_PERIOD_S):
+        while self._control.rest_wanted and not self._control.wait_to_go_on(_STATUS_PERIOD_S):
             self._poll()
         self._control.enter(before)
 

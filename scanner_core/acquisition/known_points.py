@@ -71,27 +71,32 @@ class KnownPoints:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CheckPlan:
-    """Rows of known views under new trigger ids; `known_ids` takes a new id to the one before, `turn` is the number of all views."""
+    """Rows of known views under new trigger ids; `begins` are a row's first id now and before, (rows, 2), `turn` is the number of all views."""
 
     plan: ScanPlan
-    known_ids: dict[int, int]
+    begins: NDArray[np.int64]
     turn: int
+
+    def known_ids(self, trigger_ids: NDArray[np.int64]) -> NDArray[np.int64]:
+        """Trigger ids (n,) of the check as they were before."""
+        row = np.searchsorted(self.begins[:, 0], trigger_ids, side="right") - 1
+        before: NDArray[np.int64] = trigger_ids - self.begins[row, 0] + self.begins[row, 1]
+        return before
 
 
 def check_plan(plan: ScanPlan, known: KnownPoints, first_id: int) -> CheckPlan:
     """The rows of the views to check that hold known points, in the order of the plan."""
-    views, ids = [], {}
-    held = set(known.trigger_ids.tolist())
+    views, begins = [], []
     for number in known.views_to_check(len(plan.views)):
         rows: list[Row] = []
         for row in plan.views[number].rows:
-            if held.isdisjoint(range(row.first_id, row.first_id + row.count)):
+            if not row.holds_any(known.trigger_ids):
                 continue
             rows.append(replace(row, first_id=first_id))
-            ids.update({first_id + i: row.first_id + i for i in range(row.count)})
+            begins.append((first_id, row.first_id))
             first_id += row.count
         views.append(ViewPlan(plan.views[number].table_deg, tuple(rows), min(CHECK_POINTS, len(known.of_view(number)))))
-    return CheckPlan(ScanPlan(tuple(views), plan.sweep_speed_deg_s), ids, len(plan.views))
+    return CheckPlan(ScanPlan(tuple(views), plan.sweep_speed_deg_s), np.array(begins, np.int64), len(plan.views))
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,22 +127,20 @@ def agreement(
     exposed_again : (m,) trigger ids of the check that were exposed
     compare : points again (n, 3) and before (n, 3) to their motion
     """
-    index = {int(i): row for row, i in enumerate(known.trigger_ids)}
-    aimed = sum(check.known_ids[int(i)] in index for i in exposed_again)
-    pairs = [(row, index[check.known_ids[int(i)]]) for row, i in enumerate(again.trigger_ids) if check.known_ids[int(i)] in index]
-    agrees = len(pairs) >= _SEEN_AGAIN * aimed and bool(pairs)
+    aimed = int(np.isin(check.known_ids(exposed_again), known.trigger_ids).sum())
+    _, seen, then = np.intersect1d(check.known_ids(again.trigger_ids), known.trigger_ids, assume_unique=True, return_indices=True)
+    agrees = len(seen) >= _SEEN_AGAIN * aimed and len(seen) > 0
     shift_um = 0.0
-    rows = np.array(pairs, np.int64).reshape(-1, 2)
-    for view in np.unique(known.views[rows[:, 1]]):
-        here = rows[known.views[rows[:, 1]] == view]
-        points, before = again.points[here[:, 0]], known.points[here[:, 1]]
+    for view in np.unique(known.views[then]):
+        here = known.views[then] == view
+        points, before = again.points[seen[here]], known.points[then[here]]
         closure = compare(points, before)
         if np.isnan(closure.shift_um):
             depth_mm, limit_mm = _depth(points, before, int(view), check.turn)
             shift_um, agrees = max(shift_um, 1e3 * depth_mm), agrees and depth_mm <= limit_mm
         else:
             shift_um, agrees = max(shift_um, closure.shift_um), agrees and closure.closes
-    return Agreement(aimed, len(pairs), float(shift_um), bool(agrees))
+    return Agreement(aimed, len(seen), float(shift_um), bool(agrees))
 
 
 def _depth(points: Array, before: Array, view: int, turn: int) -> tuple[float, float]:

@@ -12,6 +12,9 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from scanner_core.errors import UsageError
 from scanner_core.one_line import one_line
 from scanner_core.toml_text import parse_toml, read_text
@@ -30,6 +33,10 @@ class Row:
     y_deg: float
     x_from_deg: float
     x_to_deg: float
+
+    def holds_any(self, trigger_ids: NDArray[np.int64]) -> bool:
+        """Whether some of these ids (n,), which rise, are of this row."""
+        return bool(np.searchsorted(trigger_ids, self.first_id) < np.searchsorted(trigger_ids, self.first_id + self.count))
 
 
 @dataclass(frozen=True, slots=True)

@@ -35,7 +35,7 @@ from scanner_core.acquisition.health import HealthMonitor, HealthReport, Phase
 from scanner_core.acquisition.known_points import KnownPoints, agreement, check_plan
 from scanner_core.acquisition.plan import PlanRequest, ScanPlan
 from scanner_core.acquisition.planning import closing_plan, locating_plan, scan_plan
-from scanner_core.acquisition.remaining import remaining_plan
+from scanner_core.acquisition.resuming import expect_same_rig, resumption
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.acquisition.status import FinishReason, ScanCounts, ScanState, ScanStatus
 from scanner_core.acquisition.tally import Tally
@@ -43,7 +43,7 @@ from scanner_core.acquisition.views import RegisteredViews, register_case
 from scanner_core.case.recovery import Interruption
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import dump_rig
-from scanner_core.errors import AcquisitionError, CalibrationError, ImprontaError
+from scanner_core.errors import AcquisitionError, CalibrationError, DeviceError, ImprontaError, MotionStoppedError, StorageError
 from scanner_core.optics.spot_detection import SpotDetector
 
 
@@ -99,11 +99,13 @@ class ScanRunner:
         ------
         CalibrationError
             E-CAL-02 the rig has none, E-CAL-06 it is not the one of the interrupted scan.
+        AcquisitionError
+            E-SCAN-05 the rig is another one.
         """
         if rig.calibration is None:
             raise CalibrationError("E-CAL-02")
-        if interruption is not None and interruption.record.calibration_id != rig.calibration.identity():
-            raise CalibrationError("E-CAL-06", path=store.path)
+        if interruption is not None:
+            expect_same_rig(store, interruption, rig.config, rig.calibration)
         self._rig, self._store, self._on_end = rig, store, on_end
         self._request = request if interruption is None else interruption.request
         self._interruption = interruption
@@ -139,8 +141,9 @@ class ScanRunner:
 
     def cancel(self) -> None:
         """Laser off at once and end; what was measured is kept.  From any thread, also twice."""
-        if self._control.cancel() and self._thread.is_alive():
-            self._rig.motion.stop()
+        if self._control.cancel() and self._control.state not in (ScanState.IDLE, ScanState.FINISHING):
+            with suppress(DeviceError):  # the scan's own thread meets the same fault, and tells it
+                self._rig.motion.stop()
 
     def join(self, timeout_s: float | None = None) -> bool:
         """Wait for the end; True when the scan is over."""
@@ -196,24 +199,26 @@ class ScanRunner:
         if error is not None:
             self._control.enter(ScanState.FAULT)
         wall_s = time.monotonic() - wall_s
-        self._control.enter(ScanState.FINISHING)
         reason = FinishReason.FAILED if error else FinishReason.CANCELLED if self._control.cancelled.is_set() else FinishReason.COMPLETED
+        self._control.enter(ScanState.FINISHING)
+        counts = self._kept(error)
         try:
             if self._open is not None and self._open.scan_id != self._scan_id:  # a pass beside the scan did not come to its end
                 self._store.end_scan(self._open.scan_id, reason, self._open.tally.counts())
             if self._scan_id is not None:
-                self._store.end_scan(self._scan_id, reason, self._tally.counts())
                 for finding in self._health.findings:
                     self._store.audit(f"health {finding.code}", json.dumps(finding.as_dict()))
-                if self._tally.measured and not isinstance(error, OSError):
+                if counts.measured and not isinstance(error, StorageError):
                     views = register_case(self._store, self._scan_id, self._rig.config, self.calibration)
+                # Last: a scan that is killed before its views are registered must not count as complete.
+                self._store.end_scan(self._scan_id, reason, counts)
         except BaseException as fault:
             error = error or self._as_error(fault)
             reason = FinishReason.FAILED
         _without_frames(error)
         result = ScanResult(
             finish_reason=reason,
-            counts=self._tally.counts(),
+            counts=counts,
             located=self._located,
             views_planned=self._request.views,
             exposures=self._follower.exposures,
@@ -237,7 +242,7 @@ class ScanRunner:
     def _scan(self, left: CaptureThread, right: CaptureThread) -> None:
         # Whatever ended the scan before: dark, at rest, and where the rig's angles begin.
         self._rig.motion.recover()
-        if self._rig.motion.needs_homing:
+        if self._rig.motion.needs_homing and not self._control.cancelled.is_set():
             self._rig.motion.home()
         if self._interruption is None or not self._go_on_with(self._interruption, left, right):
             self._scan_anew(left, right)
@@ -264,25 +269,23 @@ class ScanRunner:
 
     def _go_on_with(self, interruption: Interruption, left: CaptureThread, right: CaptureThread) -> bool:
         """Scan what an interrupted scan is missing, once known points were found where they were; False when it holds too few."""
-        record, plan = interruption.record, interruption.plan
-        before = self._store.verdict_counts(record.id)
-        known = KnownPoints.of_scan(self._store, record.id, self._rig.config, self.calibration)
-        if record.kind != "scan" or plan is None or not known.views_to_check(len(plan.views)):
-            self._store.end_scan(record.id, FinishReason.CANCELLED, interruption.counts)
+        known = KnownPoints.of_scan(self._store, interruption.record.id, self._rig.config, self.calibration)
+        rest = resumption(self._store, interruption, known)
+        if rest is None:
+            self._store.end_scan(interruption.record.id, FinishReason.CANCELLED, interruption.counts)
             return False
-        measured = np.bincount(known.views, minlength=len(plan.views))
-        remaining = remaining_plan(plan, self._store.exposed_ids(record.id), measured)
-        self._scan_id, self._resumed = record.id, len(known)
-        self._tally = Tally(plan.planned, self._request.points, self._rig.clock.now_s(), before)
-        self._health.recall(plan, known, remaining.complete)
+        self._scan_id, self._resumed = interruption.record.id, len(known)
+        plan, wanted = interruption.plan, self._request.points
+        self._tally = Tally(plan.planned, wanted, self._rig.clock.now_s(), rest.verdicts)
+        self._health.recall(plan, known, rest.remaining.complete)
         self._find_again(plan, known, left, right)
         if self._control.cancelled.is_set():
             return True
         for view in np.unique(known.views).tolist():
             self.live_cloud.append(known.of_view(view).points, view)
-        self._tally = Tally(plan.planned, self._request.points, self._rig.clock.now_s(), before)
+        self._tally = Tally(plan.planned, wanted, self._rig.clock.now_s(), rest.verdicts)
         self._health.go_on()
-        self._finish_plan(Pass(record.id, remaining.plan, self._tally, self.live_cloud), plan, left, right)
+        self._finish_plan(Pass(interruption.record.id, rest.remaining.plan, self._tally, self.live_cloud), plan, left, right)
         return True
 
     def _find_again(self, plan: ScanPlan, known: KnownPoints, left: CaptureThread, right: CaptureThread) -> None:
@@ -350,8 +353,18 @@ class ScanRunner:
             self._rig.motion.recover()
         self._follower.ask()
 
+    def _kept(self, error: ImprontaError | None) -> ScanCounts:
+        """The counts; where the case could not take everything, of what it holds."""
+        counts = self._tally.counts()
+        if self._scan_id is None or not isinstance(error, StorageError):
+            return counts
+        try:
+            return ScanCounts.of(counts.planned, self._store.verdict_counts(self._scan_id))
+        except ImprontaError:
+            return counts
+
     def _as_error(self, fault: BaseException) -> ImprontaError | None:
-        if self._control.cancelled.is_set() and isinstance(fault, OSError):
+        if self._control.cancelled.is_set() and isinstance(fault, MotionStoppedError):
             return None  # the controller's answer to the stop that was asked for
         if isinstance(fault, ImprontaError):
             return fault

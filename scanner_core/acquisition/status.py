@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 
 from scanner_core.acquisition.finding import Finding
+from scanner_core.case.observation import MEASURED
 from scanner_core.errors import ImprontaError
 
 
@@ -38,6 +40,12 @@ class ScanCounts:
     planned: int = 0
     measured: int = 0
     rejected: dict[str, int] = field(default_factory=dict)
+
+    @staticmethod
+    def of(planned: int, verdicts: Mapping[str, int]) -> ScanCounts:
+        """From the number of observations by verdict."""
+        rejected = {name: count for name, count in sorted(verdicts.items()) if name != MEASURED}
+        return ScanCounts(planned, verdicts.get(MEASURED, 0), rejected)
 
     @property
     def skipped(self) -> int:

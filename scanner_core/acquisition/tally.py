@@ -38,8 +38,7 @@ class Tally:
 
     def counts(self) -> ScanCounts:
         with self._lock:
-            rejected = {name: count for name, count in sorted(self._verdicts.items()) if name != MEASURED}
-            return ScanCounts(self._planned, self._verdicts[MEASURED], rejected)
+            return ScanCounts.of(self._planned, self._verdicts)
 
     @property
     def measured(self) -> int:

@@ -12,9 +12,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from scanner_core.acquisition.plan import PlanRequest, ScanPlan
 from scanner_core.acquisition.status import FinishReason, ScanCounts
-from scanner_core.case.observation import MEASURED
 from scanner_core.case.processing import DISCARDED
 from scanner_core.case.store import CaseStore, Order, ScanRecord
 from scanner_core.errors import CaseFormatError, ImprontaError
@@ -79,9 +80,7 @@ def interruption(store: CaseStore) -> Interruption | None:
         request = _request(record.plan, plan)
     except (KeyError, TypeError, ValueError, OverflowError, ImprontaError) as fault:
         raise CaseFormatError("E-CASE-01", path=store.path, reason=f"its plan is damaged ({fault})") from fault
-    verdicts = store.verdict_counts(record.id)
-    rejected = {name: count for name, count in sorted(verdicts.items()) if name != MEASURED}
-    return Interruption(record, plan, request, ScanCounts(plan.planned, verdicts.get(MEASURED, 0), rejected))
+    return Interruption(record, plan, request, ScanCounts.of(plan.planned, store.verdict_counts(record.id)))
 
 
 def find_interrupted(paths: Iterable[Path]) -> list[InterruptedScan]:
@@ -107,8 +106,8 @@ def describe(store: CaseStore) -> InterruptedScan | None:
     if of is None:
         return None
     scanning = of.record.kind == "scan"
-    exposed = set(store.exposed_ids(of.record.id).tolist()) if scanning else set()
-    begun = [view for view in of.plan.views if any(not exposed.isdisjoint(range(r.first_id, r.first_id + r.count)) for r in view.rows)]
+    exposed = store.exposed_ids(of.record.id) if scanning else np.empty(0, np.int64)
+    begun = [view for view in of.plan.views if any(row.holds_any(exposed) for row in view.rows)]
     measured = of.counts.measured if scanning else 0
     return InterruptedScan(
         store.path, store.order(), measured, of.request.points, max(0, len(begun) - 1), of.request.views, of.record.started, of.record.finish_reason

@@ -115,13 +115,16 @@ def run_scan(console: Console, rig: OpenRig, request: PlanRequest, store: CaseSt
     told: set[str] = set()
     while True:
         try:
-            while not runner.join(0.1):
-                _show(console, runner)
-                _warn(console, runner, told)
-            break
+            try:
+                while not runner.join(0.1):
+                    _show(console, runner)
+                    _warn(console, runner, told)
+                break
+            except KeyboardInterrupt:
+                runner.cancel()  # first: a terminal that was closed takes no sentence any more
+                console.say("Stopping: the laser is off, what was measured is kept.")
         except KeyboardInterrupt:
-            runner.cancel()  # first: a terminal that was closed takes no sentence any more
-            console.say("Stopping: the laser is off, what was measured is kept.")
+            continue  # an impatient second one; the end of the scan is waited for all the same
     console.clear()
     _warn(console, runner, told)
     if runner.result is None:

@@ -10,7 +10,7 @@ from scanner_core.devices.check import Check
 from scanner_core.devices.grbl.doctor import controller_checks
 from scanner_core.devices.grbl.handshake import shake_hands
 from scanner_core.devices.grbl.lines import Report
-from scanner_core.devices.grbl.link import ANSWER_S, GrblLink
+from scanner_core.devices.grbl.link import ANSWER_S, GrblLink, Halt
 from scanner_core.devices.laser_safety import LIT_ANSWER_S, STANDING_LASER_S, Darkened, LaserWatch, Light, breach
 from scanner_core.devices.motion import MotionState, MotionStatus
 from scanner_core.devices.rig import ControllerConfig
@@ -146,8 +146,8 @@ class GrblController:
         return bool(int(self.identity.settings.get(22, 0.0)) & 1) and not self._homed
 
     def home(self) -> None:
-        """Find the reference position; also unlocks."""
-        if self._link.halt is not None:
+        """Find the reference position; also unlocks.  After a :meth:`stop` it moves nothing before :meth:`recover`."""
+        if self._link.halt not in (None, Halt.STOPPED):
             self.recover()
         if self._watch.light is not Light.DARK:
             self.laser(False)
