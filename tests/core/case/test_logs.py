@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import os
+import signal
 import struct
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
-from scanner_core.case.store import CaseStore
-from scanner_core.errors import CaseFormatError
+from scanner_core.case.store import CaseStore, Order
+from scanner_core.errors import CaseFormatError, StorageError
 
 MAGIC = bytes.fromhex("d9d505f920a163d7")
 
@@ -64,3 +67,31 @@ def test_a_log_that_is_no_file_is_refused(tmp_path: Path, suffix: str, kind: str
     with pytest.raises(CaseFormatError, match="is no file"):
         CaseStore.open(path, read_only=read_only)
     assert secret.read_bytes() == b"x" * 5000
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
+def test_a_new_case_does_not_bring_a_deleted_one_back(tmp_path: Path) -> None:
+    path, log = tmp_path / "a.impronta", tmp_path / "a.impronta-wal"
+    code = f"""
+import os, signal
+from pathlib import Path
+from scanner_core.case.store import CaseStore, Order
+CaseStore.create(Path({str(path)!r})).put_order(Order("OLD-1", "A"))
+os.kill(os.getpid(), signal.SIGKILL)
+"""
+    assert subprocess.run([sys.executable, "-c", code], timeout=60, check=False).returncode == -signal.SIGKILL
+    path.rename(tmp_path / "elsewhere")
+    left = log.read_bytes()
+    with pytest.raises(StorageError, match="E-DISK-03") as refused:
+        CaseStore.create(path)
+    assert str(log) in str(refused.value)
+    assert (sorted(file.name for file in tmp_path.iterdir()), log.read_bytes()) == (["a.impronta-wal", "elsewhere"], left)
+    (tmp_path / "elsewhere").rename(path)  # it comes back, and is whole
+    with CaseStore.open(path) as store:
+        assert store.order() == Order("OLD-1", "A")
+
+
+def test_an_empty_log_is_in_nobodys_way(tmp_path: Path) -> None:
+    (tmp_path / "a.impronta-wal").touch()
+    with CaseStore.create(tmp_path / "a.impronta") as store:
+        assert store.order() == Order()
