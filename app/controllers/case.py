@@ -362,10 +362,12 @@ def _create(folder: Path, values: DraftValues) -> CaseStore:
 
 
 def free_case_path(folder: Path, values: DraftValues, today: date) -> Path:
-    """``2026-0142_left_ear_2026-11-23.impronta``, with -2, -3 ... when that is taken."""
+    """``2026-0142_left_ear_2026-11-23.impronta``, with -2, -3 ... when that is taken, be it by the log of a case that is gone."""
+    from scanner_core.case.logs import left_behind
+
     stem = safe_stem(f"{values.order or 'order'}_{values.side}_{values.kind}_{today.isoformat()}")
     path, number = folder / f"{stem}{SUFFIX}", 1
-    while path.exists():
+    while path.exists() or left_behind(path) is not None:
         number += 1
         path = folder / f"{stem}-{number}{SUFFIX}"
     return path

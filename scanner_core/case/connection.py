@@ -25,6 +25,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path, PurePath
 
+from scanner_core.case.logs import refuse_foreign_logs
 from scanner_core.case.moment import now
 from scanner_core.case.schema import APPLICATION_ID, MIGRATIONS, VERSION
 from scanner_core.case.vetting import harden, vet
@@ -74,7 +75,8 @@ def uri(path: PurePath) -> str:
 
 
 def database(path: Path, mode: str = "rw") -> sqlite3.Connection:
-    """A connection in autocommit mode to a file that exists; `mode` is rw or ro."""
+    """A connection in autocommit mode to a file that exists; `mode` is rw or ro.  E-CASE-01 for a hostile log beside it."""
+    refuse_foreign_logs(path)
     place = f"{uri(Path(os.path.abspath(path)))}?mode={mode}"
     connection = sqlite3.connect(place, timeout=_TIMEOUT_S, isolation_level=None, check_same_thread=False, uri=True)
     harden(connection)

@@ -10,8 +10,10 @@ from pathlib import Path
 from scanner_core import __version__
 from scanner_core.case.connection import database, migrate, sentences
 from scanner_core.case.database import note
+from scanner_core.case.logs import left_behind
 from scanner_core.case.moment import now
 from scanner_core.case.schema import APPLICATION_ID
+from scanner_core.errors import StorageError
 from scanner_core.files import replaced_when_whole
 
 SUFFIX = ".impronta"
@@ -23,11 +25,17 @@ _STALE_S = 3600.0
 def create_case(path: Path) -> None:
     """An empty case at `path`.
 
+    The log of a killed program may lie there without its case, which a person moved or threw away.  It holds what was
+    measured last and comes to life with that case, under this very name; SQLite would also put it into the new one.  So it
+    is neither moved nor overwritten: the new case needs another name.
+
     Raises
     ------
     StorageError
-        E-DISK-03 when the file exists, E-DISK-01 or E-DISK-02 when it cannot be written.
+        E-DISK-03 when the file or a log of that name exists, E-DISK-01 or E-DISK-02 when it cannot be written.
     """
+    if not path.exists() and (log := left_behind(path)) is not None:
+        raise StorageError("E-DISK-03", path=log)
     with replaced_when_whole(path) as partial, sentences(path):
         connection = database(partial)
         try:

@@ -14,12 +14,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 from scanner_core.case.connection import Header, connect, database, looking, refuse_open, unreadable
+from scanner_core.case.logs import LOGS
 from scanner_core.case.schema import VERSION
 from scanner_core.case.vetting import vet
 from scanner_core.errors import CaseLockedError, ImprontaError
-
-LOGS = ("-wal", "-journal")
-"""What SQLite leaves beside the file of a program that was killed."""
 
 
 def open_for_reading(path: Path, header: Header) -> tuple[sqlite3.Connection, Callable[[], None]]:

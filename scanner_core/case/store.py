@@ -27,7 +27,7 @@ class CaseStore(ScanTables, SurfaceTables):
         Raises
         ------
         StorageError
-            E-DISK-03 when it exists, E-DISK-01 or E-DISK-02 when it cannot be written.
+            E-DISK-03 when it exists, or the log of a case of that name, E-DISK-01 or E-DISK-02 when it cannot be written.
         """
         create_case(path)
         return cls.open(path)

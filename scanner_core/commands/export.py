@@ -20,7 +20,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
     if not points_wanted:
         check_suffix(out)
     check_free(out, given.force)
-    with CaseStore.open(Path(given.case)) as store:
+    with CaseStore.open(Path(given.case), read_only=True) as store:
         if points_wanted:
             cloud = case_cloud(store)
             write_points(out, cloud, force=given.force)

@@ -43,12 +43,13 @@ def run(given: argparse.Namespace, console: Console) -> int:
             surface = run_reconstruction(console, processed.cloud, parameters)
             provenance = {"parameters": parameters.as_dict(), "report": surface.report.as_dict(), "seed": given.seed, "processing": told}
             provenance |= {"scans": told["scans"], "calibration": processed.calibrations[0]}
+            warnings = _write(surface.mesh, out, given.force)  # first: what cannot be delivered changes no case
             asked.keep(store)
             store.put_mesh(surface.mesh, provenance)
-        _deliver(surface, out, given.force, console, {"processing": told})
+        _tell(surface, out, warnings, console, {"processing": told})
     else:
         surface = run_reconstruction(console, _in_mm(read_points(source), _MM[given.units]), parameters)
-        _deliver(surface, out, given.force, console, {})
+        _tell(surface, out, _write(surface.mesh, out, given.force), console, {})
     return 0
 
 
@@ -59,9 +60,15 @@ def _in_mm(cloud: PointCloud, scale: float) -> PointCloud:
     return PointCloud(cloud.points * scale, covariances, cloud.views, cloud.trigger_ids)
 
 
-def _deliver(surface: Reconstruction, out: Path, force: bool, console: Console, more: dict[str, object]) -> None:
-    warnings = [*surface.report.warnings, *_rounding(out, surface.mesh)]
-    write_mesh(out, surface.mesh, force=force)
+def _write(mesh: TriangleMesh, out: Path, force: bool) -> list[str]:
+    """Write the file, and return the warnings."""
+    warnings = _rounding(out, mesh)
+    write_mesh(out, mesh, force=force)
+    return warnings
+
+
+def _tell(surface: Reconstruction, out: Path, more_warnings: list[str], console: Console, more: dict[str, object]) -> None:
+    warnings = [*surface.report.warnings, *more_warnings]
     for warning in warnings:
         console.say(f"Warning: {warning}")
     values = surface.report.as_dict() | {"warnings": warnings, "mesh": str(out)} | more

@@ -37,6 +37,8 @@ def test_a_new_case_never_takes_the_name_of_another(tmp_path: Path) -> None:
     first = free_case_path(tmp_path, VALUES, DAY)
     first.write_text("")
     assert free_case_path(tmp_path, VALUES, DAY).name == "2026-0142_right_ear_2026-11-23-2.impronta"
+    (tmp_path / "2026-0142_right_ear_2026-11-23-2.impronta-wal").write_bytes(b"of a case that was moved away")
+    assert free_case_path(tmp_path, VALUES, DAY).name == "2026-0142_right_ear_2026-11-23-3.impronta"
 
 
 def test_unknown_braces_do_no_harm() -> None:
