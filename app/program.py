@@ -6,6 +6,7 @@ import importlib
 import logging
 import sys
 import time
+from collections.abc import Callable
 from importlib import resources
 from pathlib import Path
 
@@ -120,37 +121,61 @@ class Program(QObject):
 
     # -------------------------------------------------------------------------------- end
     def shut_down(self) -> None:
-        """Pump, runner and capture, laser and devices, job, case, 3D view, window; may be called again."""
+        """Pump, runner and capture, laser and devices, job, case, 3D view, window; may be called again.
+
+        A step that raises or is late is logged, and the others are still taken: none of them may leave laser, rig or case open.
+        """
         if self._closed:
             return
         self._closed = True
         services = self.services
-        self.pump.stop()
+        steps: tuple[tuple[str, Callable[[], object]], ...] = (
+            ("pump", self.pump.stop),
+            ("heartbeat", self._end_heartbeat),
+            ("scan", lambda: services.acquisition.shutdown(_DEADLINE_S)),
+            ("rig", lambda: services.rig.shutdown(_DEADLINE_S)),
+            ("reconstruction", services.reconstruction.shutdown),
+            ("case", lambda: services.case.shutdown(_DEADLINE_S)),
+            ("shading", lambda: self._shading.close(_DEADLINE_S)),
+            ("background", self._end_background),
+            ("scene", self._end_scene),
+            ("settings", self._keep_settings),
+            ("hooks", self._end_hooks),
+            ("window", self._end_window),
+        )
+        for name, step in steps:
+            try:
+                if step() is False:
+                    _log.error("still running at the end: %s", name)
+            except Exception:
+                _log.exception("the end of: %s", name)
+
+    def _end_heartbeat(self) -> None:
         self.heartbeat.stop()
         if self._heartbeat_file is not None:
             self.heartbeat.write(self._heartbeat_file)
-        late = []
-        if not services.acquisition.shutdown(_DEADLINE_S):
-            late.append("scan")
-        if not services.rig.shutdown(_DEADLINE_S):
-            late.append("rig")
-        services.reconstruction.shutdown()
-        if not services.case.shutdown(_DEADLINE_S):
-            late.append("case")
-        if not self._shading.close(_DEADLINE_S):
-            late.append("shading")
-        late += self.background.join(_DEADLINE_S)
+
+    def _end_background(self) -> None:
+        late = self.background.join(_DEADLINE_S)
         if late:
             _log.error("still running at the end: %s", ", ".join(late))
+
+    def _end_scene(self) -> None:
         if self.window.scene is not None:
             self.window.scene.close_scene()
-        rig = services.rig.snapshot
+
+    def _keep_settings(self) -> None:
+        rig = self.services.rig.snapshot
         self.settings.preset, self.settings.specimen, self.settings.speed = rig.preset, rig.specimen, rig.speed
         save_settings(self.settings, self._settings_file)
+
+    def _end_hooks(self) -> None:
         application = QApplication.instance()
         if application is not None:
             application.removeEventFilter(self._stop_key)
         remove_hooks()
+
+    def _end_window(self) -> None:
         self.undo_stack.blockSignals(True)  # it tells of its own end, when the window may be gone already
         self.window.close()
 

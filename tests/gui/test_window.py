@@ -138,9 +138,20 @@ def test_a_specimen_that_cannot_be_used_keeps_the_one_before(program: Program, t
     assert services.rig.snapshot.specimen == "ear"
 
 
-def test_the_settings_are_kept_at_the_end(program: Program, settings_file: Path) -> None:
-    until(lambda: program.services.rig.snapshot.connected, 60, "the rig")
+def test_the_end_takes_every_step_though_one_fails(
+    program: Program, settings_file: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    services = program.services
+    until(lambda: services.rig.snapshot.connected, 60, "the rig")
+
+    def fails(timeout_s: float) -> bool:
+        raise OSError(timeout_s, "no answer")
+
+    monkeypatch.setattr(services.acquisition, "shutdown", fails)
     program.window.close()
+    assert "the end of: scan" in caplog.text
+    assert services.rig._rig is None
+    assert not services.case._thread._thread.is_alive()
     kept = json.loads(settings_file.read_text())
     assert kept["preset"] == "bench"
     assert kept["window"] == [program.window.width(), program.window.height()]
