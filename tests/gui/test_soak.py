@@ -9,6 +9,7 @@ import threading
 import psutil
 import pytest
 
+from app.controllers.emission import Emission
 from app.program import Program
 from scanner_core.acquisition.status import FinishReason
 from tests.gui.waiting import until, wait_ms
@@ -37,7 +38,7 @@ def test_two_hours_of_the_rig_s_time(program: Program) -> None:
         assert result.finish_reason is FinishReason.COMPLETED, result.error
         rig_s += result.rig_s
         scans += 1
-        assert not services.rig.snapshot.laser_on
+        assert services.rig.emission is not Emission.LIT
         if scans % 3 == 1:
             window.start_reconstruction()
             until(lambda: services.case.surface is not None or window.banner.text, 300, "the surface")
