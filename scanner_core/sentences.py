@@ -109,7 +109,7 @@ SENTENCES: dict[str, Sentence] = {
         "The previous calibration stays in use; exchange the two cameras in the rig file, then calibrate again.",
     ),
     "E-CAL-06": Sentence(
-        "The rig was calibrated anew since the scan in {path} was interrupted.",
+        "The calibration of this rig is not the one with which the scan in {path} was begun.",
         "What was measured is kept; use the rig file of that scan to resume it, or keep what is there and scan anew.",
     ),
     "E-PLAN-01": Sentence("The plan {path} cannot be used: {reason}.", "Nothing was scanned; correct the plan."),
@@ -122,6 +122,10 @@ SENTENCES: dict[str, Sentence] = {
     "E-SCAN-03": Sentence(
         "The interrupted scan cannot go on: of {known} known points {seen} were found again, {shift_um} um beside where they were.",
         "The laser is off and what was measured before is kept; put the object and the cameras back as they were and resume, or scan anew.",
+    ),
+    "E-SCAN-06": Sentence(
+        "Room light drowned the laser spot: of {planned} planned measurements none gave a point.",
+        "The laser is off and what was measured before is kept; switch the lamp off, then resume or scan again.",
     ),
     "E-SCAN-05": Sentence(
         "The {part} of the rig is not the one with which the scan in {path} was begun.",

@@ -128,7 +128,7 @@ class HealthMonitor:
 
     def end_view(self, view: int, table_deg: float) -> None:
         """All rows of a view are done."""
-        if self._phase == "scan" and self._views.end_view(view, table_deg):
+        if self._phase == "scan" and self._views.end_view(view, table_deg) and not self._out_of_step:
             for step in self._views.steps:
                 self._tell(_moved(step), "step", step.view)
 
@@ -157,6 +157,8 @@ class HealthMonitor:
         closure = self._views.close_turn(again, np.array([self._first[i - self._later] for i in shared]).reshape(-1, 3))
         with self._lock:
             self._closure = closure
+        if self._out_of_step:
+            return
         if not closure.closes and not closure.lost_steps:
             fields: dict[str, object] = {"shift_um": f"{closure.shift_um:.0f}"}
             self._tell(Finding("H-VIEW-04", "warning", fields, -1, table_deg, -1, closure.shift_um, "um"), "closure")
@@ -172,6 +174,11 @@ class HealthMonitor:
             self._tell(Finding("H-TAB-01", "warning", fields, -1, table_deg, -1, closure.turn_deg, "deg", details), *key)
 
     # ------------------------------------------------------------------------------------------ inner
+    @property
+    def _out_of_step(self) -> bool:
+        """The cameras do not expose together: what the points seem to do afterwards is nobody's motion."""
+        return any(finding.code.startswith("H-SYN") for finding in self._findings.values())
+
     def _judge_residuals(self, seen: EvaluatedPairs, view: int, table_deg: float) -> None:
         known = np.flatnonzero(np.isfinite(seen.residual_px))
         if not len(known):

@@ -44,6 +44,7 @@ from scanner_core.case.recovery import Interruption
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import dump_rig
 from scanner_core.errors import AcquisitionError, CalibrationError, DeviceError, ImprontaError, MotionStoppedError, StorageError
+from scanner_core.optics.spot import MissReason
 from scanner_core.optics.spot_detection import SpotDetector
 
 
@@ -257,8 +258,7 @@ class ScanRunner:
         self._end_pass(locate)
         hits = self._store.observations(locate.scan_id).trigger_id
         if not len(hits) and not self._control.cancelled.is_set():
-            reasons = ", ".join(f"{name} {count}" for name, count in self._located.rejected.items())
-            raise AcquisitionError("E-SCAN-01", planned=located.planned, reasons=reasons)
+            raise _nothing_seen(self._located)
         if not len(hits):
             self._tally = Tally(0, None, self._rig.clock.now_s())
             return
@@ -312,6 +312,8 @@ class ScanRunner:
         """Follow `run`, the whole of `plan` or the rest of it, and close the turn."""
         self._control.enter(ScanState.SCANNING)
         self._follower.follow(run, left, right)
+        if not self._tally.measured and not self._control.cancelled.is_set():
+            raise _nothing_seen(self._tally.counts())
         if len(plan.views) > 1 and plan.views[0].rows and not self._control.cancelled.is_set():
             self._close_turn(plan, left, right)
 
@@ -370,6 +372,14 @@ class ScanRunner:
             return fault
         details = "".join(traceback.format_exception(fault))
         return AcquisitionError("E-SCAN-02", reason=f"{type(fault).__name__}: {fault}", case=self._store.path, details=details)
+
+
+def _nothing_seen(counts: ScanCounts) -> AcquisitionError:
+    """Of a pass that gave no point."""
+    if 2 * counts.rejected.get(MissReason.TOO_BRIGHT.value, 0) > sum(counts.rejected.values()):
+        return AcquisitionError("E-SCAN-06", planned=counts.planned)
+    reasons = ", ".join(f"{name} {count}" for name, count in counts.rejected.items())
+    return AcquisitionError("E-SCAN-01", planned=counts.planned, reasons=reasons)
 
 
 def _without_frames(error: BaseException | None) -> None:

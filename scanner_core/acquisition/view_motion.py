@@ -134,14 +134,16 @@ def view_motion(points: Array, surface: LocalSurface) -> ViewMotion | None:
 def paired_motion(points: Array, before: Array, surface: LocalSurface) -> ViewMotion | None:
     """The motion of points (n, 3) mm onto the same places measured `before` (n, 3), across the surface that these lie on.
 
-    The same beam finds the same speckle, so most of the points' noise is the same in both.
+    The same beam finds the same speckle, so most of the points' noise is the same in both.  What lay over the surface before
+    is compared with what lies over it now, so that a row that was exposed a little earlier in its sweep than the first time
+    does not show as a motion.
     """
     near = surface.distance(before)
     scatter = 1.4826 * float(np.median(np.abs(near.signed_mm[near.valid]))) if near.valid.any() else 0.0
 
     def match(moved: Array) -> _Match:
-        distance = ((moved - before) * near.normals).sum(axis=1)
-        return _Match(near.valid, distance, near.normals, np.ones(len(moved)), near.slope_leverage_mm2, scatter)
+        now = surface.distance(moved)
+        return _Match(near.valid & now.valid, now.signed_mm - near.signed_mm, now.normals, np.ones(len(moved)), now.slope_leverage_mm2, scatter)
 
     return _fit(points, match)
 

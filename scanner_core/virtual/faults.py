@@ -20,7 +20,7 @@ camera_bumped         a camera is turned a little and stays so        goes on, H
 camera_skew           a camera exposes 8 ms late                      goes on, H-SYN-02
 trigger_lost          a camera's frames are of the next exposure      goes on, H-SYN-01
 lost_steps            the table loses steps in its next move          goes on, H-TAB-01 (H-TAB-02 on a sphere)
-lamp_on               a lamp shines into the cameras                  goes on, ``too_bright``, H-LGT-01; E-SCAN-01 when no
+lamp_on               a lamp shines into the cameras                  goes on, ``too_bright``, H-LGT-01; E-SCAN-06 when no
                                                                       surface was found because of it
 shiny_patch           a wet place mirrors: glare and second spots     goes on, ``saturated`` and ``ambiguous``, or settled
                                                                       by the other camera

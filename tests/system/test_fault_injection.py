@@ -51,7 +51,7 @@ def test_a_scan_goes_on(texts: tuple[str, ...], tmp_path: Path) -> None:
 def test_a_lamp_from_the_beginning_finds_no_surface(tmp_path: Path) -> None:
     ended = scan_with([parse_fault("lamp_on")], tmp_path / "case")
     assert ended.problems == []
-    assert ended.code == "E-SCAN-01"
+    assert ended.code == "E-SCAN-06"
 
 
 def test_a_case_that_another_program_holds_is_refused(tmp_path: Path) -> None:
