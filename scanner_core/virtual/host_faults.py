@@ -168,8 +168,11 @@ class WorkerOutOfMemory(WorkerFault):
         if sys.platform == "linux":
             import resource
 
-            (size,) = (int(line.split()[1]) for line in Path(f"/proc/{pid}/status").read_text().splitlines() if line.startswith("VmSize:"))
-            resource.prlimit(pid, resource.RLIMIT_AS, (1024 * size, resource.prlimit(pid, resource.RLIMIT_AS)[1]))
+            lines = Path(f"/proc/{pid}/status").read_text(encoding="ascii", errors="replace").splitlines()
+            sizes = [int(line.split()[1]) for line in lines if line.startswith("VmSize:")]
+            if not sizes:
+                raise ProcessLookupError(f"the worker {pid} has ended")  # it is still listed, but has no memory any more
+            resource.prlimit(pid, resource.RLIMIT_AS, (1024 * sizes[0], resource.prlimit(pid, resource.RLIMIT_AS)[1]))
 
     def put_right(self, pid: int) -> None:
         if sys.platform == "linux":

@@ -18,7 +18,6 @@ import pytest
 from scanner_core.case.store import CaseStore
 from scanner_core.clock import SteppedClock
 from scanner_core.errors import ImprontaError
-from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.jobs.blocking import run_in_worker
 from scanner_core.reconstruction.job import ReconstructionRequest
 from scanner_core.reconstruction.parameters import ReconstructionParameters
@@ -27,12 +26,11 @@ from scanner_core.virtual.fault import Fault
 from scanner_core.virtual.faults import FAULTS
 from scanner_core.virtual.host import Host
 from scanner_core.virtual.host_faults import ClockJump, WorkerFault
-from scanner_core.virtual.specimens import load_specimen
-from tests.system.faulted_scan import ENDS, LONGEST_S, WHOLE_RUN_S, scan_with, unexpected
+from tests.system.faulted_scan import ENDS, LONGEST_S, WHOLE_RUN_S, ball, scan_with, unexpected
 from tests.system.impronta import command, environment
 
 MOMENTS = 20
-LONGEST_JOB_S = 3.0
+LONGEST_JOB_S = 6.0
 """The job's duration, so that some moments come after it."""
 
 
@@ -71,7 +69,7 @@ def test_a_reconstruction_survives_a_fault_at_any_moment(name: str) -> None:
     if sys.platform != "linux" and name == "worker_out_of_memory":
         pytest.skip("needs RLIMIT_AS of another process")
     draw, ends, worst_s = random.Random(name), Counter[str](), 0.0
-    request = ReconstructionRequest(PointCloud(load_specimen("sphere").mesh.vertices), ReconstructionParameters())
+    request = ReconstructionRequest(ball(), ReconstructionParameters())
     for _ in range(MOMENTS):
         begin_s = time.monotonic()
         host = Host(SteppedClock())

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from multiprocessing import resource_tracker
 from pathlib import Path
 
+import numpy as np
 import psutil
 
 from scanner_core.acquisition.plan import PlanRequest
@@ -23,6 +24,7 @@ from scanner_core.acquisition.status import FinishReason
 from scanner_core.case.observation import StereoObservation
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import load_preset
+from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.virtual import firmware_registry
 from scanner_core.virtual.fault import Fault
 from scanner_core.virtual.firmware import Firmware
@@ -118,6 +120,13 @@ def scan_with(faults: Sequence[Fault], folder: Path, seed: int = 5, points: int 
     seconds = time.monotonic() - begin_s
     problems += _counts(result) + _case(path, store.acknowledged, board) + _nothing_left(before, handles)
     return Ended(result, seconds, reached, problems)
+
+
+def ball() -> PointCloud:
+    """Points that make a mesh in some seconds: a sphere of 11 mm, 20 um of noise."""
+    draw = np.random.default_rng(5)
+    directions = draw.normal(size=(4000, 3))
+    return PointCloud(directions / np.linalg.norm(directions, axis=1)[:, None] * draw.normal(11.0, 0.02, (4000, 1)))
 
 
 def unexpected(ended: Ended, name: str) -> list[str]:

@@ -11,15 +11,13 @@ import pytest
 from scanner_core.case.store import CaseStore
 from scanner_core.clock import SteppedClock
 from scanner_core.errors import CaseLockedError, ImprontaError
-from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.jobs.blocking import run_in_worker
 from scanner_core.reconstruction.job import ReconstructionRequest
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.virtual.faults import FAULTS, parse_fault
 from scanner_core.virtual.host import Host
 from scanner_core.virtual.host_faults import CaseLocked, WorkerFault
-from scanner_core.virtual.specimens import load_specimen
-from tests.system.faulted_scan import ENDS, GOES_ON, scan_with, unexpected
+from tests.system.faulted_scan import ENDS, GOES_ON, ball, scan_with, unexpected
 from tests.system.impronta import command, environment
 
 ENDING = [name for name in ENDS if ENDS[name] != GOES_ON and name != "lamp_on"]
@@ -70,8 +68,7 @@ ON_LINUX = pytest.mark.skipif(sys.platform != "linux", reason="RLIMIT_AS")
 def test_a_worker_that_dies_is_said(name: str) -> None:
     fault = parse_fault(f"{name}@0.3")
     assert isinstance(fault, WorkerFault)
-    points = PointCloud(load_specimen("sphere").mesh.vertices)
-    request = ReconstructionRequest(points, ReconstructionParameters())
+    request = ReconstructionRequest(ball(), ReconstructionParameters())
     host = Host(SteppedClock())
     host.let_happen_to_worker(fault)
     try:
