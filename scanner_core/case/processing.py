@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from scanner_core.acquisition.engine import TABLE_MM
 from scanner_core.acquisition.status import ScanCounts
 from scanner_core.case.observation import MEASURED, ObservationTable, PairTable
-from scanner_core.case.points import MeasuredCloud, case_rig, finite, triangulate_observations
+from scanner_core.case.points import MeasuredCloud, case_calibration, case_rig, finite, triangulate_observations
 from scanner_core.case.records import ScanRecord
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import RigConfig
@@ -254,13 +254,13 @@ def _rig(
     store: CaseStore, scan: ScanRecord, calibration_id: str | None, other: StereoCalibration | None
 ) -> tuple[RigConfig, StereoCalibration]:
     """The rig as it was used, with the calibration that is asked for."""
-    rig, used = case_rig(store, scan.calibration_id)
+    rig, used = case_rig(store, scan)
     if calibration_id is None or calibration_id == scan.calibration_id:
         return rig, used
     if other is None or other.identity() != calibration_id:
         if calibration_id not in store.calibration_ids():
             raise UsageError("E-USE-01", what=f"The case holds no calibration {calibration_id!r}", do="choose one with --calibration RIG.toml")
-        _, other = case_rig(store, calibration_id)
+        other = case_calibration(store, calibration_id)
     if (other.left.size_px, other.right.size_px) != (used.left.size_px, used.right.size_px):
         raise UsageError("E-USE-01", what="The calibration is of cameras with other images", do="choose a calibration of this rig")
     return rig.with_calibration(other), other
