@@ -202,6 +202,21 @@ def test_a_folder_that_may_not_be_written(public: Path, killed: bool) -> None:
     assert snapshot(public) == before
 
 
+@pytest.mark.parametrize("read_only", [False, True])
+def test_a_case_that_vanishes_while_it_is_opened(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, read_only: bool) -> None:
+    path = tmp_path / "a.impronta"
+    CaseStore.create(path).close()
+
+    def and_then_it_goes(place: Path) -> bool:
+        path.unlink()
+        return True
+
+    monkeypatch.setattr(os.path, "isfile", and_then_it_goes)
+    with pytest.raises(CaseError, match="E-CASE-04"):
+        CaseStore.open(path, read_only=read_only)
+    assert list(tmp_path.iterdir()) == []
+
+
 @posix
 def test_a_case_that_may_not_be_read(public: Path) -> None:
     path = public / "a.impronta"
