@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from scanner_core.acquisition.engine import TABLE_MM
 from scanner_core.acquisition.status import ScanCounts
+from scanner_core.case import edits
 from scanner_core.case.observation import MEASURED, ObservationTable, PairTable
 from scanner_core.case.points import MeasuredCloud, case_calibration, case_rig, finite, triangulate_observations
 from scanner_core.case.records import ScanRecord
@@ -34,7 +35,7 @@ from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.optics.noise_model import CentroidNoise, NoiseModel, along_axes
 from scanner_core.optics.triangulation import EpipolarGate, Triangulator
 
-PROCESSING, DISCARDED = "processing", "discarded_scans"
+PROCESSING, DISCARDED = edits.PROCESSING, edits.DISCARDED
 """Keys of a case's choices."""
 
 _GEOMETRIC = ("epipolar_sigmas", "volume_radius_mm", "volume_height_mm", "table_mm")
