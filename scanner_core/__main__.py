@@ -14,6 +14,7 @@ import threading
 from collections.abc import Sequence
 
 from scanner_core import __version__
+from scanner_core.commands.console import Console
 from scanner_core.errors import ImprontaError, UsageError
 
 _INTERRUPTED = {
@@ -28,15 +29,19 @@ _SPECIMENS = "ear, arch, heart, sphere, or a mesh file (STL, PLY, OBJ, VTP; mill
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run a subcommand and return its exit code."""
-    given = _parser().parse_args(argv)
-    command = importlib.import_module(f"scanner_core.commands.{given.command}")
-    console = importlib.import_module("scanner_core.commands.console").Console(given.json)
     if threading.current_thread() is threading.main_thread():
         for number in (signal.SIGINT, signal.SIGTERM):  # a shell starts its background jobs with SIGINT ignored
             signal.signal(number, _as_interrupt)
         hang_up = getattr(signal, "SIGHUP", None)  # the terminal was closed; nohup has it ignored, and Windows has none
         if hang_up is not None and signal.getsignal(hang_up) is not signal.SIG_IGN:
             signal.signal(hang_up, _as_interrupt)
+    try:
+        given = _parser().parse_args(argv)
+        command = importlib.import_module(f"scanner_core.commands.{given.command}")
+    except KeyboardInterrupt:
+        Console(as_json=False).say("Interrupted; nothing was done.")
+        return 130
+    console = Console(given.json)
     try:
         return int(command.run(given, console))
     except KeyboardInterrupt:

@@ -232,6 +232,9 @@ SENTENCES: dict[str, Sentence] = {
     "E-CASE-04": Sentence("{path} does not exist.", "Nothing was changed; check the name."),
     "E-CASE-05": Sentence("{path} holds no {what} yet.", "The case is unchanged; {do}."),
     "E-CASE-06": Sentence("The case {path} was used after it had been closed.", "Everything written before is kept; open it again."),
+    "E-CASE-07": Sentence(
+        "A mesh of {triangles} triangles is too large to be kept in {path}.", "The case is unchanged; reconstruct with fewer triangles."
+    ),
     "E-DISK-01": Sentence(
         "There is no space left on the disk of {path}.", "The laser is off and everything written before is kept; free some space and go on."
     ),

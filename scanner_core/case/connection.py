@@ -43,8 +43,11 @@ looking = threading.RLock()
 
 
 def identity(path: Path) -> tuple[int, int]:
-    """Which file it is, whatever its name."""
-    found = os.stat(path)
+    """Which file it is, whatever its name; E-CASE-04 when it has vanished."""
+    try:
+        found = os.stat(path)
+    except FileNotFoundError as fault:
+        raise CaseError("E-CASE-04", path=path, details=str(fault)) from fault
     return found.st_dev, found.st_ino
 
 
@@ -136,15 +139,17 @@ def read_header(path: Path) -> Header:
     InputFileError
         E-FILE-05 when it may not be read.
     """
-    if not os.path.exists(path):
-        raise CaseError("E-CASE-04", path=path)
     if not os.path.isfile(path):
+        if not os.path.exists(path):
+            raise CaseError("E-CASE-04", path=path)
         raise CaseFormatError("E-CASE-01", path=path, reason="it is a folder" if os.path.isdir(path) else "it is no file")
     with looking:
         refuse_open(path)
         try:
             with path.open("rb") as file:
                 header = file.read(100)
+        except FileNotFoundError as fault:
+            raise CaseError("E-CASE-04", path=path, details=str(fault)) from fault
         except OSError as fault:
             raise unreadable(path, fault) from fault
     if len(header) < 100 or not header.startswith(_MAGIC):

@@ -28,6 +28,10 @@ LONGEST_TEXT = 100_000_000
 DEEPEST = 32
 MOST_ID = 2**53
 """Trigger ids are exact as float64 up to here."""
+MOST_VIEWS = 360
+MOST_PLANNED = 20_000_000
+"""Trigger ids of a plan; at most 5 million points are asked for."""
+_MOST_PLANNED_TURN_DEG, _WIDEST_BEAM_DEG, _FASTEST_DEG_S = 1440.0, 90.0, 1000.0
 _FARTHEST_PX = 1e5
 _MOST_TURN_DEG = 1e6
 _FARTHEST_MM = 1e4
@@ -84,21 +88,54 @@ def table(value: object) -> dict[str, Any]:
     return found
 
 
-def plan(value: object) -> dict[str, Any]:
-    """A plan as it was kept: views with rows, each with its first trigger id and count."""
+def plan(value: object, kind: str = "") -> dict[str, Any]:
+    """A plan as it was kept: views with rows, each with its first trigger id and count.
+
+    Whoever goes on with it sweeps the beam and turns the table, so all of it is within what a plan of this program can be.
+    The whole object's plans (`kind` locate or scan) hold all views in their order; the others hold some of them.
+    """
     found = table(value)
+    views = found["views"]
+    if not isinstance(views, list) or len(views) > MOST_VIEWS:
+        raise ValueError(f"more than {MOST_VIEWS} views, or none")
+    _within(found, "sweep_speed_deg_s", 1e-9, _FASTEST_DEG_S)
     total = 0
-    for view in found["views"]:
+    for number, view in enumerate(views):
+        _within(view, "table_deg", -_MOST_PLANNED_TURN_DEG, _MOST_PLANNED_TURN_DEG)
+        if view.get("quota") is not None:
+            _whole(view, "quota", -MOST_PLANNED, MOST_PLANNED)
         for row in view["rows"]:
-            first, count = row["first_id"], row["count"]
-            if isinstance(first, bool) or not isinstance(first, int) or isinstance(count, bool) or not isinstance(count, int):
-                raise TypeError("a row whose trigger ids are no whole numbers")
-            if not (0 <= first <= MOST_ID and 0 <= count <= MOST_ID):
+            first, count = _whole(row, "first_id", 0, MOST_ID), _whole(row, "count", 0, MOST_PLANNED)
+            if "view" in row and _whole(row, "view", 0, MOST_VIEWS - 1) != number and kind in ("locate", "scan"):
+                raise ValueError(f"a row of view {row['view']} in view {number}")
+            for angle in ("y_deg", "x_from_deg", "x_to_deg"):
+                _within(row, angle, -_WIDEST_BEAM_DEG, _WIDEST_BEAM_DEG)
+            if first + count > MOST_ID:
                 raise ValueError(f"a row of {count} trigger ids from {first}")
             total += count
-    if total > 1_000_000_000:
+    if total > MOST_PLANNED:
         raise ValueError(f"{total} trigger ids")
     return found
+
+
+def _whole(record: Any, name: str, least: int, most: int) -> int:
+    number = record[name]
+    if isinstance(number, bool) or not isinstance(number, int):
+        raise TypeError(f"a {name} that is no whole number")
+    if not least <= number <= most:
+        raise ValueError(f"a {name} of {number}")
+    return number
+
+
+def _within(record: Any, name: str, least: float, most: float) -> None:
+    """A number in those limits; the plans of the oldest cases do not tell every one."""
+    if name not in record:
+        return
+    number = record[name]
+    if isinstance(number, bool) or not isinstance(number, int | float):
+        raise TypeError(f"a {name} that is no number")
+    if not least <= number <= most:
+        raise ValueError(f"a {name} of {number:g}")
 
 
 def correction(value: object) -> RigidTransform:

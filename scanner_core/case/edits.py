@@ -27,7 +27,7 @@ from scanner_core.case.decoding import damaged, text
 from scanner_core.case.moment import now
 from scanner_core.case.records import AuditLine, CaseEdit, Order
 
-ORDER = "order"
+ORDER, PROCESSING, DISCARDED = "order", "processing", "discarded_scans"
 
 
 class EditJournal(CaseDatabase):

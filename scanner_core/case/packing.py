@@ -17,7 +17,7 @@ from scanner_core.geometry.mesh import TriangleMesh
 _LEVEL = 1
 """Coordinates hardly compress; the higher levels take ten times as long for three percent."""
 
-_LARGEST = 1 << 30
+LARGEST = 1 << 30
 """Bytes of an unpacked array; the coordinates of 45 million vertices."""
 _HIGHEST_RATIO, _FREE = 250, 1 << 20
 """Coordinates and indices are packed to a tenth at best; beyond a first MiB a small file must not become a large array."""
@@ -29,7 +29,7 @@ def packed(array: NDArray[np.generic], kind: str) -> bytes:
 
 def unpacked(data: bytes, kind: str) -> NDArray[np.generic]:
     """One-dimensional."""
-    return np.frombuffer(_inflated(data, min(_LARGEST, _FREE + _HIGHEST_RATIO * len(data))), np.dtype(kind))
+    return np.frombuffer(_inflated(data, min(LARGEST, _FREE + _HIGHEST_RATIO * len(data))), np.dtype(kind))
 
 
 def packed_bits(flags: NDArray[np.bool_]) -> bytes:
@@ -37,7 +37,7 @@ def packed_bits(flags: NDArray[np.bool_]) -> bytes:
 
 
 def unpacked_bits(data: bytes, count: int) -> NDArray[np.bool_]:
-    if not 0 <= count <= 8 * _LARGEST:
+    if not 0 <= count <= 8 * LARGEST:
         raise ValueError(f"{count} elements")
     flat = np.frombuffer(_inflated(data, (count + 7) // 8), np.uint8)
     if len(flat) != (count + 7) // 8:

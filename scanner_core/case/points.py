@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.case.observation import ObservationTable
+from scanner_core.case.records import ScanRecord
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import RigConfig, parse_rig
 from scanner_core.errors import CaseFormatError, UsageError
@@ -89,13 +90,24 @@ def finite(measured: MeasuredCloud, store: CaseStore) -> MeasuredCloud:
     return measured
 
 
-def case_rig(store: CaseStore, calibration_id: str) -> tuple[RigConfig, StereoCalibration]:
-    """The rig and the calibration with which a scan of the case was measured."""
-    try:
-        rig = parse_rig(store.calibration_toml(calibration_id), "calibration")
-    except UsageError as fault:
-        reason = f"its calibration is damaged ({one_line(fault.fields.get('reason', ''))})"
-        raise CaseFormatError("E-CASE-01", path=store.path, reason=reason, details=str(fault)) from fault
-    if rig.calibration is None or rig.calibration.identity() != calibration_id:
+def case_rig(store: CaseStore, scan: ScanRecord) -> tuple[RigConfig, StereoCalibration]:
+    """The rig and the calibration with which a scan of the case was measured; the rig holds that calibration."""
+    rig = _rig_of(store, store.rig_toml(scan.id), f"rig of scan {scan.id}")
+    calibration = case_calibration(store, scan.calibration_id)
+    return rig.with_calibration(calibration), calibration
+
+
+def case_calibration(store: CaseStore, calibration_id: str) -> StereoCalibration:
+    """A calibration that the case holds; the rig beside it is that of the first scan with it, maybe of no other."""
+    calibration = _rig_of(store, store.calibration_toml(calibration_id), "calibration").calibration
+    if calibration is None or calibration.identity() != calibration_id:
         raise CaseFormatError("E-CASE-01", path=store.path, reason=f"its calibration {one_line(calibration_id)} is empty, or another")
-    return rig, rig.calibration
+    return calibration
+
+
+def _rig_of(store: CaseStore, toml: str, what: str) -> RigConfig:
+    try:
+        return parse_rig(toml, what)
+    except UsageError as fault:
+        reason = f"its {what} is damaged ({one_line(fault.fields.get('reason', ''))})"
+        raise CaseFormatError("E-CASE-01", path=store.path, reason=reason, details=str(fault)) from fault

@@ -21,8 +21,9 @@ from numpy.typing import NDArray
 
 from scanner_core.acquisition.engine import TABLE_MM
 from scanner_core.acquisition.status import ScanCounts
+from scanner_core.case import edits
 from scanner_core.case.observation import MEASURED, ObservationTable, PairTable
-from scanner_core.case.points import MeasuredCloud, case_rig, finite, triangulate_observations
+from scanner_core.case.points import MeasuredCloud, case_calibration, case_rig, finite, triangulate_observations
 from scanner_core.case.records import ScanRecord
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import RigConfig
@@ -34,7 +35,7 @@ from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.optics.noise_model import CentroidNoise, NoiseModel, along_axes
 from scanner_core.optics.triangulation import EpipolarGate, Triangulator
 
-PROCESSING, DISCARDED = "processing", "discarded_scans"
+PROCESSING, DISCARDED = edits.PROCESSING, edits.DISCARDED
 """Keys of a case's choices."""
 
 _GEOMETRIC = ("epipolar_sigmas", "volume_radius_mm", "volume_height_mm", "table_mm")
@@ -254,13 +255,13 @@ def _rig(
     store: CaseStore, scan: ScanRecord, calibration_id: str | None, other: StereoCalibration | None
 ) -> tuple[RigConfig, StereoCalibration]:
     """The rig as it was used, with the calibration that is asked for."""
-    rig, used = case_rig(store, scan.calibration_id)
+    rig, used = case_rig(store, scan)
     if calibration_id is None or calibration_id == scan.calibration_id:
         return rig, used
     if other is None or other.identity() != calibration_id:
         if calibration_id not in store.calibration_ids():
             raise UsageError("E-USE-01", what=f"The case holds no calibration {calibration_id!r}", do="choose one with --calibration RIG.toml")
-        _, other = case_rig(store, calibration_id)
+        other = case_calibration(store, calibration_id)
     if (other.left.size_px, other.right.size_px) != (used.left.size_px, used.right.size_px):
         raise UsageError("E-USE-01", what="The calibration is of cameras with other images", do="choose a calibration of this rig")
     return rig.with_calibration(other), other

@@ -17,7 +17,10 @@ from scanner_core.case.connection import Header, connect, database, looking, ref
 from scanner_core.case.logs import LOGS
 from scanner_core.case.schema import VERSION
 from scanner_core.case.vetting import vet
-from scanner_core.errors import CaseLockedError, ImprontaError
+from scanner_core.errors import CaseFormatError, CaseLockedError, ImprontaError, StorageError
+
+LARGEST_LOG = 2 << 30
+"""Bytes; the log is folded in every few MB, and one mesh, the largest that is ever added at once, is shorter than this."""
 
 
 def open_for_reading(path: Path, header: Header) -> tuple[sqlite3.Connection, Callable[[], None]]:
@@ -27,6 +30,8 @@ def open_for_reading(path: Path, header: Header) -> tuple[sqlite3.Connection, Ca
     ------
     CaseLockedError
         E-CASE-02 while a program has the case open for writing.
+    CaseFormatError, StorageError
+        E-CASE-01, E-DISK-01 when it has to be copied and is too large for that.
     """
     place = Path(os.path.realpath(path))
     if _at_rest(place, header):
@@ -54,6 +59,7 @@ def _open_copy(place: Path) -> tuple[sqlite3.Connection, Callable[[], None]]:
             refuse_open(place)
             _refuse_locked(place)
             before = _state(place)
+            _refuse_large(path=place, folder=folder.name)
             for sidecar in ("", *LOGS):
                 if os.path.exists(f"{place}{sidecar}"):
                     shutil.copyfile(f"{place}{sidecar}", f"{copy}{sidecar}")
@@ -71,6 +77,15 @@ def _open_copy(place: Path) -> tuple[sqlite3.Connection, Callable[[], None]]:
         folder.cleanup()
 
     return connection, end
+
+
+def _refuse_large(path: Path, folder: str) -> None:
+    """E-CASE-01 for a log that no case leaves, E-DISK-01 when the copy does not fit into `folder`."""
+    sizes = [_size(Path(f"{path}{part}")) for part in ("", *LOGS)]
+    if max(sizes[1:]) > LARGEST_LOG:
+        raise CaseFormatError("E-CASE-01", path=path, reason=f"the log beside it has {max(sizes[1:]) / 2**30:.1f} GiB, which none of a case has")
+    if sum(sizes) > shutil.disk_usage(folder).free:
+        raise StorageError("E-DISK-01", path=folder, details=f"{sum(sizes)} bytes are to be copied")
 
 
 def _refuse_locked(place: Path) -> None:

@@ -123,7 +123,7 @@ def keep(store: CaseStore) -> None:
     if of is None:
         return
     if of.record.kind == "scan" and of.counts.measured:
-        register_case(store, of.record.id, *case_rig(store, of.record.calibration_id))
+        register_case(store, of.record.id, *case_rig(store, of.record))
     store.end_scan(of.record.id, FinishReason.CANCELLED, of.counts)
     store.audit("kept", f"{of.counts.measured} points of the interrupted scan {of.record.id}")
 

@@ -79,7 +79,7 @@ class ScanTables(CaseDatabase):
                     id=int(number),
                     kind=text(kind),
                     calibration_id=text(calibration),
-                    plan=decoding.plan(plan),
+                    plan=decoding.plan(plan, kind),
                     started=text(started),
                     ended=None if ended is None else text(ended),
                     finish_reason=None if reason is None else text(reason),

@@ -30,9 +30,11 @@ lie in ``CASE-wal`` beside it; at rest it is one single file.
 missing run in one transaction when an older case is opened for writing; one that is opened for reading alone is
 migrated in a private copy.  A program that is older than the file refuses it (E-CASE-03).
 
-*Limits.*  Trigger ids, scans, meshes: 2^63 - 1.  An array of a mesh, a mask or a deviation: 1 GiB unpacked, the
-coordinates of 45 million vertices.  An observation takes 98 bytes at rest, with its four coordinates as float64
-(100,000 points and 10,000 rejected on top: 9.8 MB); at most 150 a point is a test.
+*Limits.*  Trigger ids: 2^53; scans, meshes: 2^63 - 1.  A row of any table, as it is kept: 256 MiB, which is what holds a
+mesh of about 7 million vertices and 14 million triangles (31 to 38 bytes a vertex, as its triangles are in order or not);
+a larger one is refused (E-CASE-07).  An array, unpacked: 1 GiB.  A plan: 360 views and 20 million trigger ids.  An
+observation takes 98 bytes at rest, with its four coordinates as float64 (100,000 points and 10,000 rejected on
+top: 9.8 MB); at most 150 a point is a test.
 """
 
 from __future__ import annotations

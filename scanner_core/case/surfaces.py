@@ -10,16 +10,19 @@ from numpy.typing import NDArray
 
 from scanner_core.case import decoding
 from scanner_core.case.decoding import damaged, text
-from scanner_core.case.edits import EditJournal
+from scanner_core.case.edits import DISCARDED, PROCESSING, EditJournal
 from scanner_core.case.moment import now
 from scanner_core.case.observation import MEASURED
-from scanner_core.case.packing import mesh_columns, mesh_of, packed, packed_bits, unpacked, unpacked_bits
+from scanner_core.case.packing import LARGEST, mesh_columns, mesh_of, packed, packed_bits, unpacked, unpacked_bits
 from scanner_core.case.provenance import versions
 from scanner_core.case.records import ComparisonRecord
-from scanner_core.errors import CaseError
+from scanner_core.case.vetting import LONGEST_VALUE
+from scanner_core.errors import CaseError, CaseFormatError
 from scanner_core.geometry.mesh import TriangleMesh
 
 MESH, COMPARISON = "mesh", "comparison"
+_ROW_BYTES = 4096
+"""Of a row beside its values, generously; JSON as json.dumps makes it has one byte a character."""
 
 
 class SurfaceTables(EditJournal):
@@ -31,16 +34,25 @@ class SurfaceTables(EditJournal):
 
         Parameters
         ----------
-        provenance : parameters, report and seed; what it does not tell is added: ``versions``, and of the newest scan with
-            points ``scans`` (its id in a list) and ``calibration`` (the identity)
+        provenance : parameters, report and seed; what it does not tell is added: ``versions``, and where it tells neither of
+            them ``scans`` (ids) and ``calibration`` (the identity), of the points that the case's choices give
+
+        Raises
+        ------
+        CaseError
+            E-CASE-07 when it is too large to be kept.
         """
+        if max(24 * len(mesh.vertices), 12 * len(mesh.triangles)) > LARGEST:
+            raise CaseError("E-CASE-07", path=self.path, triangles=len(mesh.triangles))
         columns = mesh_columns(mesh)
         with self._transaction() as connection:
             before = self.mesh_id() or 0
-            whole = {"versions": versions()} | _source(connection) | provenance
+            whole = {"versions": versions()} | ({} if {"scans", "calibration"} & provenance.keys() else self._source()) | provenance
+            row = (now(), json.dumps(whole), *columns)
+            if sum(map(len, row)) > LONGEST_VALUE - _ROW_BYTES:
+                raise CaseError("E-CASE-07", path=self.path, triangles=len(mesh.triangles))
             cursor = connection.execute(
-                "INSERT INTO mesh (created, provenance_json, vertices, triangles, attributes_json, attributes) VALUES (?, ?, ?, ?, ?, ?)",
-                (now(), json.dumps(whole), *columns),
+                "INSERT INTO mesh (created, provenance_json, vertices, triangles, attributes_json, attributes) VALUES (?, ?, ?, ?, ?, ?)", row
             )
             return self._show(connection, MESH, before, cursor, words)
 
@@ -148,6 +160,29 @@ class SurfaceTables(EditJournal):
             return unpacked(rows[0][0], "<f8").astype(np.float64)
 
     # ------------------------------------------------------------------------------------------ choices
+    def _source(self) -> dict[str, object]:
+        """The scans and the calibration of the points that the case's choices give; what they do not settle is left out."""
+        try:
+            processing, discarded = self.value(PROCESSING, {}), self.value(DISCARDED, [])
+            if not isinstance(processing, dict) or not isinstance(discarded, list):
+                return {}
+            calibration, chosen = processing.get("calibration"), processing.get("scans", [])
+            chosen = [] if not isinstance(chosen, list) else sorted(int(number) for number in chosen)
+        except (CaseFormatError, TypeError, ValueError):
+            return {}  # a choice that is damaged keeps no mesh from being kept
+        rows = self._rows(
+            "SELECT id, calibration_id FROM scan WHERE kind = 'scan' AND EXISTS (SELECT 1 FROM observation "
+            "JOIN verdict ON verdict.id = verdict WHERE scan_id = scan.id AND name = ?) ORDER BY id",
+            (MEASURED,),
+        )
+        chosen = chosen or [number for number, _ in rows if number not in discarded][-1:]
+        used = {identity for number, identity in rows if number in chosen}
+        if not used:
+            return {}
+        if calibration is None and len(used) == 1:
+            (calibration,) = used
+        return {"scans": chosen} | ({"calibration": calibration} if isinstance(calibration, str) else {})
+
     def _chosen(self, key: str, newest: str, *values: object) -> int | None:
         """The id under a key; where a person chose nothing the newest; None for none."""
         with self._lock:
@@ -160,13 +195,3 @@ class SurfaceTables(EditJournal):
         number = int(cursor.lastrowid or 0)
         self._edit(connection, key, number, words, before=before)
         return number
-
-
-def _source(connection: sqlite3.Connection) -> dict[str, object]:
-    """The newest scan that has points, and its calibration."""
-    row = connection.execute(
-        "SELECT id, calibration_id FROM scan WHERE kind = 'scan' AND EXISTS (SELECT 1 FROM observation "
-        "JOIN verdict ON verdict.id = verdict WHERE scan_id = scan.id AND name = ?) ORDER BY id DESC LIMIT 1",
-        (MEASURED,),
-    ).fetchone()
-    return {"scans": [row[0]], "calibration": row[1]} if row else {}

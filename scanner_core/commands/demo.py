@@ -14,8 +14,9 @@ from scanner_core.case.store import CaseStore, Order
 from scanner_core.commands.calibration_report import calibration_json, calibration_summary
 from scanner_core.commands.console import Console
 from scanner_core.commands.demo_report import write_demo_report
+from scanner_core.commands.overwriting import check_case_free, overwriting
 from scanner_core.commands.reconstructing import reconstruction_summary, run_reconstruction
-from scanner_core.commands.scanning import faults, run_scan, scan_json, scan_summary, sized_for, specimen_on_table, without_terms
+from scanner_core.commands.scanning import begins, faults, run_scan, scan_json, scan_summary, sized_for, specimen_on_table, without_terms
 from scanner_core.devices.rig import load_preset
 from scanner_core.errors import StorageError, UsageError
 from scanner_core.files import replaced_when_whole
@@ -36,19 +37,21 @@ def run(given: argparse.Namespace, console: Console) -> int:
     request = sized_for(PlanRequest(**asked), specimen)
     to_come = faults(given, config)
     folder = _folder(given.out, specimen.name, given.force)
+    old = (folder / CASE).exists()
     with open_rig(config, specimen, given.speed, given.seed) as rig:
         rig.calibration = _calibrate(rig, console)
         for fault in to_come:
             rig.inject(fault)
-        with CaseStore.create(folder / CASE) as store:
+        with overwriting(folder / CASE, given.force) as begun, CaseStore.create(folder / CASE) as store:
             store.put_order(Order(number="demo", type=specimen.name))
-            scan = run_scan(console, rig, request, store)
+            scan = run_scan(console, rig, request, store, begun=begun)
             values = scan_json(scan, rig.left.rate_hz, str(folder / CASE))
             values = {"specimen": specimen.name, "preset": given.preset, "seed": given.seed, "out": str(folder)} | values
             values["calibration"] = calibration_json(rig.calibration)
             lines = [calibration_summary(rig.calibration), *scan_summary(scan)]
             if scan.finish_reason is not FinishReason.COMPLETED or scan.views is None:
-                console.result(values, [*lines, f"Kept in {folder / CASE}."])
+                kept = f"Nothing was measured; {folder / CASE} is as it was." if old and not begins(scan) else f"Kept in {folder / CASE}."
+                console.result(values, [*lines, kept])
                 if scan.error is not None:
                     console.say(str(scan.error))
                 return 130 if scan.finish_reason is FinishReason.CANCELLED else 1
@@ -93,6 +96,5 @@ def _folder(out: str | None, specimen: str, force: bool) -> Path:
             if not force:
                 raise StorageError("E-DISK-03", path=folder / name)
             if name == CASE:
-                CaseStore.open(folder / name).close()  # refused while another program has it open
-                (folder / name).unlink()
+                check_case_free(folder / name, force)
     return folder

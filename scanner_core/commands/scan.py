@@ -13,8 +13,10 @@ from scanner_core.acquisition.status import FinishReason
 from scanner_core.case.recovery import Interruption, interruption
 from scanner_core.case.store import CaseStore, Order
 from scanner_core.commands.console import Console
+from scanner_core.commands.overwriting import check_case_free, overwriting
 from scanner_core.commands.scanning import (
     age_warnings,
+    begins,
     calibrated_rig,
     case_as_found,
     faults,
@@ -39,14 +41,19 @@ def run(given: argparse.Namespace, console: Console) -> int:
     for warning in warnings:
         console.say(f"Warning: {warning}")
     path = Path(given.out).resolve()
-    with (
-        case_as_found(path, to_come),
-        _case(path, given, specimen) as (store, interrupted),
-        open_rig(config, specimen, given.speed, given.seed, to_come) as rig,
-    ):
-        result = run_scan(console, rig, sized_for(request, specimen), store, interrupted)
-        values = scan_json(result, rig.left.rate_hz, str(path)) | {"warnings": warnings}
-    console.result(values, [*scan_summary(result), f"Kept in {path}."])
+    old = given.force and path.exists()
+    with case_as_found(path, to_come):
+        if not given.resume:
+            check_case_free(path, given.force)
+        with (
+            open_rig(config, specimen, given.speed, given.seed, to_come) as rig,
+            overwriting(path, given.force) as begun,
+            _case(path, given, specimen) as (store, interrupted),
+        ):
+            result = run_scan(console, rig, sized_for(request, specimen), store, interrupted, begun)
+            values = scan_json(result, rig.left.rate_hz, str(path)) | {"warnings": warnings}
+    kept = f"Nothing was measured; {path} is as it was." if old and not begins(result) else f"Kept in {path}."
+    console.result(values, [*scan_summary(result), kept])
     if result.error is not None:
         console.say(str(result.error))
     return {FinishReason.COMPLETED: 0, FinishReason.CANCELLED: 130, FinishReason.FAILED: 1}[result.finish_reason]
@@ -62,9 +69,6 @@ def _case(path: Path, given: argparse.Namespace, specimen: Specimen | None) -> I
                 raise AcquisitionError("E-SCAN-04", path=path)
             yield store, interrupted
         return
-    if given.force and path.exists():
-        CaseStore.open(path).close()  # refused while another program has it open, or when it is no case
-        path.unlink()
     with CaseStore.create(path) as store:
         if specimen is not None:
             store.put_order(Order(type=specimen.name))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import replace
 from pathlib import Path
@@ -107,8 +107,18 @@ def sized_for(request: PlanRequest, specimen: Specimen | None) -> PlanRequest:
     return replace(request, object_radius_mm=specimen.radius_mm, object_height_mm=specimen.height_mm)
 
 
-def run_scan(console: Console, rig: OpenRig, request: PlanRequest, store: CaseStore, interrupted: Interruption | None = None) -> ScanResult:
-    """Run a scan, or the rest of one, to its end, also when Ctrl-C ends it; the result says how it ended."""
+def run_scan(
+    console: Console,
+    rig: OpenRig,
+    request: PlanRequest,
+    store: CaseStore,
+    interrupted: Interruption | None = None,
+    begun: Callable[[], None] = lambda: None,
+) -> ScanResult:
+    """Run a scan, or the rest of one, to its end, also when Ctrl-C ends it; the result says how it ended.
+
+    `begun` is called, maybe more than once, when the case holds points of it.
+    """
     rig.concern(store)
     runner = ScanRunner(rig, request, store, interruption=interrupted)
     runner.start()
@@ -117,6 +127,8 @@ def run_scan(console: Console, rig: OpenRig, request: PlanRequest, store: CaseSt
         try:
             try:
                 while not runner.join(0.1):
+                    if runner.status().counts.measured:
+                        begun()
                     _show(console, runner)
                     _warn(console, runner, told)
                 break
@@ -129,7 +141,14 @@ def run_scan(console: Console, rig: OpenRig, request: PlanRequest, store: CaseSt
     _warn(console, runner, told)
     if runner.result is None:
         raise RuntimeError("a scan ended without a result")
+    if begins(runner.result):
+        begun()
     return runner.result
+
+
+def begins(result: ScanResult) -> bool:
+    """Whether anything was measured, be it in the coarse pass."""
+    return bool(result.counts.measured or result.located.measured)
 
 
 def scan_json(result: ScanResult, rate_hz: float, case: str) -> dict[str, object]:

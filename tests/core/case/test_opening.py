@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import signal
 import sqlite3
 import subprocess
@@ -12,12 +13,14 @@ import time
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from pathlib import Path, PureWindowsPath
+from types import SimpleNamespace
 
 import pytest
 
+from scanner_core.case import reading
 from scanner_core.case.connection import uri
 from scanner_core.case.store import CaseStore
-from scanner_core.errors import CaseError, CaseLockedError, InputFileError, StorageError
+from scanner_core.errors import CaseError, CaseFormatError, CaseLockedError, InputFileError, StorageError
 from tests.core.case.lives import CASE, PLAN, live, observations, record, state
 from tests.core.case.old_case import write_old_case
 
@@ -99,6 +102,22 @@ def test_looking_at_what_a_kill_left_leaves_no_trace(tmp_path: Path) -> None:
     with CaseStore.open(path) as store:
         assert store.exposed_ids(1).tolist() == list(range(9))
     assert set(snapshot(tmp_path)) == {"a.impronta"}
+
+
+@posix
+def test_a_log_is_not_copied_without_bound(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "a.impronta"
+    left_by_a_kill(path)
+    before = snapshot(tmp_path)
+    with monkeypatch.context() as patch:
+        patch.setattr(reading, "LARGEST_LOG", 1000)
+        with pytest.raises(CaseFormatError, match="the log beside it has"):
+            CaseStore.open(path, read_only=True)
+    with monkeypatch.context() as patch:
+        patch.setattr(shutil, "disk_usage", lambda _: SimpleNamespace(free=1000))
+        with pytest.raises(StorageError, match="E-DISK-01"):
+            CaseStore.open(path, read_only=True)
+    assert (snapshot(tmp_path), looks()) == (before, 0)
 
 
 @posix
@@ -200,6 +219,21 @@ def test_a_folder_that_may_not_be_written(public: Path, killed: bool) -> None:
         with CaseStore.open(path, read_only=True) as store:
             assert len(store.scans()) == killed
     assert snapshot(public) == before
+
+
+@pytest.mark.parametrize("read_only", [False, True])
+def test_a_case_that_vanishes_while_it_is_opened(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, read_only: bool) -> None:
+    path = tmp_path / "a.impronta"
+    CaseStore.create(path).close()
+
+    def and_then_it_goes(place: Path) -> bool:
+        path.unlink()
+        return True
+
+    monkeypatch.setattr(os.path, "isfile", and_then_it_goes)
+    with pytest.raises(CaseError, match="E-CASE-04"):
+        CaseStore.open(path, read_only=read_only)
+    assert list(tmp_path.iterdir()) == []
 
 
 @posix

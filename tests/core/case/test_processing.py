@@ -99,7 +99,7 @@ def same(a: PointCloud, b: PointCloud) -> bool:
 
 def test_as_scanned_is_what_the_scan_gave_to_the_last_bit(store: CaseStore) -> None:
     scan = store.scans()[0]
-    rig, calibration = case_rig(store, scan.calibration_id)
+    rig, calibration = case_rig(store, scan)
     plain = triangulate_observations(store.observations(scan.id), rig, calibration).cloud
     assert same(process_case(store, Processing()).cloud, plain)
     registered = register_case(store, scan.id, rig, calibration).cloud
@@ -111,6 +111,18 @@ def test_as_scanned_is_what_the_scan_gave_to_the_last_bit(store: CaseStore) -> N
     assert counts.planned == counts.measured + sum(counts.rejected.values()) + counts.skipped == VIEWS * ROW
     assert counts.rejected == {name: n for name, n in sorted(store.verdict_counts(scan.id).items()) if name != "measured"}
     assert {"epipolar", "outside_volume", "table", "hidden_right"} <= set(counts.rejected)
+
+
+def test_every_scan_has_the_rig_that_it_was_made_with(store: CaseStore) -> None:
+    """Also where two rigs have one calibration: the case holds that only once, with the first of them."""
+    assert RIG.calibration is not None
+    other = replace(RIG, volume=replace(RIG.volume, radius_mm=7.0))
+    store.begin_scan("scan", dump_rig(other.with_calibration(None)), RIG.calibration.identity(), dump_rig(other), _plan(5000).as_dict())
+    for scan, radius_mm in zip(store.scans(), (40.0, 7.0), strict=True):
+        rig, calibration = case_rig(store, scan)
+        assert rig.volume.radius_mm == radius_mm
+        assert rig.calibration is calibration
+        assert calibration.identity() == scan.calibration_id
 
 
 def test_gates_as_they_were_change_no_verdict(store: CaseStore) -> None:

@@ -12,6 +12,7 @@ import pytest
 
 from scanner_core import __version__
 from scanner_core.acquisition.status import FinishReason, ScanCounts
+from scanner_core.case import surfaces
 from scanner_core.case.schema import APPLICATION_ID, MIGRATIONS, VERSION
 from scanner_core.case.store import CaseStore, Order
 from scanner_core.errors import CaseError, CaseFormatError
@@ -185,6 +186,44 @@ def test_a_mesh_tells_where_it_comes_from(tmp_path: Path) -> None:
     assert versions["numpy"] == np.__version__
     assert set(versions) == {"impronta", "schema", "numpy", "scipy", "opencv", "vtk"}
     assert (provenance["seed"], provenance["scans"], provenance["calibration"]) == (4, [2], "abc")
+
+
+def test_a_mesh_does_not_guess_where_it_comes_from(tmp_path: Path) -> None:
+    """What the case's choices settle, and nothing else."""
+    with CaseStore.create(tmp_path / "a.impronta") as store:
+        for number, calibration in enumerate(("abc", "abc", "def"), 1):
+            store.append(store.begin_scan("scan", "rig", calibration, "calibration", PLAN), observations(100 * number, 9))
+
+        def told(**given: object) -> tuple[object, object]:
+            store.put_mesh(mesh(5), given)
+            provenance = store.mesh()[1]
+            return provenance.get("scans"), provenance.get("calibration")
+
+        assert told() == ([3], "def")
+        store.edit("discarded_scans", [3], "")
+        assert told() == ([2], "abc")
+        store.edit("processing", {"calibration": None, "scans": [1, 2]}, "")
+        assert told() == ([1, 2], "abc")
+        store.edit("processing", {"calibration": None, "scans": [3, 1]}, "")
+        assert told() == ([1, 3], None)  # there are two
+        store.edit("processing", {"calibration": "ghi", "scans": []}, "")
+        assert told() == ([2], "ghi")
+        assert told(scans=[1]) == ([1], None)
+        assert told(calibration="def") == (None, "def")
+        for damaged in ([], {"scans": [9]}, {"scans": [[]]}, {"scans": ["x"]}):
+            store.edit("processing", damaged, "")
+            assert told() == (None, None)
+
+
+def test_a_mesh_that_is_too_large_is_refused_in_its_own_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with CaseStore.create(tmp_path / "a.impronta") as store:
+        store.put_mesh(mesh(5), {})
+        for name, most in (("LONGEST_VALUE", 4500), ("LARGEST", 1000)):
+            with monkeypatch.context() as patch:
+                patch.setattr(surfaces, name, most)
+                with pytest.raises(CaseError, match="E-CASE-07"):
+                    store.put_mesh(mesh(500), {})
+        assert store.mesh_count() == 1
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import sqlite3
 import tracemalloc
 import zlib
@@ -101,7 +102,7 @@ BOMB = zlib.compress(bytes(100_000_000), 9)
 VALUES = [
     ("UPDATE scan SET plan_json = ?", "[" * 100_000, "its list of scans is damaged"),
     ("UPDATE scan SET plan_json = ?", '{"views": [{"rows": [{"first_id": 1e5, "count": 1}]}]}', "its list of scans is damaged"),
-    ("UPDATE scan SET plan_json = ?", '{"views": [{"rows": [{"first_id": -7, "count": 1}]}]}', "a row of 1 trigger ids from -7"),
+    ("UPDATE scan SET plan_json = ?", '{"views": [{"rows": [{"first_id": -7, "count": 1}]}]}', "a first_id of -7"),
     ("UPDATE scan SET counts_json = ?", '{"measured": NaN}', "the number NaN"),
     ("UPDATE scan SET counts_json = ?", '{"measured": 1e999}', "a number beyond all bounds"),
     ("UPDATE scan SET started = ?", b"\xff\xfe", "bytes instead of a text"),
@@ -125,6 +126,44 @@ VALUES = [
     ("UPDATE current_value SET value_json = ?", "{" * 5000, "its choice of"),
     ("UPDATE edit SET after_json = ?", "{]", "its journal of edits is damaged"),
 ]
+
+
+SOUND = {"view": 0, "first_id": 0, "count": 9, "y_deg": 0.0, "x_from_deg": -1.0, "x_to_deg": 1.0}
+PLANS = [
+    ({"views": [{"table_deg": 0.0, "quota": None, "rows": []}] * 361}, "more than 360 views"),
+    ({"views": {}}, "more than 360 views, or none"),
+    ({"sweep_speed_deg_s": 0.0}, "a sweep_speed_deg_s of 0"),
+    ({"sweep_speed_deg_s": -3.0}, "a sweep_speed_deg_s of -3"),
+    ({"sweep_speed_deg_s": 1001}, "a sweep_speed_deg_s of 1001"),
+    ({"sweep_speed_deg_s": "3"}, "no number"),
+    ({"table_deg": 1441.0}, "a table_deg of 1441"),
+    ({"quota": 10**8}, "a quota of 100000000"),
+    ({"count": 20_000_001}, "a count of 20000001"),
+    ({"rows": [SOUND | {"count": 15_000_000}] * 2}, "30000000 trigger ids"),
+    ({"first_id": 2**53, "count": 1}, "a row of 1 trigger ids"),
+    ({"view": 1}, "a row of view 1 in view 0"),
+    ({"view": -1}, "a view of -1"),
+    ({"y_deg": 91.0}, "a y_deg of 91"),
+    ({"x_to_deg": True}, "no number"),
+]
+
+
+@pytest.mark.parametrize(("changes", "reason"), PLANS, ids=range(len(PLANS)))
+def test_a_plan_that_no_rig_could_follow_is_named(path: Path, changes: dict[str, object], reason: str) -> None:
+    row = SOUND | {name: value for name, value in changes.items() if name in SOUND}
+    view = {"table_deg": 0.0, "quota": 8, "rows": [row]} | {name: value for name, value in changes.items() if name in ("table_deg", "quota", "rows")}
+    plan = {"sweep_speed_deg_s": 3.0, "views": [view]} | {name: value for name, value in changes.items() if name in ("sweep_speed_deg_s", "views")}
+    _change(path, "UPDATE scan SET plan_json = ?", values=(json.dumps(plan),))
+    with pytest.raises(CaseFormatError, match="its list of scans is damaged") as refused, CaseStore.open(path) as store:
+        store.scans()
+    assert reason in str(refused.value)
+
+
+def test_the_check_of_known_points_holds_some_views_only(path: Path) -> None:
+    plan = {"sweep_speed_deg_s": 3.0, "views": [{"table_deg": 270.0, "quota": 8, "rows": [SOUND | {"view": 3}]}]}
+    _change(path, "UPDATE scan SET kind = 'check', plan_json = ?", values=(json.dumps(plan),))
+    with CaseStore.open(path) as store:
+        assert store.scans()[0].plan == plan
 
 
 @pytest.mark.parametrize(("statement", "value", "reason"), VALUES, ids=range(len(VALUES)))

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import importlib
 from pathlib import Path
 
 import pytest
 
+import scanner_core.__main__ as program
 from scanner_core.__main__ import main
 
 
@@ -50,3 +52,13 @@ def test_an_interrupt_says_what_is_true_of_the_command(
     monkeypatch.setattr(f"scanner_core.commands.{words.split()[0]}.run", interrupted)
     assert main(words.split()) == 130
     assert told in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("where", ["import_module", "_parser"])
+def test_ctrl_c_before_the_command_runs_is_one_sentence(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], where: str) -> None:
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(importlib if where == "import_module" else program, where, interrupted)
+    assert program.main(["info", "a.stl"]) == 130
+    assert capsys.readouterr().err == "Interrupted; nothing was done.\n"
