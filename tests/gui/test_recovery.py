@@ -110,6 +110,10 @@ def test_resume_scans_what_is_missing(program: Program, case: Path, interrupted:
     assert result.resumed is not None
     assert result.resumed > 250
     assert services.case.path == other
+    store = services.case.store
+    assert store is not None
+    newest = [scan for scan in store.scans() if scan.kind == "scan"][-1]
+    assert (services.case.source["scans"], services.case.source["calibration"]) == ([newest.id], newest.calibration_id)
     until(lambda: not strip.text, 20, "nothing more to offer")
     assert program.window.banner.text == ""
 
