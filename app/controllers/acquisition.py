@@ -108,10 +108,19 @@ class AcquisitionController(QObject):
                 self._runner.pause()
 
     def stop(self) -> None:
-        """Laser off at once and end the scan; what was measured is kept.  A scan that is about to begin does not."""
+        """Laser off at once and end the scan; what was measured is kept.  A scan that is about to begin does not.
+
+        A scan that registers its views has nothing to do with the devices any more: they are stopped like an idle rig's.
+        """
         self._stopped = True
         runner = self._runner
-        if runner is not None:
+        if runner is None:
+            return
+        status = runner.status()
+        if status.state is ScanState.FINISHING or status.finish_reason is not None:
+            self._let_go()
+            self._rig.laser_off()
+        else:
             self._background.run("scan-stop", runner.cancel)
 
     def shutdown(self, timeout_s: float) -> bool:
