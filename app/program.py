@@ -132,6 +132,7 @@ class Program(QObject):
         steps: tuple[tuple[str, Callable[[], object]], ...] = (
             ("pump", self.pump.stop),
             ("heartbeat", self._end_heartbeat),
+            ("recovery", services.recovery.shutdown),
             ("scan", lambda: services.acquisition.shutdown(_DEADLINE_S)),
             ("rig", lambda: services.rig.shutdown(_DEADLINE_S)),
             ("reconstruction", services.reconstruction.shutdown),

@@ -14,6 +14,7 @@ from PySide6.QtCore import QObject, Signal
 
 from app.background import Background
 from app.controllers.case import CaseController
+from app.controllers.case_content import source_of
 from app.controllers.rig import RigController
 from scanner_core.acquisition.handover import Preview
 from scanner_core.acquisition.plan import PlanRequest
@@ -24,6 +25,7 @@ from scanner_core.geometry.view_directions import seen_from
 if TYPE_CHECKING:
     from scanner_core.acquisition.rig_session import OpenRig
     from scanner_core.acquisition.runner import ScanResult, ScanRunner
+    from scanner_core.acquisition.views import RegisteredViews
     from scanner_core.case.store import CaseStore
 
 Floats = NDArray[np.float64]
@@ -50,6 +52,7 @@ class AcquisitionController(QObject):
         self.status: ScanStatus | None = None
         """Of the runner, with rate and time left in the person's own seconds."""
         self._began_s = 0.0
+        self._calibration = ""  # its identity
         self.result: ScanResult | None = None
         self._taken = 0
         self._point_sinks: list[Callable[[Floats, Floats], None]] = []
@@ -105,10 +108,19 @@ class AcquisitionController(QObject):
                 self._runner.pause()
 
     def stop(self) -> None:
-        """Laser off at once and end the scan; what was measured is kept.  A scan that is about to begin does not."""
+        """Laser off at once and end the scan; what was measured is kept.  A scan that is about to begin does not.
+
+        A scan that registers its views has nothing to do with the devices any more: they are stopped like an idle rig's.
+        """
         self._stopped = True
         runner = self._runner
-        if runner is not None:
+        if runner is None:
+            return
+        status = runner.status()
+        if status.state is ScanState.FINISHING or status.finish_reason is not None:
+            self._let_go()
+            self._rig.laser_off()
+        else:
             self._background.run("scan-stop", runner.cancel)
 
     def shutdown(self, timeout_s: float) -> bool:
@@ -160,6 +172,7 @@ class AcquisitionController(QObject):
             self._tell(UsageError("E-USE-01", what="The rig is not open yet", do="wait until the status line shows it"))
             return
         self._borrowed = True
+        self._calibration = "" if rig.calibration is None else rig.calibration.identity()
         self._background.run("scan-start", lambda: _runner(rig, request, store), self._follow, self._not_started)
 
     def _let_go(self) -> None:
@@ -200,11 +213,19 @@ class AcquisitionController(QObject):
         self.result = runner.result
         self._let_go()
         if self.result is not None and self.result.views is not None:
-            self._case.take_cloud(self.result.views.cloud)
+            self._case.take_cloud(self.result.views.cloud, _source(self.result, self.result.views, self._calibration))
         self.changed.emit()
         self.ended.emit()
         if self.status is not None and isinstance(self.status.error, ImprontaError):
             self._tell(self.status.error)
+
+
+def _source(result: ScanResult, views: RegisteredViews, calibration: str) -> dict[str, object]:
+    """What the points of a scan that has just ended are computed from: as scanned."""
+    from scanner_core.case.processing import ProcessedCase, Processing
+
+    scans = () if result.scan_id is None else (result.scan_id,)
+    return source_of(ProcessedCase(Processing(scans=scans), views.cloud, result.counts, (calibration,), (views.noise,), False, None))
 
 
 def _runner(rig: OpenRig, request: PlanRequest | None, store: CaseStore) -> ScanRunner:

@@ -13,13 +13,16 @@ from typing import TYPE_CHECKING, TypeVar
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.background import Background
+from app.controllers.case_content import CaseContent, read_content, read_values
+from app.controllers.computing import compute_anew
 from app.controllers.device_thread import DeviceThread
-from app.draft import EDIT_TEXTS, Draft, DraftValues
+from app.draft import EDIT_TEXTS, ORDER_FIELDS, Draft, DraftValues
 from app.settings import Settings, save_settings
 from app.views.surface import Surface
 from scanner_core import wall_clock
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
+from scanner_core.jobs.progress import Cancelled
 
 if TYPE_CHECKING:
     from scanner_core.case.store import CaseEdit, CaseStore
@@ -34,17 +37,6 @@ _IN_THE_CASE = {"order": "number", "kind": "type"}
 T = TypeVar("T")
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class CaseContent:
-    """What a case shows: its order, the points of its newest scan, its mesh."""
-
-    values: DraftValues
-    cloud: PointCloud | None
-    surface: Surface | None
-    provenance: dict[str, object]
-    processing: dict[str, object]
-
-
 class CaseController(QObject):
     """One case at a time."""
 
@@ -52,6 +44,8 @@ class CaseController(QObject):
     """Another case, or none, or another content: everything that is shown of it is stale."""
     meshed = Signal()
     """The case has a new mesh."""
+    meshed_elsewhere = Signal(object)
+    """A mesh was put into a case that is not open, its path."""
     stepped = Signal()
     """Something was done to the case that can be undone."""
     edited = Signal()
@@ -74,6 +68,8 @@ class CaseController(QObject):
         self.store: CaseStore | None = None
         self.cloud: PointCloud | None = None
         self.surface: Surface | None = None
+        self.source: dict[str, object] = {}
+        """What the points were computed from: scans, calibration, processing; empty where that is not known."""
         self.provenance: dict[str, object] = {}
         self.processing: dict[str, object] = {}
         """How the points are computed, as the case keeps it; empty for as scanned."""
@@ -81,6 +77,7 @@ class CaseController(QObject):
         self.undo_words: str | None = None
         self.redo_words: str | None = None
         self._held: CaseStore | None = None  # the thread's
+        self._turn = 0  # of two cases that are asked for in a row the last one counts
         self._typed: str | None = None
         self._typing = QTimer(self)
         self._typing.setSingleShot(True)
@@ -100,39 +97,48 @@ class CaseController(QObject):
 
     # -------------------------------------------------------------------------------- commands
     def open(self, path: Path, then: Callable[[CaseStore], None] | None = None, failed: Callable[[Exception], None] | None = None) -> None:
-        """Open another case; the present one is closed first.  `then` gets it in the GUI thread, or `failed` the fault, which is told."""
+        """Open another case; the present one is closed first.  `then` gets it in the GUI thread, or `failed` the fault, which is told.
+
+        When still another one is asked for before it is open, `failed` gets :class:`Cancelled`, which is not told.
+        """
         self.close()
         self.opening = True
-        before = self._draft.values
+        before, turn = self._draft.values, self._turn
 
         def work() -> tuple[CaseStore, CaseContent]:
             from scanner_core.case.store import CaseStore
 
             store = self._held = CaseStore.open(path)
             try:
-                return store, _content(store, before)
+                return store, read_content(store, before)
             except BaseException:
                 self._let_go()
                 raise
 
-        self._do(work, lambda got: self._take(*got, then), partial(self._failed, failed))
+        self._do(work, lambda got: self._in_turn(turn, partial(self._take, *got, then), failed), partial(self._failed, turn, failed))
 
     def create(self, then: Callable[[CaseStore], None], failed: Callable[[Exception], None] | None = None) -> None:
         """A new case file for the order as it was entered; `then` and `failed` as for :meth:`open`."""
         values, folder = self._draft.values, Path(self._settings.case_folder)
-        self.opening = True
+        self._turn += 1
+        self.opening, turn = True, self._turn
 
         def work() -> CaseStore:
             self._held = _create(folder, values)
             return self._held
 
-        self._do(work, lambda store: self._take(store, CaseContent(values, None, None, {}, {}), then), partial(self._failed, failed))
+        def created(store: CaseStore) -> None:
+            self._in_turn(turn, partial(self._take, store, CaseContent(values, None, {}, None, {}, {}), then), failed)
+
+        self._do(work, created, partial(self._failed, turn, failed))
 
     def close(self) -> None:
         """Close the file; it is whole at any time, closing only tidies it up."""
         self._write_order()
+        self._turn += 1
+        self.opening = False
         self.store, self._draft.keep_order = None, None
-        self.cloud, self.surface, self.provenance, self.processing = None, None, {}, {}
+        self.cloud, self.source, self.surface, self.provenance, self.processing = None, {}, None, {}, {}
         self._thread.call(self._let_go)
         self._show_words((None, None))
         self.opened.emit()
@@ -142,64 +148,72 @@ class CaseController(QObject):
         self.close()
         return self._thread.close(timeout_s)
 
-    def take_cloud(self, cloud: PointCloud | None) -> None:
-        """The registered points of a scan that has ended."""
-        self.cloud = cloud
+    def take_cloud(self, cloud: PointCloud | None, source: dict[str, object]) -> None:
+        """The registered points of a scan that has ended, and what they were computed from."""
+        self.cloud, self.source = cloud, source
 
-    def keep_mesh(self, mesh: TriangleMesh, provenance: dict[str, object]) -> None:
-        """Put a mesh into the case; `meshed` when it is there."""
-        store = self.store
+    def keep_mesh(self, mesh: TriangleMesh, provenance: dict[str, object], path: Path | None) -> None:
+        """Put a mesh into the case of its points, also when that is no longer the open one; `meshed` or `meshed_elsewhere` when it is there."""
 
         def keep() -> Surface:
-            if store is not None:
-                store.put_mesh(mesh, provenance)
+            from scanner_core.case.store import CaseStore
+
+            held = self._held
+            if path is not None and held is not None and held.path == path:
+                held.put_mesh(mesh, provenance)
+            elif path is not None:
+                with CaseStore.open(path) as store:
+                    store.put_mesh(mesh, provenance)
             return Surface.of(mesh, growing=False)
 
         def kept(surface: Surface) -> None:
-            if store is self.store:
+            if path == self.path:
                 self.surface, self.provenance = surface, provenance
                 self.meshed.emit()
                 self._step()
+            elif path is not None:
+                self.meshed_elsewhere.emit(path)
 
         self._do(keep, kept)
 
     # -------------------------------------------------------------------------------- edits
-    def change(self, work: Callable[[CaseStore], object], *, reread: bool = False) -> None:
-        """Something that a person does to the open case, and can undo: `work` edits the store in the case's thread."""
+    def change(
+        self,
+        work: Callable[[CaseStore], T],
+        *,
+        reread: bool = False,
+        then: Callable[[T], None] = lambda _: None,
+        failed: Callable[[Exception], None] | None = None,
+    ) -> None:
+        """Something that a person does to the open case, and can undo: `work` edits the store in the case's thread.
+
+        `then` gets its result in the GUI thread; without `failed` a fault is told.
+        """
+        if reread:
+            self._write_order()  # what is read again holds what was typed before
         store, before = self.store, self._draft.values
         if store is None:
             return
 
-        def do() -> CaseContent | None:
-            work(store)
-            return _content(store, before) if reread else None
+        def do() -> tuple[T, CaseContent | None]:
+            result = work(store)
+            return result, read_content(store, before) if reread else None
 
-        def done(content: CaseContent | None) -> None:
-            self._show(content)
-            self._step()
+        def done(got: tuple[T, CaseContent | None]) -> None:
+            result, content = got
+            if store is self.store:
+                if content is not None:
+                    self._show(content.values, before, content)
+                self._step()
+            then(result)
 
-        self._do(do, done)
+        self._do(do, done, failed)
 
     def process(self, rig: RigConfig | None, gates: dict[str, float]) -> None:
         """Compute the points anew: with the calibration of `rig`, or as scanned, and with gates by their names."""
-        calibration = None if rig is None else rig.calibration
-        identity = None if calibration is None else calibration.identity()
-
-        def work(store: CaseStore) -> None:
-            from scanner_core.case.processing import PROCESSING, Gates, chosen_processing, process_case
-            from scanner_core.devices.rig import dump_rig
-
-            before = chosen_processing(store)
-            kept = {name: value for name, value in before.gates.given().items() if name not in ("least_peak_dn", "epipolar_sigmas")}
-            processing = replace(before, calibration=identity, gates=Gates(**(kept | gates)))
-            process_case(store, processing, calibration)  # a choice that leaves nothing is told, and not kept
-            if rig is not None and identity is not None:
-                store.put_calibration(identity, dump_rig(rig))
-            store.edit(PROCESSING, processing.as_dict(), "Points computed anew")
-
         self.computing = True
         self.edited.emit()
-        self.change(work, reread=True)
+        self.change(partial(compute_anew, rig=rig, gates=gates), reread=True)
         self._thread.call(partial(self._background.post, self._computed))
 
     def _computed(self) -> None:
@@ -226,26 +240,36 @@ class CaseController(QObject):
         store, before = self.store, self._draft.values
         if store is None:
             return
-        shown = CaseContent(before, self.cloud, self.surface, self.provenance, self.processing)
 
-        def work() -> CaseContent | None:
+        def work() -> tuple[DraftValues, CaseContent | None] | None:
             done = step(store)
             if done is None:
                 return None
-            return replace(shown, values=_values(store, before)) if done.key == "order" else _content(store, before)
+            if done.key == "order":
+                return read_values(store, before), None
+            content = read_content(store, before)
+            return content.values, content
 
-        self._do(work, self._show)
+        def show(got: tuple[DraftValues, CaseContent | None] | None) -> None:
+            if got is not None and store is self.store:
+                self._show(got[0], before, got[1])
+
+        self._do(work, show)
         self._ask_words()
 
-    def _show(self, content: CaseContent | None) -> None:
-        """What the open case shows from now on."""
-        if content is None or self.store is None:
-            return
-        for name, value in asdict(content.values).items():
-            if value != getattr(self._draft.values, name):
+    def _show(self, values: DraftValues, before: DraftValues, content: CaseContent | None) -> None:
+        """What the open case shows from now on; a field in which something was typed since `before` stays."""
+        for name in ORDER_FIELDS:
+            value, now = getattr(values, name), getattr(self._draft.values, name)
+            if value != now and now == getattr(before, name):
                 self._draft.put(name, value)
-        self.cloud, self.surface, self.provenance, self.processing = content.cloud, content.surface, content.provenance, content.processing
+        if content is not None:
+            self._put(content)
         self.opened.emit()
+
+    def _put(self, content: CaseContent) -> None:
+        self.cloud, self.source, self.surface = content.cloud, content.source, content.surface
+        self.provenance, self.processing = content.provenance, content.processing
 
     def _edit_order(self, name: str) -> None:
         """A field of the order was edited while the case is open."""
@@ -280,8 +304,8 @@ class CaseController(QObject):
     # -------------------------------------------------------------------------------- inside
     def _take(self, store: CaseStore, content: CaseContent, then: Callable[[CaseStore], None] | None) -> None:
         self.opening = False
-        self.store, self.cloud, self.surface, self.provenance = store, content.cloud, content.surface, content.provenance
-        self.processing = content.processing
+        self.store = store
+        self._put(content)
         if content.values != self._draft.values:
             self._draft.load(content.values)
         self._draft.keep_order = self._edit_order
@@ -296,12 +320,22 @@ class CaseController(QObject):
         if then is not None:
             then(store)
 
-    def _failed(self, failed: Callable[[Exception], None] | None, fault: Exception) -> None:
-        self.opening = False
-        self.opened.emit()
-        self._tell(fault)
-        if failed is not None:
-            failed(fault)
+    def _failed(self, turn: int, failed: Callable[[Exception], None] | None, fault: Exception) -> None:
+        def tell() -> None:
+            self.opening = False
+            self.opened.emit()
+            self._tell(fault)
+            if failed is not None:
+                failed(fault)
+
+        self._in_turn(turn, tell, failed)
+
+    def _in_turn(self, turn: int, call: Callable[[], None], failed: Callable[[Exception], None] | None) -> None:
+        """`call`, unless another case was asked for meanwhile: that one's news come later."""
+        if turn == self._turn:
+            call()
+        elif failed is not None:
+            failed(Cancelled())
 
     def _do(self, work: Callable[[], T], done: Callable[[T], None], failed: Callable[[Exception], None] | None = None) -> None:
         """`work` in the case's thread, after what was asked before; then `done` or `failed` in the GUI thread."""
@@ -320,32 +354,6 @@ class CaseController(QObject):
         store, self._held = self._held, None
         if store is not None:
             store.close()
-
-
-def _content(store: CaseStore, before: DraftValues) -> CaseContent:
-    """As the case stands; what it does not tell stays as it was `before`."""
-    from scanner_core.case.processing import case_cloud
-    from scanner_core.errors import CaseError
-
-    def kept(read: Callable[[], T]) -> T | None:
-        try:
-            return read()
-        except CaseError as fault:
-            if fault.code != "E-CASE-05":  # it holds none yet
-                raise
-            return None
-
-    mesh, provenance = kept(store.mesh) or (None, {})
-    surface = None if mesh is None else Surface.of(mesh, growing=False)
-    choice = store.value("processing")
-    return CaseContent(_values(store, before), kept(lambda: case_cloud(store)), surface, provenance, choice if isinstance(choice, dict) else {})
-
-
-def _values(store: CaseStore, before: DraftValues) -> DraftValues:
-    order = store.order()
-    side = order.side if order.side in ("left", "right") else before.side
-    kind = order.type if order.type in ("ear", "arch", "other") else "other"
-    return replace(before, order=order.number, patient_code=order.patient_code, side=side, kind=kind)
 
 
 def _create(folder: Path, values: DraftValues) -> CaseStore:

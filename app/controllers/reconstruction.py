@@ -6,6 +6,7 @@ import threading
 import time
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
 from PySide6.QtCore import QObject, Signal
@@ -37,7 +38,7 @@ class ReconstructionController(QObject):
     ended = Signal()
     """Over; the case holds a new mesh unless it was cancelled or failed."""
     grown = Signal(object)
-    """A :class:`Surface` of the unfinished mesh."""
+    """A :class:`Surface` of the unfinished mesh, while its case is the open one."""
 
     def __init__(
         self, background: Background, case: CaseController, tell: Callable[[BaseException], None], parent: QObject | None = None
@@ -51,6 +52,8 @@ class ReconstructionController(QObject):
         self._worker: Worker | None = None
         self._job: JobHandle | None = None
         self._phase_begun_s = 0.0
+        self._path: Path | None = None  # of the case whose points they are
+        self._source: dict[str, object] = {}
         self.running = False
         self.progress: Progress | None = None
         self.phase_seconds: dict[str, float] = {}
@@ -67,11 +70,12 @@ class ReconstructionController(QObject):
 
     # -------------------------------------------------------------------------------- commands
     def start(self, values: DraftValues) -> None:
-        """Reconstruct the points of the open case."""
+        """Reconstruct the points of the open case; the mesh goes into that case, whichever is open in the end."""
         cloud = self._case.cloud
         if self.running or cloud is None:
             return
         self.running, self.progress, self.phase_seconds, self.shown_triangles, self._job = True, None, {}, None, None
+        self._path, self._source = self._case.path, self._case.source
         self._cancelled.clear()
         self._phase_begun_s = time.monotonic()
         self.began.emit()
@@ -104,7 +108,8 @@ class ReconstructionController(QObject):
             return
         if surface is not None:
             self.shown_triangles = len(surface.mesh.triangles)
-            self.grown.emit(surface)
+            if self._path == self._case.path:
+                self.grown.emit(surface)
         if progress is not None:
             now_s = time.monotonic()
             if self.progress is not None and progress.phase != self.progress.phase:
@@ -153,7 +158,7 @@ class ReconstructionController(QObject):
     def _done(self, result: Reconstruction, parameters: ReconstructionParameters) -> None:
         self.running = False
         provenance = {"parameters": parameters.as_dict(), "report": result.report.as_dict(), "seed": parameters.seed}
-        self._case.keep_mesh(result.mesh, provenance)
+        self._case.keep_mesh(result.mesh, provenance | self._source, self._path)
         self.ended.emit()
 
     def _failed(self, fault: Exception) -> None:

@@ -5,6 +5,7 @@ The open rig has one owner at a time: this controller's device thread, or the sc
 
 from __future__ import annotations
 
+import logging
 import threading
 import time
 from collections.abc import Callable
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
 SPECIMENS = ("ear", "arch", "heart", "sphere")
 SPEEDS: tuple[str, ...] = ("1", "5", "max")
 _STATUS_PERIOD_S = 0.3
+_log = logging.getLogger("impronta")
 
 
 class RigController(QObject):
@@ -133,7 +135,7 @@ class RigController(QObject):
         """Laser off, devices released; False when they did not answer in time."""
         self._closing.set()
         self.calibration.cancelled.set()
-        self._device.call(self._close)
+        self._device.call(self._end)
         return self._device.close(timeout_s)
 
     # -------------------------------------------------------------------------------- the device thread
@@ -216,8 +218,10 @@ class RigController(QObject):
                     self.frames[camera.name].put(camera.grab())
             status = rig.motion.status()
         except ImprontaError as fault:
-            self._close()
-            self._background.post(partial(self._failed, fault))
+            try:
+                self._close()
+            finally:
+                self._background.post(partial(self._failed, fault))
             return
         self._background.post(lambda: self._heard(status))
 
@@ -228,7 +232,14 @@ class RigController(QObject):
             rig.motion.recover()
             self._watch()
 
+    def _end(self) -> None:
+        try:
+            self._close()
+        except ImprontaError as fault:  # the window is about to go: the terminal and the log stay
+            _log.error("%s", fault)
+
     def _close(self) -> None:
+        """Whatever becomes of it the rig is no longer this controller's; E-MOT-11 when the laser may be on."""
         rig, self._rig = self._rig, None
         if rig is not None:
             rig.close()

@@ -216,6 +216,10 @@ class MainWindow(QMainWindow):
     def _tell_running(self) -> None:
         self.banner.tell_note(self.tr("A scan is running."), self.tr("Wait for its end or stop it first (Esc)."))
 
+    def _tell_meshed(self, path: Path) -> None:
+        what = self.tr("The surface of {case} is done.").format(case=path.stem)
+        self.banner.tell_note(what, self.tr("It is kept in its case; open that to see it."))
+
     def _with_scene(self, call: Callable[[SceneView], None]) -> None:
         if self.scene is not None:
             call(self.scene)
@@ -233,6 +237,7 @@ class MainWindow(QMainWindow):
         services.acquisition.add_point_sink(lambda points, towards: self._with_scene(lambda scene: scene.append_points(points, towards)))
         services.case.opened.connect(self._show_case)
         services.case.meshed.connect(self._show_mesh)
+        services.case.meshed_elsewhere.connect(self._tell_meshed)
         services.case.edited.connect(self._show_activity)
         services.reconstruction.began.connect(self._begin_reconstruction)
         services.reconstruction.grown.connect(lambda surface: self._with_scene(lambda scene: scene.show_mesh(surface)))

@@ -65,16 +65,28 @@ class OpenRig:
             self.faults.concern(case)
 
     def close(self) -> None:
-        """Laser and controller first, then the cameras."""
-        for device in (self.motion, self.left, self.right):
-            try:
-                device.close()
-            except ImprontaError:
-                continue  # one device that fails to close must not keep the others open
+        """Laser and controller first, then the cameras; everything is closed, whatever fails.
+
+        Raises
+        ------
+        DeviceError
+            E-MOT-11: the laser may still be on; of another fault of a device that is let go a person need not know.
+        """
+        steps = [self.motion.close, self.left.close, self.right.close]
         if self.faults is not None:
-            self.faults.close()
+            steps.append(self.faults.close)
         if self.release is not None:
-            self.release()
+            steps.append(self.release)
+        failed: list[Exception] = []
+        for step in steps:
+            try:
+                step()
+            except Exception as fault:  # one device that fails to close must not keep the others open
+                failed.append(fault)
+        untold = [fault for fault in failed if not isinstance(fault, ImprontaError)]
+        dangers = [fault for fault in failed if isinstance(fault, ImprontaError) and fault.code == "E-MOT-11"]
+        for first in [*dangers, *untold]:
+            raise first
 
     def __enter__(self) -> OpenRig:
         return self

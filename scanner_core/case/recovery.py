@@ -17,7 +17,7 @@ import numpy as np
 from scanner_core.acquisition.plan import PlanRequest, ScanPlan
 from scanner_core.acquisition.status import FinishReason, ScanCounts
 from scanner_core.case.processing import DISCARDED
-from scanner_core.case.store import CaseStore, Order, ScanRecord
+from scanner_core.case.store import CaseEdit, CaseStore, Order, ScanRecord
 from scanner_core.errors import CaseFormatError, ImprontaError
 
 
@@ -128,11 +128,12 @@ def keep(store: CaseStore) -> None:
     store.audit("kept", f"{of.counts.measured} points of the interrupted scan {of.record.id}")
 
 
-def discard(store: CaseStore) -> None:
-    """Leave the interrupted scan out of everything; an edit that can be undone, nothing is deleted."""
+def discard(store: CaseStore) -> CaseEdit | None:
+    """Leave the interrupted scan out of everything; an edit that can be undone, nothing is deleted.  None when there is no such scan."""
     of = interruption(store)
-    if of is not None:
-        store.edit(DISCARDED, sorted({*_discarded(store), of.record.id}), "Discard the interrupted scan")
+    if of is None:
+        return None
+    return store.edit(DISCARDED, sorted({*_discarded(store), of.record.id}), "Discard the interrupted scan")
 
 
 def _discarded(store: CaseStore) -> list[int]:

@@ -101,7 +101,7 @@ def test_undo_right_after_typing_takes_it_back(shared_program: Program, case: Pa
 
 def test_a_mesh_is_undone_and_redone(shared_program: Program, case: Path) -> None:
     services = shared_program.services
-    services.case.keep_mesh(TETRAHEDRON, {"report": {"triangles": 4}})
+    services.case.keep_mesh(TETRAHEDRON, {"report": {"triangles": 4}}, case)
     until(lambda: services.case.surface is not None, 10, "the mesh")
     until(lambda: _undo_text(shared_program) == "&Undo: Surface reconstructed", 10)
     shared_program.window.undo()
@@ -167,6 +167,10 @@ def test_points_computed_anew_are_undone(shared_program: Program, tmp_path: Path
     assert services.case.cloud is not None
     after = len(services.case.cloud)
     assert 0 < after < before
+    processing = services.case.source["processing"]
+    assert isinstance(processing, dict)
+    assert processing["gates"] == {"epipolar_sigmas": 1.0}
+    assert (services.case.source["scans"], processing["measured"]) == (processing["scans"], after)
     until(lambda: _undo_text(shared_program) == "&Undo: Points computed anew", 10)
     rows.peak.setValue(255)
     until(lambda: not services.case.computing and window.banner.text, 30, "the sentence")

@@ -20,7 +20,7 @@ def ready(program: Program) -> Program:
     points = rng.normal(size=(6000, 3))
     points *= 10 / np.sqrt((points**2).sum(axis=1))[:, None]
     until(lambda: program.services.reconstruction.worker_pid is not None, 60, "the worker")
-    program.services.case.take_cloud(PointCloud(points + np.array([0.0, 0.0, 10.0])))
+    program.services.case.take_cloud(PointCloud(points + np.array([0.0, 0.0, 10.0])), {})
     return program
 
 

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any, cast
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QMenu, QSpinBox, QWidget
 
+from app.background import Background
+from app.controllers.acquisition import AcquisitionController
 from app.controllers.emission import Emission, emission_of
 from app.program import Program
 from app.stop_key import StopKey
@@ -203,6 +207,20 @@ def test_a_stop_before_the_first_row_begins_no_scan(shared_program: Program) -> 
     wait_ms(300)
     assert not services.acquisition.running
     assert services.acquisition.result is None or services.acquisition.result.finish_reason is FinishReason.CANCELLED
+
+
+@pytest.mark.parametrize(("state", "heard"), [(ScanState.FINISHING, ["given back", "laser off"]), (ScanState.SCANNING, ["cancelled"])])
+def test_while_views_are_registered_a_stop_is_the_rig_controllers(application: QApplication, state: ScanState, heard: list[str]) -> None:
+    """The scan's thread no longer has to do with the devices, and what was measured is complete."""
+    told: list[str] = []
+    rig = SimpleNamespace(give_back=lambda: told.append("given back"), laser_off=lambda: told.append("laser off"))
+    runner = SimpleNamespace(status=lambda: SimpleNamespace(state=state, finish_reason=None), cancel=lambda: told.append("cancelled"))
+    background = Background()
+    acquisition = AcquisitionController(background, cast(Any, rig), cast(Any, None), lambda fault: told.append(str(fault)))
+    acquisition._runner, acquisition._borrowed = cast(Any, runner), True
+    acquisition.stop()
+    assert background.join(10.0) == []
+    assert told == heard
 
 
 def test_a_controller_that_says_nothing_is_unknown(shared_program: Program, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -277,8 +277,10 @@ class GrblController:
     # ------------------------------------------------------------------------------------------ end
     def close(self) -> None:
         """Laser off, release the port; may be called again."""
-        self._link.close()
-        self._watch.close()
+        try:
+            self._link.close()
+        finally:
+            self._watch.close()
 
     def __enter__(self) -> GrblController:
         return self

@@ -1,0 +1,71 @@
+"""What the window shows of a case, read from its file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, TypeVar
+
+from app.draft import DraftValues
+from app.views.surface import Surface
+from scanner_core.geometry.point_cloud import PointCloud
+
+if TYPE_CHECKING:
+    from scanner_core.case.processing import ProcessedCase
+    from scanner_core.case.store import CaseStore
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CaseContent:
+    """Its order, its points as they were chosen, its mesh.
+
+    Attributes
+    ----------
+    source : what the points were computed from, for the provenance of a mesh of them; see :func:`source_of`
+    provenance : of the mesh
+    processing : how the points are computed, as the case keeps it; empty for as scanned
+    """
+
+    values: DraftValues
+    cloud: PointCloud | None
+    source: dict[str, object]
+    surface: Surface | None
+    provenance: dict[str, object]
+    processing: dict[str, object]
+
+
+def read_content(store: CaseStore, before: DraftValues) -> CaseContent:
+    """As the case stands; what it does not tell stays as it was `before`."""
+    from scanner_core.case.processing import chosen_processing, process_case
+    from scanner_core.errors import CaseError
+
+    def kept(read: Callable[[], T]) -> T | None:
+        try:
+            return read()
+        except CaseError as fault:
+            if fault.code != "E-CASE-05":  # it holds none yet
+                raise
+            return None
+
+    mesh, provenance = kept(store.mesh) or (None, {})
+    surface = None if mesh is None else Surface.of(mesh, growing=False)
+    choice = store.value("processing")
+    processed = kept(lambda: process_case(store, chosen_processing(store)))
+    cloud, source = (None, {}) if processed is None else (processed.cloud, source_of(processed))
+    return CaseContent(read_values(store, before), cloud, source, surface, provenance, choice if isinstance(choice, dict) else {})
+
+
+def read_values(store: CaseStore, before: DraftValues) -> DraftValues:
+    """The form with the order of the case."""
+    order = store.order()
+    side = order.side if order.side in ("left", "right") else before.side
+    kind = order.type if order.type in ("ear", "arch", "other") else "other"
+    return replace(before, order=order.number, patient_code=order.patient_code, side=side, kind=kind)
+
+
+def source_of(processed: ProcessedCase) -> dict[str, object]:
+    """Scans, calibration and processing, as the provenance of a mesh keeps them."""
+    told = processed.as_dict()
+    return {"processing": told, "scans": told["scans"], "calibration": processed.calibrations[0]}

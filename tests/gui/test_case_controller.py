@@ -1,0 +1,140 @@
+"""The open case behind the window: what comes late belongs to the case and to the field it was meant for."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any, cast
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QTimer
+from PySide6.QtGui import QUndoStack
+from PySide6.QtWidgets import QApplication
+
+from app.background import Background
+from app.controllers.case import CaseController
+from app.controllers.reconstruction import ReconstructionController
+from app.draft import Draft
+from app.settings import Settings
+from scanner_core.case.store import CaseStore, Order
+from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.jobs.progress import Cancelled
+from scanner_core.reconstruction.parameters import ReconstructionParameters
+from tests.gui.waiting import until, wait_ms
+
+TETRAHEDRON = TriangleMesh(np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]), np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]))
+
+
+@dataclass
+class Desk:
+    """Two cases and the controllers, without a window."""
+
+    background: Background
+    draft: Draft
+    case: CaseController
+    first: Path
+    second: Path
+    told: list[BaseException] = field(default_factory=list)
+
+    def open(self, path: Path) -> CaseStore:
+        self.case.open(path)
+        until(lambda: self.case.path == path, 20, "the case")
+        assert self.case.store is not None
+        return self.case.store
+
+
+@pytest.fixture
+def desk(application: QApplication, tmp_path: Path) -> Iterator[Desk]:
+    told: list[BaseException] = []
+    background, draft = Background(), Draft(QUndoStack())
+    paths = [tmp_path / f"{name}.impronta" for name in "AB"]
+    for path in paths:
+        with CaseStore.create(path) as store:
+            store.put_order(Order(path.stem, "P-1", "left", "ear"))
+    case = CaseController(background, Settings(case_folder=str(tmp_path)), draft, told.append)
+    pump = QTimer()
+    pump.timeout.connect(background.drain)
+    pump.start(5)
+    yield Desk(background, draft, case, paths[0], paths[1], told)
+    pump.stop()
+    assert case.shutdown(10.0)
+    assert background.join(10.0) == []
+
+
+def _meshes(path: Path) -> int:
+    with CaseStore.open(path, read_only=True) as store:
+        return store.mesh_count()
+
+
+def test_a_mesh_reaches_the_case_of_its_points_though_another_is_open(desk: Desk) -> None:
+    elsewhere: list[Path] = []
+    desk.case.meshed_elsewhere.connect(elsewhere.append)
+    job = ReconstructionController(desk.background, desk.case, desk.told.append)
+    desk.open(desk.first)
+    job._path, job._source, job.running = desk.case.path, {"scans": [2]}, True
+    store = desk.open(desk.second)
+    report = SimpleNamespace(as_dict=lambda: {"triangles": 4})
+    job._done(cast(Any, SimpleNamespace(mesh=TETRAHEDRON, report=report)), ReconstructionParameters())
+    until(lambda: elsewhere, 20, "the news")
+    assert elsewhere == [desk.first]
+    assert store.mesh_count() == 0
+    assert desk.case.surface is None
+    with CaseStore.open(desk.first, read_only=True) as kept:
+        assert kept.mesh_count() == 1
+        provenance = kept.mesh()[1]
+    assert provenance["scans"] == [2]
+    assert provenance["report"] == {"triangles": 4}
+    assert desk.told == []
+
+
+def test_a_mesh_is_not_written_twice_when_its_case_was_opened_again(desk: Desk) -> None:
+    desk.open(desk.first)
+    desk.open(desk.second)
+    desk.case.open(desk.first)
+    desk.case.keep_mesh(TETRAHEDRON, {"report": {}}, desk.first)  # before it is open again
+    until(lambda: desk.case.surface is not None, 20, "the mesh")
+    desk.case.close()
+    wait_ms(100)
+    assert _meshes(desk.first) == 1
+    assert desk.told == []
+
+
+def test_of_two_cases_that_are_opened_in_a_row_the_last_one_counts(desk: Desk) -> None:
+    taken: list[Path] = []
+    given_up: list[Exception] = []
+    desk.case.open(desk.first, lambda store: taken.append(store.path), given_up.append)
+    desk.case.open(desk.second, lambda store: taken.append(store.path), given_up.append)
+    until(lambda: taken, 20, "the case")
+    wait_ms(100)
+    assert taken == [desk.second]
+    assert [type(fault) for fault in given_up] == [Cancelled]
+    assert desk.case.path == desk.second
+    assert not desk.case.opening
+    assert desk.told == []
+
+
+def test_what_is_typed_while_points_are_computed_stays(desk: Desk) -> None:
+    store = desk.open(desk.first)
+    go = threading.Event()
+    done: list[object] = []
+    desk.draft.edit("patient_code", "P-2")  # typed just before
+    desk.case.change(lambda _: go.wait(10), reread=True, then=done.append)
+    desk.draft.edit("order", "A-2")
+    desk.draft.edit("views", 20)
+    go.set()
+    until(lambda: done, 20, "what was computed")
+    values = desk.draft.values
+    assert (values.order, values.patient_code, values.views) == ("A-2", "P-2", 20)
+    until(lambda: store.order() == Order("A-2", "P-2", "left", "ear"), 10, "in the file")
+
+
+def test_what_an_edit_changes_in_the_order_is_shown(desk: Desk) -> None:
+    desk.open(desk.first)
+    done: list[object] = []
+    desk.case.change(lambda store: store.edit("order", {"number": "A-3", "side": "right", "type": "ear"}, "Change"), reread=True, then=done.append)
+    until(lambda: done, 20, "the edit")
+    assert (desk.draft.values.order, desk.draft.values.side) == ("A-3", "right")
