@@ -23,7 +23,7 @@ SENTENCES: dict[str, Sentence] = {
     # ------------------------------------------------------------------------------------------ cameras
     "E-CAM-01": Sentence(
         "Camera {camera} gave no frame within {seconds} s.",
-        "The laser is off and the points so far are kept; check its cable and start again.",
+        "The laser is off and the points so far are kept; check its cable and resume.",
     ),
     "E-CAM-02": Sentence("Camera {camera} was unplugged.", "The laser is off and the points so far are kept; plug it in and resume."),
     "E-CAM-03": Sentence("Camera {camera} was used after it had been closed.", "The laser is off; open the rig again."),
@@ -34,11 +34,11 @@ SENTENCES: dict[str, Sentence] = {
     # ------------------------------------------------------------------------------------------ controller
     "E-MOT-01": Sentence(
         "The controller on {port} did not answer '{command}' within {seconds} s.",
-        "A reset was sent to switch the laser off; see that it is dark, then check the cable and the controller's power.",
+        "A reset was sent to switch the laser off and the points so far are kept; see that it is dark, check cable and power, then resume.",
     ),
     "E-MOT-02": Sentence(
         "The connection to the controller on {port} was lost.",
-        "A sweep ends dark by itself, a standing spot may stay lit: see that the laser is off, check the cable, then connect again.",
+        "The points so far are kept. A sweep ends dark by itself, a standing spot may stay lit: see that the laser is off, plug it in, then resume.",
     ),
     "E-MOT-03": Sentence("The port {port} is used by another program.", "Nothing was moved; close the other program and connect again."),
     "E-MOT-04": Sentence("The controller on {port} was used after it had been closed.", "The laser is off; open the rig again."),

@@ -5,8 +5,10 @@ from __future__ import annotations
 import argparse
 from dataclasses import asdict
 from pathlib import Path
+from typing import Any
 
 from scanner_core.case.processing import chosen_processing
+from scanner_core.case.recovery import describe
 from scanner_core.case.store import SUFFIX, CaseStore
 from scanner_core.commands.console import Console
 from scanner_core.errors import InputFileError
@@ -28,8 +30,26 @@ def run(given: argparse.Namespace, console: Console) -> int:
         values = _points(path)
     else:
         values = _mesh_or_points(path)
-    console.result(values, [f"{name}: {value}" for name, value in values.items()])
+    console.result(values, _case_words(values) if values["kind"] == "case" else [f"{name}: {value}" for name, value in values.items()])
     return 0
+
+
+def _case_words(values: dict[str, Any]) -> list[str]:
+    """A case in lines that a person reads."""
+    order = ", ".join(f"{name.replace('_', ' ')} {value}" for name, value in values["order"].items() if value)
+    lines = [f"Case {values['file']}", f"Order: {order or 'none'}"]
+    for scan in values["scans"]:
+        seen = ", ".join(f"{name} {count}" for name, count in sorted(scan["observations"].items()))
+        words = f"{scan['kind'].capitalize()} {scan['id']}: {scan['finish_reason']}, begun {scan['started']}, calibration {scan['calibration']}"
+        lines += [words, f"    {seen or 'nothing exposed'}"]
+    if values["interrupted"] is not None:
+        words = "Interrupted: {measured} of {wanted} points, {views_done} of {views} views complete; go on with 'impronta scan --resume'."
+        lines.append(words.format(**values["interrupted"]))
+    choice = ", ".join(f"{name.replace('_', ' ')} {value}" for name, value in values["processing"].items() if value)
+    lines.append(f"Points: {choice or 'as scanned'}")
+    mesh = values.get("mesh")
+    lines.append(f"Meshes: {values['meshes']}" + (f"; the chosen one has {mesh['triangles']} triangles" if mesh else ""))
+    return lines
 
 
 def _case(path: Path) -> dict[str, object]:
@@ -49,6 +69,8 @@ def _case(path: Path) -> dict[str, object]:
         ]
         values: dict[str, object] = {"kind": "case", "file": str(path), "order": asdict(store.order()), "scans": scans, "meshes": store.mesh_count()}
         values["processing"] = chosen_processing(store).as_dict()
+        told = describe(store)
+        values["interrupted"] = told and {name: getattr(told, name) for name in ("measured", "wanted", "views_done", "views")}
         if store.mesh_id() is not None:
             mesh, provenance = store.mesh()
             values["mesh"] = {"vertices": len(mesh.vertices), "triangles": len(mesh.triangles), "provenance": provenance}

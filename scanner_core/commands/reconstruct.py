@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from scanner_core.case.recovery import describe
 from scanner_core.case.store import SUFFIX, CaseStore
 from scanner_core.commands.console import Console
 from scanner_core.commands.processing import asked_processing
@@ -44,6 +45,11 @@ def run(given: argparse.Namespace, console: Console) -> int:
             provenance = {"parameters": parameters.as_dict(), "report": surface.report.as_dict(), "seed": given.seed, "processing": told}
             provenance |= {"scans": told["scans"], "calibration": processed.calibrations[0]}
             warnings = _write(surface.mesh, out, given.force)  # first: what cannot be delivered changes no case
+            if (told_of := describe(store)) is not None:
+                warnings.append(
+                    f"The scan did not come to its end: {told_of.measured} of {told_of.wanted} points, {told_of.views_done} of {told_of.views} views "
+                    "complete; 'impronta scan --resume' goes on with it."
+                )
             asked.keep(store)
             store.put_mesh(surface.mesh, provenance)
         _tell(surface, out, warnings, console, {"processing": told})

@@ -20,6 +20,7 @@ from scanner_core.commands.scanning import (
     calibrated_rig,
     case_as_found,
     faults,
+    finding_warnings,
     run_scan,
     scan_json,
     scan_summary,
@@ -27,6 +28,7 @@ from scanner_core.commands.scanning import (
     specimen_on_table,
 )
 from scanner_core.errors import AcquisitionError, UsageError
+from scanner_core.virtual.host_faults import WorkerFault
 from scanner_core.virtual.specimens import Specimen
 
 
@@ -37,6 +39,8 @@ def run(given: argparse.Namespace, console: Console) -> int:
     request = PlanRequest() if given.plan is None else read_plan(Path(given.plan))
     specimen = specimen_on_table(given, config) if config.virtual else None
     to_come = faults(given, config)
+    if any(isinstance(fault, WorkerFault) for fault in to_come):
+        raise UsageError("E-USE-01", what="A scan has no worker process that could fail", do="let that happen in 'impronta demo'")
     warnings = age_warnings(calibration)
     for warning in warnings:
         console.say(f"Warning: {warning}")
@@ -51,8 +55,10 @@ def run(given: argparse.Namespace, console: Console) -> int:
             _case(path, given, specimen) as (store, interrupted),
         ):
             result = run_scan(console, rig, sized_for(request, specimen), store, interrupted, begun)
-            values = scan_json(result, rig.left.rate_hz, str(path)) | {"warnings": warnings}
+            values = scan_json(result, rig.left.rate_hz, str(path)) | {"warnings": [*warnings, *finding_warnings(result)]}
     kept = f"Nothing was measured; {path} is as it was." if old and not begins(result) else f"Kept in {path}."
+    if result.finish_reason is not FinishReason.COMPLETED and begins(result):
+        kept += f" Go on with: impronta scan --rig {given.rig} --resume --out {path}"
     console.result(values, [*scan_summary(result), kept])
     if result.error is not None:
         console.say(str(result.error))

@@ -146,6 +146,11 @@ def run_scan(
     return runner.result
 
 
+def finding_warnings(result: ScanResult) -> list[str]:
+    """What was noticed on the way and makes points doubtful."""
+    return [f"{finding.sentence} [{finding.code}]" for finding in result.health.findings if finding.severity == "warning"]
+
+
 def begins(result: ScanResult) -> bool:
     """Whether anything was measured, be it in the coarse pass."""
     return bool(result.counts.measured or result.located.measured)
@@ -196,7 +201,10 @@ def scan_summary(result: ScanResult) -> list[str]:
         lines.append(f"{result.resumed} of the points were there before the interruption.")
     if result.views is not None:
         said = result.views.registration
-        lines.append(f"Views registered: residual {said.residual_before_um:.1f} um before, {said.residual_after_um:.1f} um after the refinement.")
+        if said.applied:
+            lines.append(f"Views registered: residual {said.residual_before_um:.1f} um before, {said.residual_after_um:.1f} um after the refinement.")
+        elif result.views_planned > 1:
+            lines.append(f"Views brought together by the turntable's axis, residual {said.residual_before_um:.1f} um; not refined: {said.reason}.")
     lines += [f"{'Warning' if found.severity == 'warning' else 'Note'}: {found.sentence} [{found.code}]" for found in result.health.findings]
     return lines
 
