@@ -136,8 +136,7 @@ class CaseController(QObject):
         """Close the file; it is whole at any time, closing only tidies it up."""
         self._write_order()
         self._turn += 1
-        self.opening = False
-        self.store, self._draft.keep_order = None, None
+        self.opening, self.store, self._draft.keep_order = False, None, None
         self.cloud, self.source, self.surface, self.provenance, self.processing = None, {}, None, {}, {}
         self._thread.call(self._let_go)
         self._show_words((None, None))
@@ -303,8 +302,7 @@ class CaseController(QObject):
 
     # -------------------------------------------------------------------------------- inside
     def _take(self, store: CaseStore, content: CaseContent, then: Callable[[CaseStore], None] | None) -> None:
-        self.opening = False
-        self.store = store
+        self.opening, self.store = False, store
         self._put(content)
         if content.values != self._draft.values:
             self._draft.load(content.values)
