@@ -25,7 +25,7 @@ class DraftValues:
     Attributes
     ----------
     order, patient_code : free text; the code is never a full name by default
-    side : a key of SIDES
+    side : a key of SIDES, or empty
     kind : a key of KINDS
     views, points : of the scan plan
     triangles : at most so many, 0 = as many as the points carry

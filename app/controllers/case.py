@@ -371,7 +371,7 @@ def free_case_path(folder: Path, values: DraftValues, today: date) -> Path:
     """``2026-0142_left_ear_2026-11-23.impronta``, with -2, -3 ... when that is taken, be it by the log of a case that is gone."""
     from scanner_core.case.logs import left_behind
 
-    stem = safe_stem(f"{values.order or 'order'}_{values.side}_{values.kind}_{today.isoformat()}")
+    stem = safe_stem("_".join(part for part in (values.order or "order", values.side, values.kind, today.isoformat()) if part))
     path, number = folder / f"{stem}{SUFFIX}", 1
     while path.exists() or left_behind(path) is not None:
         number += 1
@@ -390,8 +390,8 @@ class CaseName:
 
 def read_case_name(stem: str) -> CaseName | None:
     """The reverse of :func:`free_case_path`; None for a name that a person has chosen."""
-    found = re.fullmatch(r"(.+)_(left|right)_(ear|arch|other)_\d{4}-\d\d-\d\d(-\d+)?", stem)
-    return None if found is None else CaseName(*found.groups()[:3])
+    found = re.fullmatch(r"(.+?)(?:_(left|right))?_(ear|arch|other)_\d{4}-\d\d-\d\d(-\d+)?", stem)
+    return None if found is None else CaseName(found[1], found[2] or "", found[3])
 
 
 def safe_stem(text: str) -> str:

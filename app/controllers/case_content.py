@@ -60,7 +60,7 @@ def read_content(store: CaseStore, before: DraftValues) -> CaseContent:
 def read_values(store: CaseStore, before: DraftValues) -> DraftValues:
     """The form with the order of the case."""
     order = store.order()
-    side = order.side if order.side in ("left", "right") else before.side
+    side = order.side if order.side in ("left", "right") else ""  # never a guess: the side is what must not be wrong
     kind = order.type if order.type in ("ear", "arch", "other") else "other"
     return replace(before, order=order.number, patient_code=order.patient_code, side=side, kind=kind)
 

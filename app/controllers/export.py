@@ -57,7 +57,8 @@ def file_name(template: str, values: DraftValues, revision: int, suffix: str, to
         "rev": str(revision),
         "code": values.patient_code or "code",
     }
-    return safe_stem(re.sub(r"\{(\w+)\}", lambda found: known.get(found[1], found[0]), template)) + suffix
+    filled = re.sub(r"\{(\w+)\}", lambda found: known.get(found[1], found[0]), template)
+    return safe_stem(re.sub("__+", "_", filled)) + suffix  # an order may have no side
 
 
 def free_name(folder: Path, template: str, values: DraftValues, suffix: str, today: date) -> Path:

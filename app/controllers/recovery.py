@@ -51,6 +51,7 @@ class RecoveryController(QObject):
         """What was discarded last, as long as it is offered to take that back."""
         acquisition.began.connect(self._forget)
         acquisition.ended.connect(self.look)
+        case.opened.connect(self.look)  # an undo may have brought a discarded scan back
         for signal in (case.opened, case.stepped):  # the newest edit of a case is then another one
             signal.connect(self._forget_discarded)
 

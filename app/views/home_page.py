@@ -191,7 +191,11 @@ class HomePage(Page):
         elif name == "points":
             self._points.setValue(values.points)
         elif name == "side":
-            self._sides[1][values.side].setChecked(True)
+            for side, made in self._sides[1].items():
+                group = made.group()
+                group.setExclusive(False)
+                made.setChecked(side == values.side)
+                group.setExclusive(True)
         elif name == "kind":
             self._kinds[1][values.kind].setChecked(True)
 
@@ -267,7 +271,7 @@ class _RecentCase(QWidget):
         line = row(title, spacing=10)
         if told:
             badge = SideBadge()
-            badge.show_side(told.side, QCoreApplication.translate("draft", SIDES[told.side]))
+            badge.show_side(told.side)
             line.addWidget(badge)
             line.addWidget(label(QCoreApplication.translate("draft", KINDS[told.kind]), "muted"))
         line.addStretch(1)

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import ClassVar, TypeVar
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QValidator
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLayout, QPushButton, QSizePolicy, QSpinBox, QVBoxLayout, QWidget
 
+from app.draft import SIDES
 from app.theme import GOOD, LASER, LEFT_EAR, MUTED, RIGHT_EAR, TEXT, WARNING, icon
 from app.views import format as fmt
 
@@ -142,7 +143,12 @@ class BigNumber(QWidget):
 class SideBadge(QLabel):
     """Left or right as a word in an outlined badge of its colour: blue left, red right."""
 
-    def show_side(self, side: str, word: str) -> None:
+    def show_side(self, side: str) -> None:
+        """A key of ``SIDES``; nothing is shown for none."""
+        self.setVisible(bool(side))
+        if not side:
+            return
+        word = QCoreApplication.translate("draft", SIDES[side])
         colour = LEFT_EAR if side == "left" else RIGHT_EAR
         self.setText(word)
         self.setStyleSheet(f"color: {colour}; border: 1px solid {colour}; border-radius: 4px; padding: 1px 7px; font-weight: 600;")

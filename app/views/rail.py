@@ -8,7 +8,7 @@ from PySide6.QtCore import QCoreApplication, QSize, Qt
 from PySide6.QtWidgets import QButtonGroup, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.controllers.emission import Emission
-from app.draft import KINDS, SIDES, DraftValues
+from app.draft import KINDS, DraftValues
 from app.theme import ACCENT, MUTED, TEXT, drawing, icon
 from app.views.pages import PageInfo
 from app.views.parts import SideBadge, button, label, row, seam
@@ -80,7 +80,7 @@ class Rail(QWidget):
         self._order.setText(values.order or self.tr("No order number"))
         self._code.setText(values.patient_code)
         self._code.setVisible(bool(values.patient_code))
-        self._badge.show_side(values.side, QCoreApplication.translate("draft", SIDES[values.side]))
+        self._badge.show_side(values.side)
         self._kind.setText(QCoreApplication.translate("draft", KINDS[values.kind]))
 
     def show_laser(self, emission: Emission) -> None:

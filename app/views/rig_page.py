@@ -21,6 +21,7 @@ from app.views.fault_panel import FaultPanel
 from app.views.file_dialogs import choose_file
 from app.views.page import Page
 from app.views.parts import Lamp, button, label, row, seam
+from scanner_core.devices.motion import MotionState
 
 PRESET_WORDS = {
     "bench": QT_TRANSLATE_NOOP("rig", "Bench: 604 × 294 px at 435 mm"),
@@ -198,7 +199,8 @@ class RigPage(Page):
             camera = None if config is None else getattr(config, name)
             detail.setText("" if camera is None else f"{camera.id}  ·  {camera.exposure_ms:g} ms  ·  {camera.gain_db:g} dB")
         lamp, detail = self._devices["controller"]
-        lamp.show_state(*(ready if motion is None else ("good", self._state_word(motion.state.value))))
+        halted = motion is not None and motion.state in (MotionState.ALARM, MotionState.DOOR, MotionState.UNKNOWN)
+        lamp.show_state(*(ready if motion is None else ("warn" if halted else "good", self._state_word(motion.state.value))))
         detail.setText("" if config is None else config.controller.port)
         self._devices["laser"][1].setText(self.tr("as the controller reports it"))
         lamp, detail = self._devices["turntable"]

@@ -42,7 +42,7 @@ class ScanPage(Page):
         self._bar = QProgressBar()
         self._bar.setRange(0, 1000)
         self._bar.setTextVisible(False)
-        self._step = label("", "muted")
+        self._step = label("", "muted", wrap=True)
         box.addWidget(self._bar)
         box.addWidget(self._step)
         self.health = label("", "bad", wrap=True)

@@ -1,11 +1,12 @@
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import date
 from pathlib import Path
 
 import pytest
 
-from app.controllers.case import free_case_path, safe_stem
+from app.controllers.case import CaseName, free_case_path, read_case_name, safe_stem
 from app.controllers.export import file_name, free_name
 from app.draft import DraftValues
 
@@ -39,6 +40,13 @@ def test_a_new_case_never_takes_the_name_of_another(tmp_path: Path) -> None:
     assert free_case_path(tmp_path, VALUES, DAY).name == "2026-0142_right_ear_2026-11-23-2.impronta"
     (tmp_path / "2026-0142_right_ear_2026-11-23-2.impronta-wal").write_bytes(b"of a case that was moved away")
     assert free_case_path(tmp_path, VALUES, DAY).name == "2026-0142_right_ear_2026-11-23-3.impronta"
+
+
+def test_an_order_without_a_side_has_none_in_its_names() -> None:
+    values = replace(VALUES, side="")
+    assert file_name(TEMPLATE, values, 1, ".stl", DAY) == "2026-0142_ear_2026-11-23-1.stl"
+    name = read_case_name(free_case_path(Path("/nowhere"), values, DAY).stem)
+    assert name == CaseName("2026-0142", "", "ear")
 
 
 def test_unknown_braces_do_no_harm() -> None:
