@@ -38,7 +38,7 @@ _FARTHEST_MM = 1e4
 
 _BOUNDS = np.array(
     [
-        *[(0, MOST_ID), (0, 100_000), (-_MOST_TURN_DEG, _MOST_TURN_DEG)],
+        *[(0, MOST_ID), (0, MOST_VIEWS - 1), (-_MOST_TURN_DEG, _MOST_TURN_DEG)],
         *[(-_FARTHEST_PX, _FARTHEST_PX)] * 4,
         *[(0, 1e12)] * 2,  # uncertainties, 1e-6 px
         *[(0, 1e9)] * 4,  # sigmas, 1e-3 px

@@ -114,6 +114,7 @@ VALUES = [
     ("UPDATE observation SET left_x_px = ? WHERE trigger_id = 4", None, "a centroid of nan in row"),
     ("UPDATE observation SET left_u_upx = ? WHERE trigger_id = 4", -3, "a uncertainty of -3 in row"),
     ("UPDATE observation SET view = ? WHERE trigger_id = 4", 2**40, "a view of 1.09951e+12"),
+    ("UPDATE observation SET view = ? WHERE trigger_id = 4", 50_000, "a view of 50000"),  # every pair of views is compared
     ("UPDATE observation SET trigger_id = ? WHERE trigger_id = 4", -1, "E-CASE-01"),
     ("UPDATE view SET correction_json = ?", "[[2,0,0,0],[0,2,0,0],[0,0,2,0],[0,0,0,1]]", "no rigid motion"),
     ("UPDATE mesh SET attributes_json = ?", '[["a", "O8"]]', "an attribute holds no numbers"),
