@@ -6,9 +6,11 @@ import io
 import json
 import sqlite3
 import tempfile
+from collections.abc import Callable
 from dataclasses import asdict, replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -62,9 +64,9 @@ def samples(reader: str) -> list[bytes]:
     return _SAMPLES[reader]()
 
 
-def _bytes(writer: object, value: object) -> bytes:
+def _bytes(writer: Callable[[io.BytesIO, Any], object], value: object) -> bytes:
     file = io.BytesIO()
-    writer(file, value)  # type: ignore[operator]
+    writer(file, value)
     return file.getvalue()
 
 
