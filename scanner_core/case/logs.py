@@ -39,7 +39,7 @@ def refuse_foreign_logs(path: Path) -> None:
                     named = file.read() == _MAGIC
                 if named:
                     raise CaseFormatError("E-CASE-01", path=path, reason=f"its journal {os.path.basename(log)} speaks of another file")
-        except FileNotFoundError:
+        except (FileNotFoundError, NotADirectoryError):
             continue
         except OSError as fault:
             raise InputFileError("E-FILE-05", path=log, reason=fault.strerror or fault, details=str(fault)) from fault
@@ -51,7 +51,7 @@ def left_behind(path: Path) -> Path | None:
     for log in (Path(place + suffix) for suffix in LOGS):
         try:
             told = os.lstat(log)
-        except FileNotFoundError:
+        except (FileNotFoundError, NotADirectoryError):
             continue
         if told.st_size or not stat.S_ISREG(told.st_mode):
             return log

@@ -46,8 +46,8 @@ def test_from_the_order_to_an_stl(program: Program, tmp_path: Path) -> None:
     assert services.rig.emission is Emission.DARK
 
     QTest.keyClick(window, Qt.Key.Key_F7)
-    until(lambda: services.reconstruction.shown_triangles, 60, "the inflating surface")
-    until(lambda: services.case.surface is not None or window.banner.text, 120, "the surface")
+    until(lambda: services.reconstruction.shown_triangles, 240, "the inflating surface")
+    until(lambda: services.case.surface is not None or window.banner.text, 300, "the surface")
     assert window.banner.text == ""
     assert services.case.report["closed"] is True
     assert (near(scene.grab_picture(), "#b0aa9d", 70) & ~near(scene.grab_picture(), "#2d3238", 40)).sum() > 5000

@@ -60,7 +60,7 @@ def test_every_page_is_shown_and_none_makes_the_window_larger(program: Program) 
     pictures = {}
     for number, info in enumerate(PAGES, start=1):
         QTest.keyClick(window, Qt.Key(Qt.Key.Key_0 + number), Qt.KeyboardModifier.ControlModifier)
-        until(lambda id=info.id: window.page_id == id, 5, info.id)
+        until(lambda id=info.id: window.page_id == id, 30, info.id)
         wait_ms(30)
         pictures[info.id] = pixels_of(window.pages[info.id])
         assert pictures[info.id].std() > 5, f"{info.id} is blank"

@@ -7,7 +7,9 @@ import signal
 import subprocess
 import sys
 import time
+from contextlib import ExitStack
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -30,7 +32,13 @@ def test_a_signal_ends_the_scan_like_ctrl_c(tmp_path: Path, name: str) -> None:
     with remote_board() as remote:
         rig.write_text(dump_rig(replace(load_preset("bench"), controller=remote.config)))
         words = command("scan", "--rig", rig, "--specimen", "sphere", "--out", case, "--json")
-        with subprocess.Popen(words, env=environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as program:
+        # Whoever runs the tests may have been told to outlive its terminal; the scan must not inherit that.
+        hears = partial(signal.signal, getattr(signal, name), signal.SIG_DFL)
+        with (
+            subprocess.Popen(words, env=environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=hears) as program,
+            ExitStack() as ending,
+        ):
+            ending.callback(program.kill)
             end_s = time.monotonic() + PATIENCE_S
             while not (log := remote.witness.laser_log()) or len(log) < 8 or log[-1][1] == 0.0:
                 assert program.poll() is None, program.stderr.read() if program.stderr else ""
@@ -41,9 +49,9 @@ def test_a_signal_ends_the_scan_like_ctrl_c(tmp_path: Path, name: str) -> None:
             since_s = time.monotonic()
             program.send_signal(getattr(signal, name))
             assert off_after_s(remote, since_s) < OFF_WITHIN_S
+            assert program.wait(PATIENCE_S) == 130  # its JSON fits into the pipe
             assert program.stdout is not None
             values = json.loads(program.stdout.read())
-            assert program.wait(PATIENCE_S) == 130
         assert remote.witness.laser_log()[-1][1] == 0.0
     assert values["finish_reason"] == "cancelled"
     balanced(values)

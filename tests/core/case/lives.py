@@ -53,7 +53,7 @@ def observations(first: int, count: int) -> list[StereoObservation]:
     for i in range(first, first + count):
         spots = [Spot(*rng.uniform(0, 640, 2), 1.01, 0.82, 201.0, 3000.0, 20, 0.012345) for _ in range(2)]
         good = bool(rng.uniform() < 0.8)
-        seen.append(StereoObservation(i, i // 500, MEASURED if good else "no_spot", i / 60, 45.0, *(spots if good else (None, None))))
+        seen.append(StereoObservation(i, i // 500 % 16, MEASURED if good else "no_spot", i / 60, 45.0, *(spots if good else (None, None))))
     return seen
 
 

@@ -6,6 +6,7 @@ It prints ``lit`` when it is in the state, and just before an end of its own the
 from __future__ import annotations
 
 import os
+import signal
 import sys
 import time
 
@@ -57,4 +58,6 @@ def main(url: str, state: str = "standing", end: str = "") -> None:
 
 
 if __name__ == "__main__":
+    if hasattr(signal, "SIGHUP"):
+        signal.signal(signal.SIGHUP, signal.SIG_DFL)  # whoever runs the tests may have been told to outlive its terminal
     main(*sys.argv[1:])
