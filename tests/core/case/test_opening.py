@@ -45,7 +45,7 @@ def snapshot(folder: Path) -> dict[str, tuple[bytes, int]]:
     return {file.name: (file.read_bytes(), file.stat().st_mtime_ns) for file in folder.iterdir()}
 
 
-@pytest.fixture(autouse=True)
+@pytest.fixture
 def own_temporary_folder(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
     """Tests that run beside these look into cases, too."""
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path_factory.mktemp("temporary")))
@@ -94,6 +94,7 @@ def test_a_share_of_a_network_is_a_place_too() -> None:
 
 
 @posix
+@pytest.mark.usefixtures("own_temporary_folder")
 def test_looking_at_what_a_kill_left_leaves_no_trace(tmp_path: Path) -> None:
     path = tmp_path / "a.impronta"
     left_by_a_kill(path)
@@ -111,6 +112,7 @@ def test_looking_at_what_a_kill_left_leaves_no_trace(tmp_path: Path) -> None:
 
 
 @posix
+@pytest.mark.usefixtures("own_temporary_folder")
 def test_a_log_is_not_copied_without_bound(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "a.impronta"
     left_by_a_kill(path)
@@ -143,6 +145,7 @@ def test_looking_at_every_state_that_a_crash_leaves_changes_nothing(tmp_path: Pa
                 file.unlink()
 
 
+@pytest.mark.usefixtures("own_temporary_folder")
 def test_looking_at_a_case_at_rest_leaves_no_trace(tmp_path: Path) -> None:
     write_old_case(tmp_path / "old.impronta")
     CaseStore.create(tmp_path / "new.impronta").close()
