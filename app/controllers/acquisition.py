@@ -14,7 +14,6 @@ from PySide6.QtCore import QObject, Signal
 
 from app.background import Background
 from app.controllers.case import CaseController
-from app.controllers.case_content import source_of
 from app.controllers.rig import RigController
 from scanner_core.acquisition.handover import Preview
 from scanner_core.acquisition.plan import PlanRequest
@@ -225,7 +224,7 @@ def _source(result: ScanResult, views: RegisteredViews, calibration: str) -> dic
     from scanner_core.case.processing import ProcessedCase, Processing
 
     scans = () if result.scan_id is None else (result.scan_id,)
-    return source_of(ProcessedCase(Processing(scans=scans), views.cloud, result.counts, (calibration,), (views.noise,), False, None))
+    return ProcessedCase(Processing(scans=scans), views.cloud, result.counts, (calibration,), (views.noise,), False, None).provenance()
 
 
 def _runner(rig: OpenRig, request: PlanRequest | None, store: CaseStore) -> ScanRunner:

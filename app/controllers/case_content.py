@@ -11,7 +11,6 @@ from app.views.surface import Surface
 from scanner_core.geometry.point_cloud import PointCloud
 
 if TYPE_CHECKING:
-    from scanner_core.case.processing import ProcessedCase
     from scanner_core.case.store import CaseStore
 
 T = TypeVar("T")
@@ -23,7 +22,7 @@ class CaseContent:
 
     Attributes
     ----------
-    source : what the points were computed from, for the provenance of a mesh of them; see :func:`source_of`
+    source : what the points were computed from, for the provenance of a mesh of them
     provenance : of the mesh
     processing : how the points are computed, as the case keeps it; empty for as scanned
     """
@@ -53,7 +52,7 @@ def read_content(store: CaseStore, before: DraftValues) -> CaseContent:
     surface = None if mesh is None else Surface.of(mesh, growing=False)
     choice = store.value("processing")
     processed = kept(lambda: process_case(store, chosen_processing(store)))
-    cloud, source = (None, {}) if processed is None else (processed.cloud, source_of(processed))
+    cloud, source = (None, {}) if processed is None else (processed.cloud, processed.provenance())
     return CaseContent(read_values(store, before), cloud, source, surface, provenance, choice if isinstance(choice, dict) else {})
 
 
@@ -63,9 +62,3 @@ def read_values(store: CaseStore, before: DraftValues) -> DraftValues:
     side = order.side if order.side in ("left", "right") else ""  # never a guess: the side is what must not be wrong
     kind = order.type if order.type in ("ear", "arch", "other") else "other"
     return replace(before, order=order.number, patient_code=order.patient_code, side=side, kind=kind)
-
-
-def source_of(processed: ProcessedCase) -> dict[str, object]:
-    """Scans, calibration and processing, as the provenance of a mesh keeps them."""
-    told = processed.as_dict()
-    return {"processing": told, "scans": told["scans"], "calibration": processed.calibrations[0]}

@@ -12,8 +12,7 @@ if TYPE_CHECKING:
 
 def compute_anew(store: CaseStore, rig: RigConfig | None, gates: dict[str, float]) -> None:
     """With the calibration of `rig`, or as scanned, and with gates by their names; a choice that leaves nothing raises, and is not kept."""
-    from scanner_core.case.processing import PROCESSING, Gates, chosen_processing, process_case
-    from scanner_core.devices.rig import dump_rig
+    from scanner_core.case.processing import Gates, chosen_processing, keep_processing, process_case
 
     calibration = None if rig is None else rig.calibration
     identity = None if calibration is None else calibration.identity()
@@ -21,6 +20,4 @@ def compute_anew(store: CaseStore, rig: RigConfig | None, gates: dict[str, float
     kept = {name: value for name, value in before.gates.given().items() if name not in ("least_peak_dn", "epipolar_sigmas")}
     processing = replace(before, calibration=identity, gates=Gates(**(kept | gates)))
     process_case(store, processing, calibration)
-    if rig is not None and identity is not None:
-        store.put_calibration(identity, dump_rig(rig))
-    store.edit(PROCESSING, processing.as_dict(), "Points computed anew")
+    keep_processing(store, processing, rig)

@@ -25,12 +25,12 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path, PurePath
 
-from scanner_core.case.logs import refuse_foreign_logs
-from scanner_core.case.moment import now
+from scanner_core.case.logs import refuse_foreign_logs, unreadable
 from scanner_core.case.schema import APPLICATION_ID, MIGRATIONS, VERSION
 from scanner_core.case.vetting import harden, vet
-from scanner_core.errors import CaseError, CaseFormatError, CaseLockedError, InputFileError, StorageError
+from scanner_core.errors import CaseError, CaseFormatError, CaseLockedError, StorageError
 from scanner_core.one_line import one_line
+from scanner_core.wall_clock import stamp
 
 _TIMEOUT_S = 0.2
 _MAGIC = b"SQLite format 3\x00"
@@ -112,7 +112,7 @@ def migrate(path: Path, connection: sqlite3.Connection) -> None:
     if version < VERSION:
         script = ";".join(MIGRATIONS[version:])
         if version:
-            script += f"; INSERT INTO audit (time, event, detail) VALUES ('{now()}', 'migrated', 'from version {version} to {VERSION}')"
+            script += f"; INSERT INTO audit (time, event, detail) VALUES ('{stamp()}', 'migrated', 'from version {version} to {VERSION}')"
         try:
             connection.executescript(f"BEGIN IMMEDIATE; {script}; PRAGMA user_version = {VERSION}; COMMIT;")
         except BaseException:
@@ -160,10 +160,6 @@ def read_header(path: Path) -> Header:
     if version > VERSION:
         raise CaseFormatError("E-CASE-03", path=path, version=version, known=VERSION)
     return Header(version, has_log=_WAL in header[18:20])
-
-
-def unreadable(path: Path, fault: OSError) -> InputFileError:
-    return InputFileError("E-FILE-05", path=path, reason=fault.strerror or fault, details=str(fault))
 
 
 def fold_in(connection: sqlite3.Connection) -> None:

@@ -11,10 +11,10 @@ from scanner_core import __version__
 from scanner_core.case.connection import database, migrate, sentences
 from scanner_core.case.database import note
 from scanner_core.case.logs import left_behind
-from scanner_core.case.moment import now
 from scanner_core.case.schema import APPLICATION_ID
 from scanner_core.errors import StorageError
 from scanner_core.files import replaced_when_whole
+from scanner_core.wall_clock import stamp
 
 SUFFIX = ".impronta"
 _PARTIAL = re.compile(r"\..*\.[0-9a-f]{8}\.part\.impronta")
@@ -44,7 +44,7 @@ def create_case(path: Path) -> None:
             connection.execute("PRAGMA synchronous = OFF")
             connection.execute(f"PRAGMA application_id = {APPLICATION_ID}")
             migrate(path, connection)
-            connection.executemany("INSERT INTO info VALUES (?, ?)", [("created", now()), ("program", f"impronta {__version__}")])
+            connection.executemany("INSERT INTO info VALUES (?, ?)", [("created", stamp()), ("program", f"impronta {__version__}")])
             note(connection, "created", f"impronta {__version__}")
         finally:
             connection.close()

@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from scanner_core.case.connection import sentences
-from scanner_core.case.moment import now
 from scanner_core.errors import CaseError, StorageError
+from scanner_core.wall_clock import stamp
 
 _UNLIMITED = 4_294_967_294
 """Pages; the largest database that SQLite knows."""
@@ -70,4 +70,4 @@ class CaseDatabase:
 
 def note(connection: sqlite3.Connection, event: str, detail: str) -> None:
     """A line of the audit trail, in the transaction of what it tells."""
-    connection.execute("INSERT INTO audit (time, event, detail) VALUES (?, ?, ?)", (now(), event, detail))
+    connection.execute("INSERT INTO audit (time, event, detail) VALUES (?, ?, ?)", (stamp(), event, detail))

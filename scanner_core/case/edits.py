@@ -24,8 +24,8 @@ from dataclasses import asdict
 from scanner_core.case import decoding
 from scanner_core.case.database import CaseDatabase, note
 from scanner_core.case.decoding import damaged, text
-from scanner_core.case.moment import now
 from scanner_core.case.records import AuditLine, CaseEdit, Order
+from scanner_core.wall_clock import stamp
 
 ORDER, PROCESSING, DISCARDED = "order", "processing", "discarded_scans"
 
@@ -121,7 +121,7 @@ class EditJournal(CaseDatabase):
             return None
         connection.execute("DELETE FROM edit WHERE undone")
         connection.execute(
-            "INSERT INTO edit (time, key, words, before_json, after_json) VALUES (?, ?, ?, ?, ?)", (now(), key, words, before_json, after_json)
+            "INSERT INTO edit (time, key, words, before_json, after_json) VALUES (?, ?, ?, ?, ?)", (stamp(), key, words, before_json, after_json)
         )
         _set(connection, key, after_json)
         note(connection, "edited", f"{key}: {words}")

@@ -42,7 +42,12 @@ def refuse_foreign_logs(path: Path) -> None:
         except (FileNotFoundError, NotADirectoryError):
             continue
         except OSError as fault:
-            raise InputFileError("E-FILE-05", path=log, reason=fault.strerror or fault, details=str(fault)) from fault
+            raise unreadable(Path(log), fault) from fault
+
+
+def unreadable(path: Path, fault: OSError) -> InputFileError:
+    """E-FILE-05."""
+    return InputFileError("E-FILE-05", path=path, reason=fault.strerror or fault, details=str(fault))
 
 
 def left_behind(path: Path) -> Path | None:

@@ -21,12 +21,12 @@ from numpy.typing import NDArray
 
 from scanner_core.acquisition.engine import TABLE_MM
 from scanner_core.acquisition.status import ScanCounts
-from scanner_core.case import edits
+from scanner_core.case.edits import DISCARDED, PROCESSING
 from scanner_core.case.observation import MEASURED, ObservationTable, PairTable
 from scanner_core.case.points import MeasuredCloud, case_calibration, case_rig, finite, triangulate_observations
 from scanner_core.case.records import ScanRecord
 from scanner_core.case.store import CaseStore
-from scanner_core.devices.rig import RigConfig
+from scanner_core.devices.rig import RigConfig, dump_rig
 from scanner_core.errors import CaseError, CaseFormatError, UsageError
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.registration import register_views
@@ -34,9 +34,6 @@ from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.optics.noise_model import CentroidNoise, NoiseModel, along_axes
 from scanner_core.optics.triangulation import EpipolarGate, Triangulator
-
-PROCESSING, DISCARDED = edits.PROCESSING, edits.DISCARDED
-"""Keys of a case's choices."""
 
 _GEOMETRIC = ("epipolar_sigmas", "volume_radius_mm", "volume_height_mm", "table_mm")
 """Gates that need the point."""
@@ -161,6 +158,19 @@ class ProcessedCase:
         }
 
 
+    def provenance(self) -> dict[str, object]:
+        """Scans, calibration and processing, for the provenance of a mesh of these points."""
+        told = self.as_dict()
+        return {"processing": told, "scans": told["scans"], "calibration": self.calibrations[0]}
+
+
+def keep_processing(store: CaseStore, processing: Processing, rig: RigConfig | None) -> None:
+    """Let the case have a choice, an edit that can be undone; `rig` has the calibration that it names and the case may lack."""
+    if rig is not None and processing.calibration is not None:
+        store.put_calibration(processing.calibration, dump_rig(rig))
+    store.edit(PROCESSING, processing.as_dict(), "Points computed anew")
+
+
 def chosen_processing(store: CaseStore) -> Processing:
     """The choice that the case holds, as scanned when it holds none; E-CASE-01 when it cannot be one."""
     value = store.value(PROCESSING)
@@ -217,11 +227,10 @@ def process_case(store: CaseStore, processing: Processing, other: StereoCalibrat
         registration = found.as_dict()
         corrections = [dict(enumerate(found.corrections))] * len(taken)
     measured = [finite(triangulate_observations(*part, motions), store) for part, motions in zip(taken, corrections, strict=True)]
-    rejected = {name: count for name, count in sorted(verdicts.items()) if name != MEASURED}
     return ProcessedCase(
         processing=replace(processing, scans=tuple(scan.id for scan in scans)),
         cloud=_merged(measured),
-        counts=ScanCounts(planned, verdicts[MEASURED], rejected),
+        counts=ScanCounts.of(planned, verdicts),
         calibrations=tuple(dict.fromkeys(calibration.identity() for _, _, calibration in taken)),
         noise=tuple(part.noise for part in measured),
         registered=anew,

@@ -13,8 +13,8 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
-from scanner_core.case.connection import Header, connect, database, looking, refuse_open, unreadable
-from scanner_core.case.logs import LOGS
+from scanner_core.case.connection import Header, connect, database, looking, refuse_open
+from scanner_core.case.logs import LOGS, unreadable
 from scanner_core.case.schema import VERSION
 from scanner_core.case.vetting import vet
 from scanner_core.errors import CaseFormatError, CaseLockedError, ImprontaError, StorageError

@@ -16,7 +16,7 @@ import numpy as np
 
 from scanner_core.acquisition.plan import PlanRequest, ScanPlan
 from scanner_core.acquisition.status import FinishReason, ScanCounts
-from scanner_core.case.processing import DISCARDED
+from scanner_core.case.edits import DISCARDED
 from scanner_core.case.store import CaseEdit, CaseStore, Order, ScanRecord
 from scanner_core.errors import CaseFormatError, ImprontaError
 

@@ -12,13 +12,13 @@ from scanner_core.acquisition.status import FinishReason, ScanCounts
 from scanner_core.case import decoding
 from scanner_core.case.database import CaseDatabase, note
 from scanner_core.case.decoding import damaged, text
-from scanner_core.case.moment import now
 from scanner_core.case.observation import MEASURED, ObservationTable, PairTable, StereoObservation
 from scanner_core.case.records import RegistrationRecord, ScanRecord
 from scanner_core.errors import CaseFormatError
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.one_line import one_line
 from scanner_core.optics.spot import Spot
+from scanner_core.wall_clock import stamp
 
 _INSERT = "INSERT INTO observation VALUES (" + ",".join("?" * 18) + ")"
 
@@ -41,7 +41,7 @@ class ScanTables(CaseDatabase):
             connection.execute("INSERT OR IGNORE INTO calibration VALUES (?, ?)", (calibration_id, calibration_toml))
             cursor = connection.execute(
                 "INSERT INTO scan (kind, rig_toml, calibration_id, plan_json, started) VALUES (?, ?, ?, ?, ?)",
-                (kind, rig_toml, calibration_id, json.dumps(plan), now()),
+                (kind, rig_toml, calibration_id, json.dumps(plan), stamp()),
             )
             number = int(cursor.lastrowid or 0)
             note(connection, "scan begun", f"scan {number}, {kind}, calibration {calibration_id}")
@@ -66,7 +66,7 @@ class ScanTables(CaseDatabase):
         tally = {"planned": counts.planned, "measured": counts.measured, "rejected": counts.rejected, "skipped": counts.skipped}
         with self._transaction() as connection:
             connection.execute(
-                "UPDATE scan SET ended = ?, finish_reason = ?, counts_json = ? WHERE id = ?", (now(), reason.value, json.dumps(tally), scan_id)
+                "UPDATE scan SET ended = ?, finish_reason = ?, counts_json = ? WHERE id = ?", (stamp(), reason.value, json.dumps(tally), scan_id)
             )
             note(connection, "scan ended", f"scan {scan_id}, {reason.value}, {counts.measured} measured")
 
@@ -174,7 +174,7 @@ class ScanTables(CaseDatabase):
         with self._transaction() as connection:
             connection.execute(
                 "INSERT INTO registration (scan_id, created, calibration_id, report_json) VALUES (?, ?, ?, ?)",
-                (scan_id, now(), calibration_id, json.dumps(report)),
+                (scan_id, stamp(), calibration_id, json.dumps(report)),
             )
             note(connection, "views registered", f"scan {scan_id}, calibration {calibration_id}")
 

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from scanner_core.case import decoding
 from scanner_core.case.decoding import damaged, text
 from scanner_core.case.edits import DISCARDED, PROCESSING, EditJournal
-from scanner_core.case.moment import now
 from scanner_core.case.observation import MEASURED
 from scanner_core.case.packing import LARGEST, mesh_columns, mesh_of, packed, packed_bits, unpacked, unpacked_bits
 from scanner_core.case.provenance import versions
@@ -19,6 +18,7 @@ from scanner_core.case.records import ComparisonRecord
 from scanner_core.case.vetting import LONGEST_VALUE
 from scanner_core.errors import CaseError, CaseFormatError
 from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.wall_clock import stamp
 
 MESH, COMPARISON = "mesh", "comparison"
 _ROW_BYTES = 4096
@@ -48,7 +48,7 @@ class SurfaceTables(EditJournal):
         with self._transaction() as connection:
             before = self.mesh_id() or 0
             whole = {"versions": versions()} | ({} if {"scans", "calibration"} & provenance.keys() else self._source()) | provenance
-            row = (now(), json.dumps(whole), *columns)
+            row = (stamp(), json.dumps(whole), *columns)
             if sum(map(len, row)) > LONGEST_VALUE - _ROW_BYTES:
                 raise CaseError("E-CASE-07", path=self.path, triangles=len(mesh.triangles))
             cursor = connection.execute(
@@ -94,7 +94,7 @@ class SurfaceTables(EditJournal):
             before = self._mask_id(name) or 0
             cursor = connection.execute(
                 "INSERT INTO mask (name, created, applies_to_json, count, bits) VALUES (?, ?, ?, ?, ?)",
-                (name, now(), json.dumps(applies_to), len(flags), packed_bits(flags)),
+                (name, stamp(), json.dumps(applies_to), len(flags), packed_bits(flags)),
             )
             return self._show(connection, f"mask:{name}", before, cursor, words)
 
@@ -139,7 +139,7 @@ class SurfaceTables(EditJournal):
             before_id = self.comparison_id() or 0
             cursor = connection.execute(
                 "INSERT INTO comparison (created, before_json, after_json, parameters_json, result_json, deviation) VALUES (?, ?, ?, ?, ?, ?)",
-                (now(), *texts, packed(deviation_um, "<f8")),
+                (stamp(), *texts, packed(deviation_um, "<f8")),
             )
             return self._show(connection, COMPARISON, before_id, cursor, words)
 

@@ -6,9 +6,10 @@ import argparse
 from dataclasses import dataclass
 from pathlib import Path
 
-from scanner_core.case.processing import GATES, PROCESSING, Gates, ProcessedCase, Processing, chosen_processing, process_case
+from scanner_core.case.edits import PROCESSING
+from scanner_core.case.processing import GATES, Gates, ProcessedCase, Processing, chosen_processing, keep_processing, process_case
 from scanner_core.case.store import CaseStore
-from scanner_core.devices.rig import RigConfig, dump_rig, load_rig_or_preset
+from scanner_core.devices.rig import RigConfig, load_rig_or_preset
 from scanner_core.errors import CalibrationError, UsageError
 
 
@@ -24,10 +25,8 @@ class AskedProcessing:
 
     def keep(self, store: CaseStore) -> None:
         """Let the case have this choice."""
-        if self.rig is not None and self.processing.calibration is not None:
-            store.put_calibration(self.processing.calibration, dump_rig(self.rig))
         if store.value(PROCESSING, Processing().as_dict()) != self.processing.as_dict():  # also where that is damaged
-            store.edit(PROCESSING, self.processing.as_dict(), "Points computed anew")
+            keep_processing(store, self.processing, self.rig)
 
 
 def asked_processing(store: CaseStore, given: argparse.Namespace) -> AskedProcessing:

@@ -40,19 +40,18 @@ def run(given: argparse.Namespace, console: Console) -> int:
         with CaseStore.open(source) as store:
             asked = asked_processing(store, given)
             processed = asked.points(store)
-            told = processed.as_dict()
+            made_of = processed.provenance()
             surface = run_reconstruction(console, processed.cloud, parameters)
-            provenance = {"parameters": parameters.as_dict(), "report": surface.report.as_dict(), "seed": given.seed, "processing": told}
-            provenance |= {"scans": told["scans"], "calibration": processed.calibrations[0]}
+            provenance = {"parameters": parameters.as_dict(), "report": surface.report.as_dict(), "seed": given.seed} | made_of
             warnings = _write(surface.mesh, out, given.force)  # first: what cannot be delivered changes no case
-            if (told_of := describe(store)) is not None:
+            if (rest := describe(store)) is not None:
                 warnings.append(
-                    f"The scan did not come to its end: {told_of.measured} of {told_of.wanted} points, {told_of.views_done} of {told_of.views} views "
+                    f"The scan did not come to its end: {rest.measured} of {rest.wanted} points, {rest.views_done} of {rest.views} views "
                     "complete; 'impronta scan --resume' goes on with it."
                 )
             asked.keep(store)
             store.put_mesh(surface.mesh, provenance)
-        _tell(surface, out, warnings, console, {"processing": told})
+        _tell(surface, out, warnings, console, {"processing": made_of["processing"]})
     else:
         surface = run_reconstruction(console, _in_mm(read_points(source), _MM[given.units]), parameters)
         _tell(surface, out, _write(surface.mesh, out, given.force), console, {})

@@ -141,7 +141,7 @@ class PortBack(ControllerFault):
         board.plug()
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class SerialNoise(ControllerFault):
     """Bytes of the answers are changed by a bit, or have another one put before them."""
 
@@ -149,13 +149,13 @@ class SerialNoise(ControllerFault):
     happens: ClassVar[str] = "for 10 s one byte in a hundred of the controller's answers is changed, or another one comes in between"
     expected: ClassVar[str] = "a garbled report is asked for again and the scan goes on; a garbled ok ends it with E-MOT-01"
     share: float = 0.01
-    noise_s: float = 10.0
+    lasts_s: float = 10.0
 
     def strike(self, board: Board, time_s: float) -> None:
-        board.wire.be_noisy(time_s + self.noise_s, self.share)
+        board.wire.be_noisy(time_s + self.lasts_s, self.share)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class PartialLines(ControllerFault):
     """The answers come in pieces with pauses."""
 
@@ -164,10 +164,10 @@ class PartialLines(ControllerFault):
     expected: ClassVar[str] = "goes on"
     size: int = 5
     pause_s: float = 0.02
-    broken_s: float = 20.0
+    lasts_s: float = 20.0
 
     def strike(self, board: Board, time_s: float) -> None:
-        board.wire.break_lines(time_s + self.broken_s, self.size, self.pause_s)
+        board.wire.break_lines(time_s + self.lasts_s, self.size, self.pause_s)
 
 
 @dataclass(frozen=True, slots=True)

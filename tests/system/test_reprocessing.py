@@ -12,7 +12,8 @@ from pathlib import Path
 import pytest
 
 from scanner_core.__main__ import main
-from scanner_core.case.processing import PROCESSING, Gates, Processing, chosen_processing
+from scanner_core.case.edits import PROCESSING
+from scanner_core.case.processing import Gates, Processing, chosen_processing
 from scanner_core.case.store import CaseStore
 from scanner_core.commands.processing import asked_processing
 from scanner_core.devices.rig import load_preset

@@ -16,9 +16,10 @@ from scanner_core.acquisition.engine import StereoEngine, StereoPair
 from scanner_core.acquisition.plan import Row, ScanPlan, ViewPlan
 from scanner_core.acquisition.status import FinishReason, ScanCounts
 from scanner_core.acquisition.views import register_case
+from scanner_core.case.edits import PROCESSING
 from scanner_core.case.observation import StereoObservation
 from scanner_core.case.points import case_rig, triangulate_observations
-from scanner_core.case.processing import GATES, PROCESSING, Gates, Processing, case_cloud, chosen_processing, process_case
+from scanner_core.case.processing import GATES, Gates, Processing, case_cloud, chosen_processing, process_case
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import dump_rig, load_preset
 from scanner_core.errors import CaseError, CaseFormatError, UsageError

@@ -106,7 +106,7 @@ def test_a_position_with_a_wrong_digit_is_not_believed() -> None:
     with board("noisy", boot_s=0.02) as near, near.open() as controller:
         controller.rotate_to(22.5)
         bench = Bench(near, near.clock)
-        bench.inject(SerialNoise(share=0.02, noise_s=1e6))
+        bench.inject(SerialNoise(share=0.02, lasts_s=1e6))
         near.clock.sleep(0.01)
         places: list[float] = []
         with pytest.raises(DeviceError) as ended:
