@@ -57,8 +57,8 @@ def read_surface(path: Path | str, *, unit: str | None = None) -> ComparedSurfac
 
 def mesh_hash(mesh: TriangleMesh) -> str:
     """SHA-256 of the corners' places and the triangles, hexadecimal; the same on every machine."""
-    digest = hashlib.sha256(np.ascontiguousarray(mesh.vertices, "<f8"))
-    digest.update(np.ascontiguousarray(mesh.triangles, "<i8"))
+    digest = hashlib.sha256(np.asarray(mesh.vertices, "<f8").tobytes())
+    digest.update(np.asarray(mesh.triangles, "<i8").tobytes())
     return digest.hexdigest()
 
 
@@ -162,5 +162,8 @@ def _joined(mesh: TriangleMesh) -> tuple[TriangleMesh, list[Doubt]]:
         doubts.append(Doubt("points-loose", f"{loose} of its points belong to no triangle; they were left out.", serious=False))
     a, b, c = triangles.T
     whole = (a != b) & (b != c) & (c != a)
+    if not whole.all():
+        words = f"{int((~whole).sum())} of its triangles had no extent but a line or point; they were left out."
+        doubts.append(Doubt("triangles-collapsed", words, serious=False))
     attributes = {name: values[kept] for name, values in mesh.vertex_attributes.items()}
     return TriangleMesh(vertices[used], number[triangles[whole]], attributes), doubts

@@ -45,7 +45,9 @@ def _parts(shells: Shells, mesh: TriangleMesh) -> list[Doubt]:
         words = f"It is open: its border has {shells.border_mm:.0f} mm in {lines}. What lies beyond a border has no counterpart and is left out."
         found.append(Doubt("open", words, serious=False))
     if shells.count > 1:
-        words = f"It consists of {shells.count} separate shells; the largest has {_percent(shells.largest_share)} of the area. All of them are compared."
+        words = (
+            f"It consists of {shells.count} separate shells; the largest has {_percent(shells.largest_share)} of the area. All of them are compared."
+        )
         found.append(Doubt("several-shells", words, serious=False))
     return found
 

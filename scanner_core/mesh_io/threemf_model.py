@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from array import array
+from contextlib import suppress
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -62,10 +63,8 @@ def parse_part(xml: bytes) -> ModelPart:
 def unit_of_part(xml: bytes) -> str:
     """The word of the unit alone."""
     root = _Root()
-    try:
+    with suppress(StopIteration):
         hear(xml, root)
-    except StopIteration:
-        pass
     return root.unit
 
 

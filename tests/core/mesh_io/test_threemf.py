@@ -60,7 +60,7 @@ def test_objects_stand_where_their_motions_put_them() -> None:
     assert check_mesh(found).components == 3
     assert found.volume() == pytest.approx(3 * 10.0**3)
     corners = box().vertices
-    rows = np.concatenate([corners, corners + (5, 0, 0)])
+    rows = np.concatenate([corners, corners + np.array([5, 0, 0])])
     turned = np.column_stack([-rows[:, 1], rows[:, 0], rows[:, 2] + 10])  # a row vector times the matrix: x goes to y
     assert np.abs(found.vertices - 10 * np.concatenate([turned, corners])).max() < 1e-12
 
