@@ -22,6 +22,7 @@ class AreaList(QListWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setAccessibleName(self.tr("Areas of greatest difference"))
+        self.setMinimumHeight(90)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setVerticalScrollMode(QListWidget.ScrollMode.ScrollPerPixel)
         self._areas: Sequence[Area] = ()

@@ -30,7 +30,7 @@ class CompareFoot(QWidget):
         self.save = button(self.tr("Save the report…"), "primary", save)
         self._folder = button(self.tr("Show in its folder"), "link", self._show_folder)
         box = column(self._bar, self._words, self._folder, self.start, self.save, self.cancel, spacing=8)
-        box.setContentsMargins(0, 0, 6, 0)
+        box.setContentsMargins(0, 0, 0, 0)
         self.setLayout(box)
         self.show_state()
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QDragEnterEvent, QDragLeaveEvent, QDragMoveEvent, QDropEvent, QKeyEvent
-from PySide6.QtWidgets import QHBoxLayout, QPushButton, QScrollArea, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QPushButton, QStackedWidget, QVBoxLayout, QWidget
 
 from app.controllers.surface_reading import Role, loaded_of
 from app.services import Services
@@ -21,14 +21,14 @@ from app.views.drop_target import DropTarget, arrow
 from app.views.file_dialogs import choose_file, choose_folder
 from app.views.findings_panel import FindingsPanel
 from app.views.page import Page
-from app.views.parts import button, label, row, seam
+from app.views.parts import button, label, row, scrolled, seam
 from app.views.surfaces_panel import SurfacesPanel
 from app.views.verdict import Verdict
 
 if TYPE_CHECKING:
     from app.views.comparison_scene import ComparisonScene
 
-WIDTH = 344
+WIDTH = 348
 SUFFIXES = (".stl", ".ply", ".obj", ".vtp", ".3mf", ".impronta")
 ROLES: tuple[Role, Role] = ("before", "after")
 
@@ -122,17 +122,11 @@ class ComparePage(Page):
             made.setCheckable(True)
             made.setAutoExclusive(True)
             self.tabs[name] = made
-            area = QScrollArea()
-            area.setWidgetResizable(True)
-            area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-            area.setWidget(panel)
-            area.viewport().setAutoFillBackground(False)
-            panel.setAutoFillBackground(False)
-            self._panels.addWidget(area)
+            self._panels.addWidget(scrolled(panel))
         whole = QWidget()
         whole.setFixedWidth(WIDTH)
         box = QVBoxLayout(whole)
-        box.setContentsMargins(16, 13, 10, 14)
+        box.setContentsMargins(16, 13, 16, 14)
         box.setSpacing(9)
         box.addWidget(label(self.tr("Compare"), "title"))
         box.addWidget(self.verdict)
@@ -180,7 +174,7 @@ class ComparePage(Page):
         self.alignment.show_comparison(answers.comparison)
         self.foot.show_state()
         seen = answers.comparison is not None and not self._dragging
-        self.stage.ways.setVisible(seen)
+        self.stage.show_seen(seen)
         self.stage.show_part(self.scene if seen else self._empty)
 
     def _show_answer(self) -> None:
@@ -214,6 +208,7 @@ class ComparePage(Page):
         self.stage.put(self.scene)
         self.scene.area_clicked.connect(self.findings.areas.choose)
         self.picture.put_scene(self.scene)
+        self.scene.warm_up()
         self._show_state()
 
     # -------------------------------------------------------------------------------- files

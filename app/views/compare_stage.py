@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 from PySide6.QtCore import QSize, Qt, Signal
@@ -11,8 +12,7 @@ from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QSizePolic
 from app.theme import MUTED, TEXT, icon
 from app.views.comparison_words import value_words
 from app.views.deviation_legend import DeviationLegend
-from app.views.parts import button, label, row, seam
-from scanner_core.comparison.colour_scale import DeviationScale
+from app.views.parts import button, column, label, row, seam
 
 VIEWS = ("occlusal", "frontal", "left", "right", "lingual", "underside")
 _VIEW_KEYS = {"left": "4", "right": "6", "lingual": "9", "underside": "2"}
@@ -40,14 +40,15 @@ class CompareStage(QWidget):
         self.value = label("", "muted")
         self.value.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.legend = DeviationLegend()
-        self.legend.hide()
-        head = _bar(46)
+        head = _bar()
+        head.setFixedHeight(46)
         line = QHBoxLayout(head)
         line.setContentsMargins(16, 0, 10, 0)
         line.setSpacing(10)
         line.addWidget(self._title)
         line.addWidget(self.value, 1)
-        line.addWidget(self.legend)
+        self.looks = self._make_looks()
+        line.addWidget(self.looks)
         self._waiting = label(self.tr("Preparing the 3D view…"), "muted")
         self._waiting.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._middle = QStackedLayout()
@@ -60,7 +61,7 @@ class CompareStage(QWidget):
         box.addWidget(seam())
         box.addLayout(self._middle, 1)
         box.addWidget(self.ways)
-        self.ways.hide()
+        self.show_seen(False)
 
     # -------------------------------------------------------------------------------- parts
     def _make_ways(self) -> QWidget:
@@ -84,11 +85,6 @@ class CompareStage(QWidget):
                 self._bind(made, text, _MODE_KEYS[mode], partial(self.choose_mode, mode))
         self.modes["map"].setChecked(True)
         self.modes["flicker"].setToolTip(self.tr("One surface in place of the other (space bar)"))
-        self.amount = _slider(self.tr("How far"), lambda share: self.amount_wanted.emit(share))
-        self.section = button(self.tr("Section"), "choice", lambda: self.section_wanted.emit(self.section.isChecked()))
-        self.section.setCheckable(True)
-        self.section.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.cut = _slider(self.tr("Place of the section"), lambda share: self.section_moved.emit(share))
         views = {
             "occlusal": self.tr("Occlusal (7)"),
             "frontal": self.tr("Frontal (1)"),
@@ -107,24 +103,33 @@ class CompareStage(QWidget):
             if view in _VIEW_KEYS:
                 self._bind(tool, text, _VIEW_KEYS[view], partial(self.view_wanted.emit, view))
         tools.addWidget(_tool("fit", self.tr("Fit (F)"), partial(self.view_wanted.emit, "fit")))
-        upper = row(*self.modes.values(), self.amount, 1, spacing=5)
-        lower = row(self.section, self.cut, 1, spacing=5)
-        lower.addLayout(tools)
-        ways = _bar(84)
-        box = QVBoxLayout(ways)
-        box.setContentsMargins(12, 6, 10, 6)
-        box.setSpacing(5)
-        box.addLayout(upper)
-        box.addLayout(lower)
-        self.cut.hide()
-        self._show_amount()
+        line = row(*self.modes.values(), 1, spacing=5)
+        line.addLayout(tools)
+        legend = row(self.legend)
+        legend.setContentsMargins(6, 4, 6, 0)
+        line.setContentsMargins(12, 0, 10, 8)
+        ways = _bar()
+        ways.setLayout(column(legend, line, spacing=4))
         return ways
 
-    def _bind(self, part: QWidget, text: str, key: str, call: object) -> None:
+    def _make_looks(self) -> QWidget:
+        self.amount = _slider(self.tr("From before to after"), self.amount_wanted.emit)
+        self.section = button(self.tr("Section"), "choice", lambda: self.section_wanted.emit(self.section.isChecked()))
+        self.section.setCheckable(True)
+        self.section.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.section.setToolTip(self.tr("Cut both: through the chosen area from cheek to tongue, or through the middle"))
+        self.cut = _slider(self.tr("Place of the section"), self.section_moved.emit)
+        self.cut.hide()
+        looks = QWidget()
+        line = row(self.amount, self.section, self.cut, spacing=8)
+        line.setContentsMargins(0, 0, 0, 0)
+        looks.setLayout(line)
+        return looks
+
+    def _bind(self, part: QWidget, text: str, key: str, call: Callable[[], None]) -> None:
         """A key of the page; it stands in the part's tool tip."""
         shortcut = QShortcut(QKeySequence(key), self)
         shortcut.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
-        assert callable(call)
         shortcut.activated.connect(lambda: call())
         part.setToolTip(f"{text} ({QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)})")
 
@@ -133,9 +138,13 @@ class CompareStage(QWidget):
         """Add what may stand in the middle."""
         self._middle.addWidget(part)
 
-    def show_scale(self, scale: DeviationScale) -> None:
-        self.legend.show_scale(scale)
-        self.legend.show()
+    def show_seen(self, on: bool) -> None:
+        """Whether there is an answer to look at."""
+        for part in (self.ways, self.looks):
+            part.setVisible(on)
+        self._show_amount()
+        if not on:
+            self.value.setText("")
 
     def show_part(self, part: QWidget | None) -> None:
         """This in the middle, or the words that the 3D view is being prepared."""
@@ -144,6 +153,7 @@ class CompareStage(QWidget):
     def show_value(self, signed_um: float | None, *, there: bool) -> None:
         """Of the point under the pointer; nothing when it is not over a surface."""
         self.value.setText(value_words(signed_um) if there else "")
+        self.legend.show_value(signed_um)
 
     def show_amount(self, share: float) -> None:
         """As the curtain was dragged."""
@@ -152,7 +162,7 @@ class CompareStage(QWidget):
         self.amount.blockSignals(False)
 
     def choose_mode(self, mode: str) -> None:
-        if not self.ways.isVisible():
+        if self.ways.isHidden():
             return
         self.mode = mode
         self.modes[mode].setChecked(True)
@@ -170,15 +180,14 @@ class CompareStage(QWidget):
             self.amount_wanted.emit(0.5)
 
 
-def _bar(height: int) -> QWidget:
+def _bar() -> QWidget:
     made = QWidget()
     made.setProperty("role", "panel")
     made.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-    made.setFixedHeight(height)
     return made
 
 
-def _tool(drawing: str, text: str, clicked: partial[None]) -> QToolButton:
+def _tool(drawing: str, text: str, clicked: Callable[[], None]) -> QToolButton:
     made = QToolButton()
     made.setIcon(icon(drawing, MUTED, TEXT))
     made.setIconSize(QSize(20, 20))
@@ -189,14 +198,12 @@ def _tool(drawing: str, text: str, clicked: partial[None]) -> QToolButton:
     return made
 
 
-def _slider(name: str, moved: object) -> QSlider:
+def _slider(name: str, moved: Callable[[float], None]) -> QSlider:
     made = QSlider(Qt.Orientation.Horizontal)
     made.setRange(0, 1000)
     made.setValue(500)
     made.setAccessibleName(name)
     made.setToolTip(name)
-    made.setMinimumWidth(120)
-    made.setMaximumWidth(220)
-    assert callable(moved)
+    made.setFixedWidth(130)
     made.valueChanged.connect(lambda value: moved(value / 1000))
     return made

@@ -44,7 +44,7 @@ class ComparisonPicture(QObject):
         self._half_mm = 0.0
         self._threshold_um = 0
         self._stroke: tuple[Mask, bool] | None = None
-        stage.mode_wanted.connect(lambda mode: self._with(lambda scene: scene.set_mode(mode)))
+        stage.mode_wanted.connect(self._take_mode)
         stage.amount_wanted.connect(lambda share: self._with(lambda scene: scene.set_amount(share)))
         stage.view_wanted.connect(self.look)
         stage.section_wanted.connect(self._section)
@@ -90,6 +90,7 @@ class ComparisonPicture(QObject):
         if self._threshold_um != choice.tolerance_um:
             self._threshold_um = choice.tolerance_um
             scene.set_threshold_um(float(choice.tolerance_um))
+            self._stage.legend.set_threshold_um(float(choice.tolerance_um))
         scene.show_mask(choice.mask if choice.frame is Frame.MASK else None)
         scene.show_part(None if choice.tooth is None else np.flatnonzero(choice.tooth))
 
@@ -126,11 +127,20 @@ class ComparisonPicture(QObject):
         if self._scene is not None and not self._scene.closed:
             call(self._scene)
 
+    def _take_mode(self, mode: str) -> None:
+        def take(scene: ComparisonScene) -> None:
+            halved = scene.mode != mode and "side_by_side" in (scene.mode, mode)
+            scene.set_mode(mode)
+            if halved:  # two pictures in the place of one, or one again
+                scene.fit()
+
+        self._with(take)
+
     def _scale(self, comparison: Comparison) -> DeviationScale:
         """Steps of colour that have an edge at the threshold."""
         threshold_um = float(self._comparing.draft.choice.tolerance_um)
         scale = DeviationScale.fitting(comparison.deviation.signed_um, comparison.deviation.detection_level_um, threshold_um)
-        self._stage.show_scale(scale)
+        self._stage.legend.show_scale(scale)
         return scale
 
     def _hover(self, found: Pointed | None) -> None:

@@ -12,7 +12,7 @@ from app.views import format as fmt
 from app.views.area_list import AreaList
 from app.views.comparison_words import JAWS, millimetres, motion_words, translated
 from app.views.facts import Fact, Facts
-from app.views.parts import BigNumber, button, column, label, row, seam
+from app.views.parts import BigNumber, button, column, label, row, scrolled, seam
 from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.parameters import Jaw
 
@@ -32,13 +32,9 @@ class FindingsPanel(QWidget):
         self.areas = AreaList()
         self._none = label(self.tr("Nothing differs by more than the detection level."), "muted", wrap=True)
         self._facts = Facts()
-        facts = QWidget()
-        box = column(self._facts, 1)
-        box.setContentsMargins(0, 0, 0, 0)
-        facts.setLayout(box)
         self._below = QStackedWidget()
         self._below.addWidget(self.areas)
-        self._below.addWidget(facts)
+        self._below.addWidget(scrolled(self._facts))
         self._views: list[QPushButton] = []
         for place, text in enumerate((self.tr("Areas"), self.tr("Numbers"))):
             made = button(text, "link", partial(self._turn, place))
