@@ -17,6 +17,8 @@ from scanner_core.comparison.surface import ComparedSurface
 from scanner_core.geometry.rigid import RigidTransform
 
 Mask = NDArray[np.bool_]
+Point = tuple[float, float, float]
+Picks = tuple[tuple[Point, ...], tuple[Point, ...]]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -44,8 +46,9 @@ class ComparisonChoice:
     tolerance_um : clinical threshold
     jaw : None until it was said
     mask : (v_after,) what was painted as stable; None without
-    start : after to before, from three picked points; None without
-    tooth : (v,) bool, the marked tooth on the surface before; None without
+    picks : points picked on before and on after, each in its own frame, mm
+    start : after to before, from three of them; None without
+    tooth : (v_after,) bool, the marked tooth; None without
     """
 
     before: LoadedSurface | None = None
@@ -54,6 +57,7 @@ class ComparisonChoice:
     tolerance_um: int = 250
     jaw: Jaw | None = None
     mask: Mask | None = None
+    picks: Picks = ((), ())
     start: RigidTransform | None = None
     tooth: Mask | None = None
 

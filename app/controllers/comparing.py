@@ -13,6 +13,7 @@ from app.controllers.case import CaseController
 from app.controllers.comparison import ComparisonController
 from app.controllers.comparison_report import ComparisonReport
 from app.controllers.marked_tooth import MarkedTooth
+from app.controllers.point_picking import PointPicking
 from app.controllers.surface_reading import SurfaceReading
 from app.settings import Settings
 
@@ -33,6 +34,7 @@ class Comparing(QObject):
         self.draft = ComparisonDraft(stack, self)
         self.reading = SurfaceReading(background, case, self.draft, tell, self)
         self.answers = ComparisonController(background, self.draft, tell, self)
+        self.points = PointPicking(background, self.draft, tell, self)
         self.tooth = MarkedTooth(background, self.draft, self.answers, tell, self)
         self.report = ComparisonReport(background, settings, tell, self)
         self.answers.answered.connect(self.report.forget)

@@ -46,20 +46,20 @@ class MarkedTooth(QObject):
 
     # -------------------------------------------------------------------------------- commands
     def mark(self, vertex: int) -> None:
-        """Grow a mark from a vertex of the surface before."""
-        before = self._draft.choice.before
-        if before is None:
+        """Grow a mark from a vertex of the surface after."""
+        after = self._draft.choice.after
+        if after is None:
             return
         self._say(_GROWING)
 
         def done(mask: Mask) -> None:
-            if before is self._draft.choice.before:
+            if after is self._draft.choice.after:
                 self._draft.edit("tooth", tooth=mask)
 
-        self._background.run("grow-tooth", partial(_grow, before, vertex), done, self._failed)
+        self._background.run("grow-tooth", partial(_grow, after, vertex), done, self._failed)
 
     def correct(self, vertices: np.ndarray[tuple[int], np.dtype[np.int64]], *, add: bool) -> None:
-        """Add vertices of the surface before to the mark, or take them off."""
+        """Add vertices of the surface after to the mark, or take them off."""
         tooth = self._draft.choice.tooth
         if tooth is not None and len(vertices):
             mask = tooth.copy()
@@ -108,10 +108,10 @@ class MarkedTooth(QObject):
         self.changed.emit()
 
 
-def _grow(before: LoadedSurface, vertex: int) -> Mask:
+def _grow(after: LoadedSurface, vertex: int) -> Mask:
     from scanner_core.comparison.marked_part import grow_part
 
-    return grow_part(before.surface.mesh, vertex)
+    return grow_part(after.surface.mesh, vertex)
 
 
 def _motion(comparison: Comparison, tooth: Mask, cancelled: threading.Event) -> PartMotion:

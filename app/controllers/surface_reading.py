@@ -94,10 +94,10 @@ def loaded_of(choice: ComparisonChoice, role: Role) -> LoadedSurface | None:
 
 
 def cleared(choice: ComparisonChoice, role: Role) -> dict[str, object]:
-    """What belongs to the surface of `role` and goes with it: picked points, the painted region (after), the marked tooth (before)."""
-    gone: dict[str, object] = {"start": None, "tooth": None}
+    """What belongs to the surface of `role` and goes with it: picked points, and of the surface after what is marked on it."""
+    gone: dict[str, object] = {"picks": ((), ()), "start": None}
     if role == "after":
-        gone["mask"] = None
+        gone |= {"mask": None, "tooth": None}
         if choice.frame is Frame.MASK:
             gone["frame"] = Frame.AUTO
     return gone

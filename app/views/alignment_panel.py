@@ -20,7 +20,7 @@ class AlignmentPanel(QWidget):
     """One of the three panels beside the picture."""
 
     tool_wanted = Signal(str)
-    """``paint``, ``erase``, ``points``, or ``look`` for none."""
+    """``paint``, ``erase``, or ``look`` for none."""
     stable_wanted = Signal(bool)
     """Whether the stable region is to be seen."""
 
@@ -40,7 +40,7 @@ class AlignmentPanel(QWidget):
             made = button(text, "choice", partial(self._choose_tool, name))
             made.setCheckable(True)
             self._tools[name] = made
-        self.points = button(self.tr("Pick three points on each…"), "link", lambda: self.tool_wanted.emit("points"))
+        self.points = button(self.tr("Pick three points on each…"), "link", services.comparing.points.begin)
         self._shifts = label("", "", wrap=True)
         self._facts = Facts()
         self._doubts = label("", "bad", wrap=True, selectable=True)

@@ -38,16 +38,17 @@ class CompareFoot(QWidget):
         answers, report = self._comparing.answers, self._comparing.report
         progress = answers.progress if answers.running else report.progress if report.busy else None
         busy = answers.running or report.busy
+        picking = self._comparing.points.active
         self._bar.setVisible(busy)
         self._bar.setValue(0 if progress is None else round(1000 * progress.fraction))
         self._words.setText(self._sentence())
         self._words.setVisible(bool(self._words.text()))
         choice = self._comparing.draft.choice
-        self.start.setVisible(not busy and choice.before is not None and choice.after is not None and not answers.current)
+        self.start.setVisible(not busy and not picking and choice.before is not None and choice.after is not None and not answers.current)
         self.start.setEnabled(choice.ready)
         self.start.setText(self.tr("Align on the painted region") if choice.frame is Frame.MASK else self.tr("Compare"))
-        self.save.setVisible(not busy and answers.current)
-        self.cancel.setVisible(busy)
+        self.save.setVisible(not busy and not picking and answers.current)
+        self.cancel.setVisible(busy or picking)
         self.cancel.setEnabled(not answers.cancelling)
         self._folder.setVisible(report.folder is not None and not busy)
 
@@ -68,6 +69,11 @@ class CompareFoot(QWidget):
         if report.busy:
             left = None if report.progress is None else report.progress.seconds_left
             return self.tr("Writing the report: {left} left").format(left=fmt.left_time(left))
+        if self._comparing.points.active:
+            before, after = map(len, self._comparing.draft.choice.picks)
+            return self.tr("Click three points on each surface, in the same order and far from each other. Before: {b} of 3, after: {a} of 3.").format(
+                b=before, a=after
+            )
         if report.folder is not None:
             return self.tr("Written: {folder}").format(folder=fmt.short_path(str(report.folder)))
         choice = self._comparing.draft.choice
@@ -80,6 +86,7 @@ class CompareFoot(QWidget):
         return ""
 
     def _cancel(self) -> None:
+        self._comparing.points.end()
         self._comparing.answers.cancel()
         self._comparing.report.cancel()
 

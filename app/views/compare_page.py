@@ -28,7 +28,7 @@ from app.views.verdict import Verdict
 if TYPE_CHECKING:
     from app.views.comparison_scene import ComparisonScene
 
-WIDTH = 348
+WIDTH = 340
 SUFFIXES = (".stl", ".ply", ".obj", ".vtp", ".3mf", ".impronta")
 ROLES: tuple[Role, Role] = ("before", "after")
 
@@ -144,6 +144,7 @@ class ComparePage(Page):
         comparing.answers.changed.connect(self._show_state)
         comparing.answers.answered.connect(self._show_answer)
         comparing.tooth.changed.connect(self._show_tooth)
+        comparing.points.changed.connect(self._show_points)
         comparing.report.changed.connect(self.foot.show_state)
         self.services.case.opened.connect(self._show_cases)
         self.services.case.meshed.connect(self._show_cases)
@@ -173,9 +174,10 @@ class ComparePage(Page):
         self.verdict.show_comparison(answers.comparison, current=answers.current)
         self.alignment.show_comparison(answers.comparison)
         self.foot.show_state()
-        seen = answers.comparison is not None and not self._dragging
+        picking = self._comparing.points.active
+        seen = answers.comparison is not None and not self._dragging and not picking
         self.stage.show_seen(seen)
-        self.stage.show_part(self.scene if seen else self._empty)
+        self.stage.show_part(self.scene if seen or picking else self._empty)
 
     def _show_answer(self) -> None:
         comparison = self._comparing.answers.comparison
@@ -187,6 +189,10 @@ class ComparePage(Page):
     def _show_tooth(self) -> None:
         self.findings.show_choice()
         self.picture.show_choice()
+
+    def _show_points(self) -> None:
+        self.picture.show_points()
+        self._show_state()
 
     def _show_cases(self) -> None:
         case = self.services.case

@@ -79,6 +79,7 @@ class CompareStage(QWidget):
             made = button(text, "choice", partial(self.choose_mode, mode))
             made.setCheckable(True)
             made.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the picture
+            made.setStyleSheet("padding: 7px 8px;")
             group.addButton(made)
             self.modes[mode] = made
             if mode in _MODE_KEYS:
@@ -103,7 +104,7 @@ class CompareStage(QWidget):
             if view in _VIEW_KEYS:
                 self._bind(tool, text, _VIEW_KEYS[view], partial(self.view_wanted.emit, view))
         tools.addWidget(_tool("fit", self.tr("Fit (F)"), partial(self.view_wanted.emit, "fit")))
-        line = row(*self.modes.values(), 1, spacing=5)
+        line = row(*self.modes.values(), 1, spacing=4)
         line.addLayout(tools)
         legend = row(self.legend)
         legend.setContentsMargins(6, 4, 6, 0)

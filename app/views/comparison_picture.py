@@ -44,6 +44,7 @@ class ComparisonPicture(QObject):
         self._half_mm = 0.0
         self._threshold_um = 0
         self._stroke: tuple[Mask, bool] | None = None
+        self._between: Array | None = None
         stage.mode_wanted.connect(self._take_mode)
         stage.amount_wanted.connect(lambda share: self._with(lambda scene: scene.set_amount(share)))
         stage.view_wanted.connect(self.look)
@@ -65,7 +66,7 @@ class ComparisonPicture(QObject):
     def show_comparison(self, comparison: Comparison | None) -> None:
         """An answer, or none."""
         scene = self._scene
-        if scene is None or comparison is self._shown:
+        if scene is None or comparison is self._shown or self._between is not None:
             return
         self._shown = comparison
         self._chosen = None
@@ -93,6 +94,28 @@ class ComparisonPicture(QObject):
             self._stage.legend.set_threshold_um(float(choice.tolerance_um))
         scene.show_mask(choice.mask if choice.frame is Frame.MASK else None)
         scene.show_part(None if choice.tooth is None else np.flatnonzero(choice.tooth))
+
+    def show_points(self) -> None:
+        """Both surfaces as they lie, middle on middle, while points are picked on them; the answer again after that."""
+        scene, choice, points = self._scene, self._comparing.draft.choice, self._comparing.points
+        if scene is None:
+            return
+        if not points.active or choice.before is None or choice.after is None:
+            if self._between is not None:
+                self._between = self._shown = None
+                scene.clear()
+                self.show_comparison(self._comparing.answers.comparison)
+            return
+        if self._between is None:
+            before, after = choice.before.surface.mesh, choice.after.surface.mesh
+            self._between = _middle(before) - _middle(after)
+            scene.show_pair(before, TriangleMesh(after.vertices + self._between, after.triangles))
+            scene.set_mode("side_by_side")
+            scene.fit()
+            scene.set_tool("pick")
+        marks = [(str(number), point) for number, point in enumerate(choice.picks[0], 1)]
+        marks += [(f"{number}\u2032", tuple(np.asarray(point) + self._between)) for number, point in enumerate(choice.picks[1], 1)]
+        scene.show_landmarks(marks)
 
     def show_stable(self, on: bool) -> None:
         self._with(lambda scene: scene.show_stable(on))
@@ -147,6 +170,11 @@ class ComparisonPicture(QObject):
         self._stage.show_value(None if found is None else found.signed_um, there=found is not None and found.surface == "after")
 
     def _pick(self, found: Pointed) -> None:
+        if self._between is not None:
+            x, y, z = found.point_mm
+            dx, dy, dz = self._between.tolist() if found.surface == "after" else (0.0, 0.0, 0.0)
+            self._comparing.points.pick("before" if found.surface == "before" else "after", (x - dx, y - dy, z - dz))
+            return
         if self.tool == "tooth" and found.surface == "after":
             self._comparing.tooth.mark(found.vertex)
             self.take_tool("look")
@@ -178,7 +206,7 @@ class ComparisonPicture(QObject):
         if comparison is None:
             return
         low, high = comparison.before.mesh.bounds()
-        middle = 0.5 * (low + high) if self._chosen is None else self._chosen.centroid_mm
+        middle = _middle(comparison.before.mesh) if self._chosen is None else self._chosen.centroid_mm
         self._half_mm = 0.5 * float((high - low).max())
         self._stage.show_section(on)
         normal = self._across() if on else None
@@ -196,3 +224,8 @@ class ComparisonPicture(QObject):
     def _move_section(self, share: float) -> None:
         self._with(lambda scene: scene.set_section_offset_mm((2 * share - 1) * self._half_mm))
 
+
+
+def _middle(mesh: TriangleMesh) -> Array:
+    low, high = mesh.bounds()
+    return np.asarray(0.5 * (low + high), np.float64)
