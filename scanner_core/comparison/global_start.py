@@ -76,7 +76,9 @@ def find_start(before: ComparedSurface, after: ComparedSurface, *, seed: int, ca
     if found.score < _CONVINCING:
         mirrored = _search(fine[0], fine[1].mirrored(), coarse[0], coarse[1].mirrored(), seed, cancelled)
         if mirrored.score > max(found.score + 0.15, _LEAST):
-            raise ComparisonError("E-CMP-03", after=after.name, before=before.name, score=round(100 * found.score), mirrored=round(100 * mirrored.score))
+            raise ComparisonError(
+                "E-CMP-03", after=after.name, before=before.name, score=round(100 * found.score), mirrored=round(100 * mirrored.score)
+            )
     if found.score < _LEAST:
         raise ComparisonError("E-CMP-01", after=after.name, before=before.name, score=round(100 * found.score))
     return found
@@ -101,10 +103,10 @@ def _best(
     """Every pose is improved a little, the three best different ones to the end."""
     close = _CLOSE * before.spacing_mm
     tried = []
-    for pose in poses:
+    for rough in poses:
         if cancelled():
             raise Cancelled
-        improved = trimmed_fit(before, thin, pose, share=0.7, rounds=10)
+        improved = trimmed_fit(before, thin, rough, share=0.7, rounds=10)
         tried.append(Pose(improved, pose_score(before, thin, improved, close)))
     finished: list[Pose] = []
     for pose in _different(tried, thin)[:3]:
