@@ -90,7 +90,7 @@ class SurfacePairing:
         self._tree = cKDTree(before.mesh.vertices)
         self._usable = before.supported[before.mesh.triangles].all(axis=1)
         alone = np.bincount(before_table.side_edges.ravel(), minlength=len(before_table.edges)) == 1
-        self._border_side: Mask = np.array(np.take(alone, before_table.side_edges), np.bool_)
+        self._border_side: Mask = np.take(np.asarray(alone), before_table.side_edges)
         self._before_normals = _smooth_normals(before.mesh, MeshAverage(before.mesh, before_table))
         self._after_normals = _smooth_normals(after.mesh, self.average)
 
@@ -108,7 +108,7 @@ class SurfacePairing:
             mean = normals[near] + opposite
             mean /= np.maximum(np.sqrt(row_dot(mean, mean)), 1e-12)[:, None]
             # side i runs from corner i to i + 1: a foot lies on it where the third weight is nothing
-            on_border = (self._border_side[feet.triangles] & (feet.weights[:, (2, 0, 1)] < 1e-9)).any(axis=1)
+            on_border = (np.take(self._border_side, feet.triangles, axis=0) & (feet.weights[:, (2, 0, 1)] < 1e-9)).any(axis=1)
             facing[near] = (
                 (feet.distances_mm < self.reach_mm) & ~on_border & self._usable[feet.triangles] & (row_dot(normals[near], opposite) > _LEAST_COSINE)
             )
