@@ -88,9 +88,9 @@ class SurfacePairing:
         self.areas = np.asarray(np.bincount(after.mesh.triangles.ravel(), thirds, minlength=len(after.mesh.vertices)), np.float64)
         self._walk = SurfaceWalk(before.mesh, before_table)
         self._tree = cKDTree(before.mesh.vertices)
-        self._usable = before.supported[before.mesh.triangles].all(axis=1)
+        self._usable: Mask = np.asarray(before.supported[before.mesh.triangles].all(axis=1), np.bool_)
         alone = np.bincount(before_table.side_edges.ravel(), minlength=len(before_table.edges)) == 1
-        self._border_side: Mask = np.take(np.asarray(alone), before_table.side_edges)
+        self._border_side: Mask = np.asarray(alone, np.bool_)[before_table.side_edges.ravel()]
         self._before_normals = _smooth_normals(before.mesh, MeshAverage(before.mesh, before_table))
         self._after_normals = _smooth_normals(after.mesh, self.average)
 
@@ -108,7 +108,7 @@ class SurfacePairing:
             mean = normals[near] + opposite
             mean /= np.maximum(np.sqrt(row_dot(mean, mean)), 1e-12)[:, None]
             # side i runs from corner i to i + 1: a foot lies on it where the third weight is nothing
-            on_border = (np.take(self._border_side, feet.triangles, axis=0) & (feet.weights[:, (2, 0, 1)] < 1e-9)).any(axis=1)
+            on_border = np.any(self._border_side[3 * feet.triangles[:, None] + np.arange(3)] & (feet.weights[:, (2, 0, 1)] < 1e-9), axis=1)
             facing[near] = (
                 (feet.distances_mm < self.reach_mm) & ~on_border & self._usable[feet.triangles] & (row_dot(normals[near], opposite) > _LEAST_COSINE)
             )
