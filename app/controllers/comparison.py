@@ -87,6 +87,11 @@ class ComparisonController(QObject):
             self._job.cancel()
         self.changed.emit()
 
+    def prewarm(self) -> None:
+        """Start the worker process, so that the first comparison need not wait for its imports."""
+        if self._worker is None:
+            self._background.run("comparison-worker-start", self._ready_worker)
+
     def shutdown(self) -> None:
         """Cancel what runs and end the worker; one that was still starting is waited for."""
         self._closed = True
@@ -133,7 +138,7 @@ class ComparisonController(QObject):
     def _ask(self) -> None:
         choice = self._draft.choice
         if choice.before is not None or choice.after is not None:
-            self._prewarm()
+            self.prewarm()
         if self.running or self.current or not choice.ready or self._stopped is not None or choice.frame is Frame.MASK:
             return
         self._submit(choice)
@@ -141,10 +146,6 @@ class ComparisonController(QObject):
     def _submit(self, choice: ComparisonChoice) -> None:
         self._asked, self._job, self.progress = choice, None, None
         self._background.run("comparison-start", lambda: self._send(choice), None, partial(self._failed, choice))
-
-    def _prewarm(self) -> None:
-        if self._worker is None:
-            self._background.run("comparison-worker-start", self._ready_worker)
 
     # -------------------------------------------------------------------------------- other threads
     def _send(self, choice: ComparisonChoice) -> None:

@@ -67,6 +67,7 @@ class ComparePage(Page):
     def entered(self) -> None:
         self._show_cases()
         self._show()
+        self.setFocus()  # for the space bar
 
     def paint_scene(self) -> float:
         return 0.0 if self.scene is None or self.scene.closed else self.scene.paint()

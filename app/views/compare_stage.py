@@ -128,9 +128,8 @@ class CompareStage(QWidget):
         return looks
 
     def _bind(self, part: QWidget, text: str, key: str, call: Callable[[], None]) -> None:
-        """A key of the page; it stands in the part's tool tip."""
+        """A key while the page is shown; it stands in the part's tool tip."""
         shortcut = QShortcut(QKeySequence(key), self)
-        shortcut.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
         shortcut.activated.connect(lambda: call())
         part.setToolTip(f"{text} ({QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)})")
 

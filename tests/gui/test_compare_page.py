@@ -28,10 +28,18 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> PairFiles:
     return write_pair(tmp_path_factory.mktemp("pair"))
 
 
+@pytest.fixture(scope="module")
+def program(shared_program: Program) -> Program:
+    """With the worker that compares: it stays."""
+    answers = shared_program.services.comparing.answers
+    answers.prewarm()
+    until(lambda: answers.worker_pid is not None, 60, "the worker")
+    return shared_program
+
+
 @pytest.fixture
-def page(shared_program: Program) -> ComparePage:
+def page(program: Program) -> ComparePage:
     """The page, empty."""
-    program = shared_program
     comparing = program.services.comparing
     comparing.answers.cancel()
     until(lambda: not comparing.answers.running and not comparing.reading.reading, 60, "an idle page")
@@ -66,8 +74,8 @@ def _load(program: Program, page: ComparePage, files: PairFiles) -> None:
     wait_ms(50)
 
 
-def test_from_two_dropped_files_to_what_moved(shared_program: Program, page: ComparePage, files: PairFiles) -> None:
-    program, comparing = shared_program, shared_program.services.comparing
+def test_from_two_dropped_files_to_what_moved(program: Program, page: ComparePage, files: PairFiles) -> None:
+    comparing = program.services.comparing
     middle = page.targets["after"].mapTo(page, page.targets["after"].rect().center())
     _drop(page, [files.after], middle)
     until(lambda: comparing.draft.choice.after is not None, 30, "the surface after")
@@ -92,8 +100,8 @@ def test_from_two_dropped_files_to_what_moved(shared_program: Program, page: Com
     assert coloured(page.scene.grab_picture(), 60).sum() > 500  # the map
 
 
-def test_an_entry_of_the_list_flies_the_camera_there(shared_program: Program, page: ComparePage, files: PairFiles) -> None:
-    _load(shared_program, page, files)
+def test_an_entry_of_the_list_flies_the_camera_there(program: Program, page: ComparePage, files: PairFiles) -> None:
+    _load(program, page, files)
     scene = page.scene
     assert scene is not None
     before = scene.camera_position
@@ -102,9 +110,9 @@ def test_an_entry_of_the_list_flies_the_camera_there(shared_program: Program, pa
     assert np.abs(np.subtract(scene.camera_position, before)).max() > 5.0
 
 
-def test_views_and_modes_by_key(shared_program: Program, page: ComparePage, files: PairFiles) -> None:
-    _load(shared_program, page, files)
-    window, scene = shared_program.window, page.scene
+def test_views_and_modes_by_key(program: Program, page: ComparePage, files: PairFiles) -> None:
+    _load(program, page, files)
+    window, scene = program.window, page.scene
     assert scene is not None
     window.activateWindow()
     page.setFocus()
@@ -122,8 +130,8 @@ def test_views_and_modes_by_key(shared_program: Program, page: ComparePage, file
     assert not scene.shows_other
 
 
-def test_everything_chosen_is_undone_by_the_windows_undo(shared_program: Program, page: ComparePage, files: PairFiles) -> None:
-    program, comparing = shared_program, shared_program.services.comparing
+def test_everything_chosen_is_undone_by_the_windows_undo(program: Program, page: ComparePage, files: PairFiles) -> None:
+    comparing = program.services.comparing
     _load(program, page, files)
     first = comparing.answers.comparison
     undo = program.window.actions_by_id["undo"]
@@ -158,8 +166,8 @@ def test_everything_chosen_is_undone_by_the_windows_undo(shared_program: Program
     assert comparing.answers.comparison is first
 
 
-def test_a_painted_region_is_held_fixed_when_it_is_asked_for(shared_program: Program, page: ComparePage, files: PairFiles) -> None:
-    program, comparing = shared_program, shared_program.services.comparing
+def test_a_painted_region_is_held_fixed_when_it_is_asked_for(program: Program, page: ComparePage, files: PairFiles) -> None:
+    comparing = program.services.comparing
     _load(program, page, files)
     first = comparing.answers.comparison
     assert first is not None
@@ -185,20 +193,20 @@ def test_a_painted_region_is_held_fixed_when_it_is_asked_for(shared_program: Pro
     assert comparing.answers.comparison is first
 
 
-def test_a_cancelled_comparison_ends_without_a_sentence_and_is_asked_again(shared_program: Program, page: ComparePage, files: PairFiles) -> None:
-    answers = shared_program.services.comparing.answers
+def test_a_cancelled_comparison_ends_without_a_sentence_and_is_asked_again(program: Program, page: ComparePage, files: PairFiles) -> None:
+    answers = program.services.comparing.answers
     page.take_files([files.before, files.after], None)
     until(lambda: answers.running, 60, "the comparison")
     page.foot.cancel.click()
     until(lambda: not answers.running, 10, "its end")
     assert answers.comparison is None
-    assert shared_program.window.banner.text == ""
+    assert program.window.banner.text == ""
     page.foot.start.click()
-    _answered(shared_program)
+    _answered(program)
 
 
-def test_what_cannot_be_compared_is_said_in_a_sentence(shared_program: Program, page: ComparePage, files: PairFiles, tmp_path: Path) -> None:
-    program, comparing = shared_program, shared_program.services.comparing
+def test_what_cannot_be_compared_is_said_in_a_sentence(program: Program, page: ComparePage, files: PairFiles, tmp_path: Path) -> None:
+    comparing = program.services.comparing
     broken = tmp_path / "broken.stl"
     broken.write_text("no surface at all")
     page.take_files([broken], "before")
