@@ -263,6 +263,10 @@ SENTENCES: dict[str, Sentence] = {
         "No mesh was written; reconstruct one object at a time, and cut the points of the others off.",
     ),
     # ------------------------------------------------------------------------------------------ comparison
+    "E-CMP-10": Sentence(
+        "The marked part holds {marked} measured vertices; at least {least} are needed for a motion.",
+        "Nothing was changed; mark more of the tooth.",
+    ),
     "E-CMP-20": Sentence(
         "{path} holds {triangles} triangles, too few for a comparison; at least {least} are needed.",
         "Nothing was compared; choose the whole surface.",
