@@ -276,6 +276,8 @@ SENTENCES: dict[str, Sentence] = {
         "No part of the surface in {path} was measured: its vertices all say that nothing supports them.",
         "Nothing was compared; scan it again, or reconstruct it from its points.",
     ),
+    "E-CMP-23": Sentence("The mask {path} cannot be used: {reason}.", "Nothing was compared; mark the stable part again."),
+    "E-CMP-24": Sentence("The null comparison says nothing of the rig: {reason}.", "The rig file is unchanged; measure the same model twice."),
     # ------------------------------------------------------------------------------------------ memory and worker process
     "E-MEM-01": Sentence(
         "There is not enough memory for '{command}'.", "Nothing was written; close other programs, or ask for fewer points or triangles."
