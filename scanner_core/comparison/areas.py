@@ -106,7 +106,8 @@ def _area(
     inside = np.zeros(len(mesh.vertices), np.bool_)
     inside[vertices] = True
     signed, weight = deviation.signed_um[vertices], area_mm2[vertices]
-    triangles = mesh.triangles[inside[mesh.triangles].all(axis=1)]
+    corners = inside[mesh.triangles].sum(axis=1)  # a vertex stands for a third of each triangle round it
+    at_all = corners > 0
     normal = weight @ normals[vertices]
     length = float(np.linalg.norm(normal))
     return Area(
@@ -118,7 +119,7 @@ def _area(
         mean_um=float(np.average(signed, weights=weight)),
         p95_um=float(weighted_percentiles(np.abs(signed), weight, (95.0,))[0]),
         max_um=float(signed[np.argmax(np.abs(signed))]),
-        volume_mm3=volume_between(mesh.vertices, deviation.feet_mm, triangles),
+        volume_mm3=volume_between(mesh.vertices, deviation.feet_mm, mesh.triangles[at_all], corners[at_all] / 3),
         parts=_parts(inside, smooth_um, table, area_mm2),
         words="",
         motion=motion,

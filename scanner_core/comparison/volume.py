@@ -10,7 +10,7 @@ from scanner_core.geometry.edges import row_cross, row_dot
 Array = NDArray[np.float64]
 
 
-def volume_between(vertices: Array, feet: Array, triangles: NDArray[np.int64]) -> float:
+def volume_between(vertices: Array, feet: Array, triangles: NDArray[np.int64], shares: Array | None = None) -> float:
     """Signed volume, mm^3, of the prisms between triangles (t, 3) of one surface and their feet on the other.
 
     Positive where the surface lies outside of the other.  A prism is swept by the triangle that goes in straight lines from the
@@ -21,10 +21,13 @@ def volume_between(vertices: Array, feet: Array, triangles: NDArray[np.int64]) -
     ----------
     vertices, feet : (v, 3) mm, in one frame
     triangles : (t, 3) indices of both
+    shares : (t,) what each triangle counts; 1 if None
     """
     bottom = feet[triangles]
     height = vertices[triangles] - bottom
     velocity = height.mean(axis=1)
+    if shares is not None:
+        velocity *= shares[:, None]
 
     def rate(share: float) -> float:
         corners = bottom + share * height

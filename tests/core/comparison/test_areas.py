@@ -58,7 +58,9 @@ def test_a_dent_on_a_plain_plate_is_one_area_with_its_volume() -> None:
     assert area.mean_um < -200
     assert area.max_um == pytest.approx(-600, abs=20)
     assert area.normal == pytest.approx([0, 0, 1], abs=0.05)
-    assert area.volume_mm3 == pytest.approx(-0.6 * np.pi * 9 * (0.5 - 2 / np.pi**2), rel=0.15)  # the whole dent; its rim lies below the threshold
+    rim = np.arccos(np.sqrt(1 / 3)) * 2 / np.pi  # of the radius, where the dent is as deep as the threshold
+    under = rim**2 / 4 + 0.5 * (rim * np.sin(np.pi * rim) / np.pi + (np.cos(np.pi * rim) - 1) / np.pi**2)
+    assert area.volume_mm3 == pytest.approx(-0.6 * 2 * np.pi * 3.0**2 * under, rel=0.1)
 
 
 def test_the_level_of_detection_hides_what_it_should() -> None:
