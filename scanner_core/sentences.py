@@ -262,6 +262,31 @@ SENTENCES: dict[str, Sentence] = {
         "The points belong to {count} separate objects: the second largest holds {share} % of them and lies {gap_mm} mm from the largest.",
         "No mesh was written; reconstruct one object at a time, and cut the points of the others off.",
     ),
+    # ------------------------------------------------------------------------------------------ comparison: alignment
+    "E-CMP-01": Sentence(
+        "{after} and {before} do not fit onto each other: in the best pose only {score} % of the surface agrees. They seem to be different objects.",
+        "Both files are untouched; check that they show the same jaw, and if they do, pick three points on both.",
+    ),
+    "E-CMP-02": Sentence(
+        "{after} and {before} do not overlap: nothing of one lies within {reach_mm} mm of the other.",
+        "Both files are untouched; let the program find the pose, or pick three points on both.",
+    ),
+    "E-CMP-03": Sentence(
+        "One of {after} and {before} is mirrored: {score} % of the surface agrees as it is, {mirrored} % of its mirror image.",
+        "Both files are untouched and nothing was mirrored; export the mirrored one again without mirroring.",
+    ),
+    "E-CMP-04": Sentence(
+        "{name} holds {triangles} measured triangles with an area; a comparison needs at least {least}.",
+        "The file is untouched; scan or export the surface again.",
+    ),
+    "E-CMP-05": Sentence(
+        "The picked points do not say how the surfaces lie: {reason}.",
+        "Nothing was changed; pick at least three points far from each other, in the same order on both surfaces.",
+    ),
+    "E-CMP-06": Sentence(
+        "{area_mm2} mm2 with a counterpart are painted as stable; at least {least_mm2} mm2 are needed.",
+        "Nothing was changed; paint more, or use the automatic frame.",
+    ),
     # ------------------------------------------------------------------------------------------ comparison
     "E-CMP-10": Sentence(
         "The marked part holds {marked} measured vertices; at least {least} are needed for a motion.",
