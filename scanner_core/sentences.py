@@ -288,6 +288,10 @@ SENTENCES: dict[str, Sentence] = {
         "Nothing was changed; paint more, or use the automatic frame.",
     ),
     # ------------------------------------------------------------------------------------------ comparison
+    "E-CMP-10": Sentence(
+        "The marked part holds {marked} measured vertices; at least {least} are needed for a motion.",
+        "Nothing was changed; mark more of the tooth.",
+    ),
     "E-CMP-20": Sentence(
         "{path} holds {triangles} triangles, too few for a comparison; at least {least} are needed.",
         "Nothing was compared; choose the whole surface.",
