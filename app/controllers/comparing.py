@@ -46,6 +46,5 @@ class Comparing(QObject):
 
     def shutdown(self) -> None:
         """Stop what runs; the worker process ends."""
-        self.tooth.shutdown()
         self.report.cancel()
         self.answers.shutdown()

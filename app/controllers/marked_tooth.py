@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable
 from functools import partial
 
@@ -15,7 +14,6 @@ from app.controllers.comparison import ComparisonController
 from app.translation import QT_TRANSLATE_NOOP
 from scanner_core.comparison.area import PartMotion
 from scanner_core.comparison.comparison import Comparison
-from scanner_core.jobs.progress import Cancelled
 
 _MEASURING = QT_TRANSLATE_NOOP("comparison", "Measuring its motion…")
 _GROWING = QT_TRANSLATE_NOOP("comparison", "Looking for its edge…")
@@ -37,7 +35,6 @@ class MarkedTooth(QObject):
         super().__init__(parent)
         self._background, self._draft, self._answers, self._tell = background, draft, answers, tell
         self._of: tuple[Comparison, Mask] | None = None  # what `motion` belongs to, or will
-        self._cancelled = threading.Event()
         self.motion: PartMotion | None = None
         self.words = ""
         """What is being done, while there is no motion."""
@@ -69,25 +66,19 @@ class MarkedTooth(QObject):
     def unmark(self) -> None:
         self._draft.edit("unmark", tooth=None)
 
-    def shutdown(self) -> None:
-        self._cancelled.set()
-
     # -------------------------------------------------------------------------------- inside
     def _follow(self) -> None:
         comparison, tooth = self._answers.comparison, self._draft.choice.tooth
         if comparison is None or tooth is None or not tooth.any():
-            self._cancelled.set()
             self._of = self.motion = None
             self._say("")
             return
         if self._of is not None and self._of[0] is comparison and self._of[1] is tooth:
             return
-        self._cancelled.set()
         self._of, self.motion = (comparison, tooth), None
-        cancelled = self._cancelled = threading.Event()
         self._say(_MEASURING)
         self._background.run(
-            "tooth-motion", partial(_motion, comparison, tooth, cancelled), partial(self._done, comparison, tooth), partial(self._missed, tooth)
+            "tooth-motion", partial(_motion, comparison, tooth), partial(self._done, comparison, tooth), partial(self._missed, tooth)
         )
 
     def _done(self, comparison: Comparison, tooth: Mask, motion: PartMotion) -> None:
@@ -96,7 +87,7 @@ class MarkedTooth(QObject):
             self._say("")
 
     def _missed(self, tooth: Mask, fault: Exception) -> None:
-        if not isinstance(fault, Cancelled) and self._of is not None and self._of[1] is tooth:
+        if self._of is not None and self._of[1] is tooth:
             self._failed(fault)
 
     def _failed(self, fault: Exception) -> None:
@@ -114,7 +105,7 @@ def _grow(after: LoadedSurface, vertex: int) -> Mask:
     return grow_part(after.surface.mesh, vertex)
 
 
-def _motion(comparison: Comparison, tooth: Mask, cancelled: threading.Event) -> PartMotion:
-    from scanner_core.comparison.marked_part import part_motion
+def _motion(comparison: Comparison, tooth: Mask) -> PartMotion:
+    from scanner_core.comparison.part_motion import part_motion
 
-    return part_motion(comparison.before, comparison.after, comparison.alignment, tooth, cancelled=cancelled.is_set)
+    return part_motion(comparison.before, comparison.after, comparison.alignment, tooth)

@@ -71,9 +71,9 @@ class CompareFoot(QWidget):
             return self.tr("Writing the report: {left} left").format(left=fmt.left_time(left))
         if self._comparing.points.active:
             before, after = map(len, self._comparing.draft.choice.picks)
-            return self.tr("Click three points on each surface, in the same order and far from each other. Before: {b} of 3, after: {a} of 3.").format(
-                b=before, a=after
-            )
+            return self.tr(
+                "Click three points on each surface, in the same order and far from each other. Before: {b} of 3, after: {a} of 3."
+            ).format(b=before, a=after)
         if report.folder is not None:
             return self.tr("Written: {folder}").format(folder=fmt.short_path(str(report.folder)))
         choice = self._comparing.draft.choice

@@ -225,7 +225,6 @@ class ComparisonPicture(QObject):
         self._with(lambda scene: scene.set_section_offset_mm((2 * share - 1) * self._half_mm))
 
 
-
 def _middle(mesh: TriangleMesh) -> Array:
     low, high = mesh.bounds()
     return np.asarray(0.5 * (low + high), np.float64)

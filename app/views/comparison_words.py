@@ -84,4 +84,3 @@ def serious_doubts(comparison: Comparison) -> list[str]:
 
 def frame_words(frame: Frame) -> str:
     return translated(FRAMES[frame][0])
-
