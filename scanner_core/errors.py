@@ -19,6 +19,7 @@
      +-- StorageError (OSError)               disk full, no permission
      +-- InputFileError (ValueError)          a mesh, point, rig or plan file that cannot be used
      +-- ReconstructionError                  no trustworthy surface in these points
+     +-- ComparisonError (ValueError)         two surfaces that cannot be compared
      +-- WorkerError
           +-- WorkerLostError                     the worker process died; a new one was started
 
@@ -127,6 +128,10 @@ class InputFileError(ImprontaError, ValueError):
 
 class ReconstructionError(ImprontaError):
     """No trustworthy surface in these points."""
+
+
+class ComparisonError(ImprontaError, ValueError):
+    """Two surfaces cannot be compared (``E-CMP``)."""
 
 
 class WorkerError(ImprontaError):

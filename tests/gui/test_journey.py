@@ -15,7 +15,7 @@ from app.views.export_page import ExportPage
 from scanner_core.acquisition.status import FinishReason
 from scanner_core.case.store import CaseStore
 from tests.gui.pictures import coloured, near
-from tests.gui.waiting import until
+from tests.gui.waiting import press, until
 
 POINTS = 2500
 
@@ -31,7 +31,7 @@ def test_from_the_order_to_an_stl(program: Program, tmp_path: Path) -> None:
     services.draft.edit("side", "left")
     services.draft.edit("views", 6)
     services.draft.edit("points", POINTS)
-    QTest.keyClick(window, Qt.Key.Key_F5)
+    press(window, Qt.Key.Key_F5)
     until(lambda: services.acquisition.running, 10, f"the scan {window.banner.text} {window.isActiveWindow()} {window.page_id}")
     until(lambda: len(scene.cloud) > 300, 60, "points in the scene")
     assert window.page_id == "scan"
@@ -45,8 +45,11 @@ def test_from_the_order_to_an_stl(program: Program, tmp_path: Path) -> None:
     assert len(scene.cloud) == counts.measured >= 0.9 * POINTS
     assert services.rig.emission is Emission.DARK
 
-    QTest.keyClick(window, Qt.Key.Key_F7)
-    until(lambda: services.reconstruction.shown_triangles, 240, "the inflating surface")
+    until(window.actions_by_id["reconstruct"].isEnabled, 20, f"points to reconstruct {window.banner.text}")
+    press(window, Qt.Key.Key_F7)
+    until(lambda: services.reconstruction.running, 10, f"the reconstruction {window.banner.text} {window.page_id}")
+    until(lambda: services.reconstruction.shown_triangles or window.banner.text, 240, "the inflating surface")
+    assert window.banner.text == ""
     until(lambda: services.case.surface is not None or window.banner.text, 300, "the surface")
     assert window.banner.text == ""
     assert services.case.report["closed"] is True

@@ -9,7 +9,9 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
-from PySide6.QtCore import QEventLoop, QTimer
+from PySide6.QtCore import QEventLoop, Qt, QTimer
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
 
 
 def wait_ms(duration_ms: int) -> None:
@@ -26,3 +28,14 @@ def until(condition: Callable[[], object], timeout_s: float = 20.0, why: str = "
         if time.monotonic() > deadline_s:
             raise AssertionError(f"not within {timeout_s} s: {why or condition}")
         wait_ms(10)
+
+
+def press(window: QWidget, key: Qt.Key) -> None:
+    """Press a key of the window's actions.
+
+    They belong to the active window, and without a window manager the display takes the focus from a window whose
+    focused part is hidden.
+    """
+    window.activateWindow()
+    until(window.isActiveWindow, 10, "the window is active")
+    QTest.keyClick(window, key)
