@@ -63,7 +63,7 @@ def made(
     stable = ~moved & supported
     covariance, centre = 1e-6 * np.eye(6), np.zeros(3)
     alignment = Alignment(POSE, Frame.AUTO, "principal axes", stable, 0.9, 41.0, 42.0, 0.4, covariance, centre, 4.2, 1.0002, 0.00015, 0.95, (shift,))
-    origin: dict[str, object] = {"path": "/home/clinic/Jane Doe/plate.stl", "order": "2026-0417", "side": "lower jaw", "type": "dental arch"}
+    origin: dict[str, object] = {"path": r"D:\clinic\Jane Doe\plate.stl", "order": "2026-0417", "side": "lower jaw", "type": "dental arch"}
     return Comparison(
         ComparedSurface(
             before, name, "a3" * 32, "mm", "the header says so", np.ones(count, np.bool_), (), {**origin, "date": "2026-03-02T10:14:00+01:00"}

@@ -61,7 +61,7 @@ def test_the_surface_reads_back_in_the_frame_of_before(tmp_path: Path) -> None:
     assert np.allclose(told["deviation_um"].astype(np.float64), expected, equal_nan=True)
     assert np.isnan(expected).any()
     assert (told["detection_level_um"] == 90).all()
-    assert np.array_equal(told["stable"] > 0, comparison.alignment.stable)
+    assert np.array_equal(told["stable"].astype(np.bool_), comparison.alignment.stable)
     for area in comparison.areas:
         assert (told["area"][area.vertices] == area.rank).all()
     assert np.count_nonzero(told["area"]) == sum(len(area.vertices) for area in comparison.areas)
