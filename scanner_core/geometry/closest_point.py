@@ -90,7 +90,7 @@ class ClosestPoint:
     def _normals_at(self, closest: Array, triangle: NDArray[np.int64]) -> Array:
         """Pseudonormals (n, 3) where the closest points lie on faces, edges or vertices."""
         if self._pseudonormals is None:
-            self._pseudonormals = _pseudonormals(self._mesh, self.normals(np.arange(len(self._mesh.triangles))))
+            self._pseudonormals = pseudonormals(self._mesh, self.normals(np.arange(len(self._mesh.triangles))))
         at_edge, at_vertex = self._pseudonormals
         weights = barycentric(closest, self._corners[triangle])
         away = weights <= _ON_FEATURE
@@ -148,8 +148,11 @@ def _ratio(a: Array, b: Array) -> Array:
     return np.divide(a, b, out=np.zeros_like(a), where=b > 0)
 
 
-def _pseudonormals(mesh: TriangleMesh, unit: Array) -> tuple[Array, Array]:
-    """For every half-edge and for every corner (3 t, 3) the pseudonormal of its edge and of its vertex."""
+def pseudonormals(mesh: TriangleMesh, unit: Array) -> tuple[Array, Array]:
+    """For every half-edge and for every corner (3 t, 3) the pseudonormal of its edge and of its vertex.
+
+    Half-edge ``3 t + i`` runs from corner ``i`` of triangle ``t`` to the next; `unit` (t, 3) are the triangles' unit normals.
+    """
     _, joined = weld(mesh.vertices)
     triangles = joined[mesh.triangles]
     start, end = triangles.ravel(), np.roll(triangles, -1, axis=1).ravel()
