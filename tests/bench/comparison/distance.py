@@ -23,7 +23,7 @@ def report(pairs: Iterable[tuple[int, CleanPair]]) -> None:
         rng = np.random.default_rng(seed)
         for name, points in (("near", there), ("to 3 mm", there + rng.uniform(-1.7, 1.7, there.shape))):
             begun_s = time.perf_counter()
-            ours = SignedDistance(before).measure(points)
+            ours = SignedDistance(before).feet(points)
             seconds = time.perf_counter() - begun_s
             begun_s = time.perf_counter()
             theirs = np.asarray(igl.signed_distance(points, before.vertices, before.triangles, igl.SIGNED_DISTANCE_TYPE_PSEUDONORMAL)[0])
