@@ -63,8 +63,8 @@ def report(pairs: Iterable[tuple[int, CleanPair]], disturbance: Disturbance, tit
     place, angle, z = (np.concatenate([getattr(f, name) for _, f in figures]) for name in ("place_um", "angle_deg", "z"))
     if len(place):
         print(
-            f"motion: {title}: median {np.median(place):.1f}, worst {place.max():.1f} um; median {np.median(angle):.2f}, worst {angle.max():.2f} deg; "
-            f"z sd {z.std():.2f} (n={len(z)})",
+            f"motion: {title}: median {np.median(place):.1f}, worst {place.max():.1f} um; "
+            f"median {np.median(angle):.2f}, worst {angle.max():.2f} deg; z sd {z.std():.2f} (n={len(z)})",
             flush=True,
         )
     return [{"what": "areas", "title": title, "seed": seed} | {name: getattr(f, name) for name in AreaFigures.__slots__} for seed, f in figures]
