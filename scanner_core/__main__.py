@@ -24,7 +24,7 @@ _INTERRUPTED = {
     "demo": "the laser is off, and what was scanned before is kept in the case",
 }
 """What is true when a command is interrupted that did not itself say how it ended."""
-_SPECIMENS = "ear, arch, heart, sphere, or a mesh file (STL, PLY, OBJ, VTP; millimetres)"
+_SPECIMENS = "ear, arch, heart, sphere, or a mesh file (STL, PLY, OBJ, VTP in millimetres, 3MF)"
 
 
 def main(argv: Sequence[str] | None = None) -> int:

@@ -242,7 +242,7 @@ SENTENCES: dict[str, Sentence] = {
     "E-DISK-03": Sentence("{path} exists already.", "It was not touched; choose another name, or overwrite it with --force."),
     # ------------------------------------------------------------------------------------------ files from outside
     "E-FILE-01": Sentence("{path} does not exist.", "Nothing was done; check the name."),
-    "E-FILE-02": Sentence("{path} is no mesh that can be read: {reason}.", "Nothing was done; use STL, PLY, OBJ or VTP."),
+    "E-FILE-02": Sentence("{path} is no mesh that can be read: {reason}.", "Nothing was done; use STL, PLY, OBJ, VTP or 3MF."),
     "E-FILE-03": Sentence("{path} holds no triangles.", "Nothing was done; export the mesh again from its program."),
     "E-FILE-04": Sentence("{path} cannot be read as points: {reason}.", "Nothing was done; use PLY, XYZ, TXT, CSV, ASC, NPY or a case."),
     "E-FILE-05": Sentence("{path} cannot be read: {reason}.", "Nothing was done; check the file."),
@@ -261,6 +261,16 @@ SENTENCES: dict[str, Sentence] = {
     "E-REC-05": Sentence(
         "The points belong to {count} separate objects: the second largest holds {share} % of them and lies {gap_mm} mm from the largest.",
         "No mesh was written; reconstruct one object at a time, and cut the points of the others off.",
+    ),
+    # ------------------------------------------------------------------------------------------ comparison
+    "E-CMP-20": Sentence(
+        "{path} holds {triangles} triangles, too few for a comparison; at least {least} are needed.",
+        "Nothing was compared; choose the whole surface.",
+    ),
+    "E-CMP-21": Sentence("The triangles of {path} all lie in one point or line.", "Nothing was compared; export the mesh again from its program."),
+    "E-CMP-22": Sentence(
+        "No part of the surface in {path} was measured: its vertices all say that nothing supports them.",
+        "Nothing was compared; scan it again, or reconstruct it from its points.",
     ),
     # ------------------------------------------------------------------------------------------ memory and worker process
     "E-MEM-01": Sentence(

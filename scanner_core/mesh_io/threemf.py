@@ -1,4 +1,4 @@
-"""3MF (3MF Consortium, Core Specification 1.3): a zip with one XML model; its unit stands in it."""
+"""Writing 3MF (3MF Consortium, Core Specification 1.3): a zip with one XML model; its unit stands in it."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _TYPES = """<?xml version="1.0" encoding="UTF-8"?>
 <Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/>
 </Types>
 """
-_RELATIONS = """<?xml version="1.0" encoding="UTF-8"?>
+RELATIONS = """<?xml version="1.0" encoding="UTF-8"?>
 <Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
 <Relationship Target="/3D/3dmodel.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
 </Relationships>
@@ -34,7 +34,7 @@ def write_3mf(file: BinaryIO, mesh: TriangleMesh) -> None:
     """3MF with the unit millimetre; the same mesh gives the same bytes."""
     with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as package:
         package.writestr(_entry("[Content_Types].xml"), _TYPES)
-        package.writestr(_entry("_rels/.rels"), _RELATIONS)
+        package.writestr(_entry("_rels/.rels"), RELATIONS)
         with package.open(_entry("3D/3dmodel.model"), "w", force_zip64=True) as model:
             model.write(_BEGIN)
             row = b'<vertex x="%.9g" y="%.9g" z="%.9g"/>\n'.replace(b"9", b"%d" % decimals(mesh.vertices))

@@ -26,10 +26,12 @@ from scanner_core.mesh_io.obj import write_obj
 from scanner_core.mesh_io.ply import write_ply
 from scanner_core.mesh_io.points import write_ply_points, write_xyz_points
 from scanner_core.mesh_io.stl import write_stl
+from scanner_core.mesh_io.threemf import write_3mf
 from scanner_core.optics.spot import Spot
 from tests.core.geometry.solids import box
 from tests.core.mesh_io.test_hostile_files import POINT_SAMPLES
 from tests.core.mesh_io.test_meshes import OBJ, ascii_stl, ply_text, vtp
+from tests.core.mesh_io.test_threemf import ASSEMBLY, package
 from tests.core.metrology.test_history import ENTRY
 from tests.core.optics.rigs import known_rig
 
@@ -44,6 +46,14 @@ _DICTIONARIES: dict[str, tuple[bytes, ...]] = {
     "ply": (b"element vertex 3\n", b"property list uchar int vertex_indices\n", b"property double x\n", b"format ascii 1.0\n", b"end_header\n"),
     "obj": (b"v 0 0 0\n", b"f 1 2 3 4 5\n", b"f -1/2/3 -2//3 -3\n", b"\\\n", b"#"),
     "vtp": (b'format="appended" offset="0"', b'format="binary"', b'compressor="vtkLZ4DataCompressor"', b'NumberOfPoints="3"', b"<Strips>", b"<Piece"),
+    "3mf": (
+        b'unit="inch"',
+        b'transform="1 0 0 0 1 0 0 0 1 0 0 0"',
+        b'<component objectid="1"/>',
+        b'<item objectid="1"/>',
+        b'<object id="2">',
+        b"PK\x03\x04",
+    ),
     "npy": (b"'descr': '<f8'", b"'|O'", b"'fortran_order': True", b"'shape': (2, 3)", b"\x93NUMPY\x02\x00"),
     "rig": (b"[calibration.left]\n", b"matrix = ", b"[[spot]]\n", b"inf", b"1979-05-27", b"true", b"a.b.c = 1\n"),
     "plan": (b"views = 3\n", b"points = 100\n", b"object_radius_mm = 1.0\n", b"inf", b"1979-05-27T07:32:00Z"),
@@ -162,6 +172,8 @@ _SAMPLES = {
     "ply": _ply,
     "obj": lambda: [OBJ, _bytes(write_obj, box())],
     "vtp": _vtp,
+    "3mf": lambda: [_bytes(write_3mf, box()), package(ASSEMBLY)],
+    "3mf-model": lambda: [ASSEMBLY],
     "ply-points": lambda: [_bytes(write_ply_points, _cloud()), *_ply()],
     "text": lambda: [_bytes(write_xyz_points, _cloud()), *(content for suffix, content in POINT_SAMPLES.values() if suffix not in (".npy", ".ply"))],
     "npy": lambda: [content for suffix, content in POINT_SAMPLES.values() if suffix == ".npy"],

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import io
 import sqlite3
 import tempfile
+import zipfile
 import zlib
 from collections.abc import Callable
 from contextlib import closing, suppress
@@ -21,6 +23,7 @@ from scanner_core.devices.rig import dump_rig, load_rig, parse_rig
 from scanner_core.errors import ImprontaError
 from scanner_core.mesh_io.malformed import MalformedError
 from scanner_core.mesh_io.reader import MESH_PARSERS, POINT_PARSERS
+from scanner_core.mesh_io.threemf import RELATIONS
 from scanner_core.metrology.history import parse_history
 
 Reader = Callable[[bytes], None]
@@ -40,6 +43,14 @@ def _mesh(suffix: str) -> Reader:
         assert all(len(column) == len(mesh.vertices) for column in mesh.vertex_attributes.values())
 
     return read
+
+
+def _model_part(content: bytes) -> None:
+    file = io.BytesIO()
+    with zipfile.ZipFile(file, "w") as package:
+        package.writestr("_rels/.rels", RELATIONS)
+        package.writestr("3D/3dmodel.model", content)
+    _mesh(".3mf")(file.getvalue())
 
 
 def _points(suffix: str) -> Reader:
@@ -193,6 +204,7 @@ def read_everything(store: CaseStore, told: Callable[[ImprontaError], None] | No
 
 READERS: dict[str, Reader] = {
     **{suffix[1:]: _mesh(suffix) for suffix in MESH_PARSERS},
+    "3mf-model": _model_part,
     "ply-points": _points(".ply"),
     "text": _points(".xyz"),
     "npy": _points(".npy"),
@@ -203,4 +215,4 @@ READERS: dict[str, Reader] = {
     "history": _history,
     "serial": _serial,
 }
-"""XYZ, TXT, CSV and ASC share one reader, ``text``.  3MF is written only."""
+"""XYZ, TXT, CSV and ASC share one reader, ``text``; ``3mf-model`` damages the XML within a sound package."""

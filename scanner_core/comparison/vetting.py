@@ -1,0 +1,82 @@
+"""What is noticed about a surface before it is compared; nothing of it is repaired."""
+
+from __future__ import annotations
+
+from scanner_core.comparison.doubt import Doubt
+from scanner_core.comparison.shells import Shells, shells_of
+from scanner_core.geometry.checks import MeshChecks, check_mesh
+from scanner_core.geometry.mesh import TriangleMesh
+
+LEAST_TRIANGLES = 50
+"""With fewer there is no shape that could be aligned."""
+LEAST_FULLNESS = 0.01
+"""An open surface that encloses less, for its area, is a sheet: nobody can tell which of its sides is the outer one.
+A spherical cap of this fullness is as high as a twenty-eighth of its width."""
+LARGEST_MM, SMALLEST_MM = 400.0, 5.0
+
+
+def vet(mesh: TriangleMesh) -> tuple[Doubt, ...]:
+    """What a person should know of a mesh in mm with at least one triangle, gravest first."""
+    shells, checks = shells_of(mesh), check_mesh(mesh)
+    found = [*_facing(shells), *_parts(shells, mesh), *_faults(checks), *_size(mesh)]
+    return tuple(sorted(found, key=lambda doubt: not doubt.serious))
+
+
+def _facing(shells: Shells) -> list[Doubt]:
+    if not shells.consistent:
+        words = "Some of its triangles face the other way than their neighbours, so + and - cannot be told apart there; let its program orient it."
+        return [Doubt("winding-inconsistent", words, serious=True)]
+    if shells.closed and shells.fullness < 0:
+        words = "Its normals point inwards: + and - would be exchanged; turn them round in the program that wrote it."
+        return [Doubt("normals-inverted", words, serious=True)]
+    if not shells.closed and shells.fullness < -LEAST_FULLNESS:
+        words = (
+            "Its normals seem to point inwards: it is open, but what it encloses lies on their side. If it is no impression (a negative), "
+            "+ and - are exchanged; turn them round in the program that wrote it."
+        )
+        return [Doubt("normals-seem-inverted", words, serious=False)]
+    return []
+
+
+def _parts(shells: Shells, mesh: TriangleMesh) -> list[Doubt]:
+    found = []
+    if shells.border_edges:
+        lines = "one line" if shells.borders == 1 else f"{shells.borders} lines"
+        words = f"It is open: its border has {shells.border_mm:.0f} mm in {lines}. What lies beyond a border has no counterpart and is left out."
+        found.append(Doubt("open", words, serious=False))
+    if shells.count > 1:
+        words = (
+            f"It consists of {shells.count} separate shells; the largest has {_percent(shells.largest_share)} of the area. All of them are compared."
+        )
+        found.append(Doubt("several-shells", words, serious=False))
+    return found
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.1f} %" if share < 0.9995 else "more than 99.9 %"
+
+
+def _faults(checks: MeshChecks) -> list[Doubt]:
+    found = []
+    if checks.nonmanifold_edges or checks.nonmanifold_vertices:
+        words = (
+            f"{checks.nonmanifold_edges} edges belong to more than two triangles and {checks.nonmanifold_vertices} corners join separate parts; "
+            "inside and outside are not defined there."
+        )
+        found.append(Doubt("non-manifold", words, serious=False))
+    if checks.degenerate:
+        words = f"{checks.degenerate} triangles have no area; they have no normal and are measured only by their neighbours."
+        found.append(Doubt("degenerate-triangles", words, serious=False))
+    if checks.self_intersections:
+        words = f"It touches or crosses itself: {checks.self_intersections} triangles cut others. Distances near them may go to the wrong layer."
+        found.append(Doubt("self-touching", words, serious=False))
+    return found
+
+
+def _size(mesh: TriangleMesh) -> list[Doubt]:
+    low, high = mesh.bounds()
+    largest = float((high - low).max())
+    if SMALLEST_MM <= largest <= LARGEST_MM:
+        return []
+    words = f"It is {largest:.4g} mm long, which neither an arch nor an ear is; check the unit of the file."
+    return [Doubt("size-odd", words, serious=False)]
