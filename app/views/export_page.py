@@ -147,5 +147,3 @@ class ExportPage(Page):
         last = self.services.export.last
         if last is not None:
             QDesktopServices.openUrl(QUrl.fromLocalFile(str(last.path.parent)))
-
-

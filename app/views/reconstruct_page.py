@@ -61,12 +61,8 @@ class ReconstructPage(Page):
         box.addWidget(self.processing)
         self.processing.hide()
         draft = services.draft
-        self._wanted = number_field(
-            0, 2_000_000, 1000, lambda value: draft.edit("triangles", value), special=self.tr("automatic")
-        )
-        self._tolerance = number_field(
-            0, 1000, 5, lambda value: draft.edit("tolerance_um", value), suffix=" µm", special=self.tr("not set")
-        )
+        self._wanted = number_field(0, 2_000_000, 1000, lambda value: draft.edit("triangles", value), special=self.tr("automatic"))
+        self._tolerance = number_field(0, 1000, 5, lambda value: draft.edit("tolerance_um", value), suffix=" µm", special=self.tr("not set"))
         self._tolerance.setToolTip(self.tr("When it is set, the surface gets as many triangles as this tolerance needs."))
         wishes = QGridLayout()
         wishes.setColumnStretch(0, 1)

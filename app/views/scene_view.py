@@ -1,30 +1,20 @@
-"""The 3D view: points, mesh, table.  The only file that touches pyvistaqt's QtInteractor.
-
-What was learned the hard way: multisampling costs four times the picture on software rendering; the interactor must be
-closed by hand; a screenshot needs a ``render()`` before it, a living picture only an ``update()``.  Import this module
-in a thread first: pyvista alone takes seconds.
-"""
+"""The 3D view: points, mesh, table.  Import this module in a thread first: pyvista alone takes seconds."""
 
 from __future__ import annotations
-
-import time
-from typing import Any
 
 import numpy as np
 import pyvista as pv
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QCloseEvent, QResizeEvent
-from PySide6.QtWidgets import QVBoxLayout, QWidget
-from pyvistaqt import QtInteractor
-from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QWidget
 
-from app.theme import GROUND, MUTED, RAISED, SEAM
+from app.theme import MUTED, SEAM
 from app.views.cloud_actor import CloudActor
+from app.views.interactor import InteractorView
 from app.views.mesh_actor import MeshActor
 from app.views.parts import label
 from app.views.surface import Surface
-from app.views.vtk_arrays import bytes_of
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.view_directions import seen_from
 
@@ -33,19 +23,11 @@ _REFIT = 1.15
 """The camera follows a growing cloud in steps of this factor, until a person moves it."""
 
 
-class SceneClosedError(RuntimeError):
-    """The 3D view was used after it had been closed."""
-
-
-class SceneView(QWidget):
+class SceneView(InteractorView):
     """Points coloured by height, a mesh, the turntable, and the three axes."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._engine: Any = QtInteractor(self, auto_update=False, multi_samples=0, line_smoothing=False)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.addWidget(self._engine)
         self._scale = label(self.tr("grid {mm:.0f} mm").format(mm=GRID_MM), "faint")
         self._scale.setParent(self)
         self._scale.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
@@ -54,15 +36,12 @@ class SceneView(QWidget):
         self.mesh = MeshActor()
         self._table: pv.Actor | None = None
         self._live = False
-        self._moving = False
-        self._dirty = True
         self._follow = True
         self._fitted_mm: NDArray[np.float64] | None = None
-        self._begun_s = 0.0
-        self.paint_s = 0.0
-        """How long the last picture took."""
-        self.pictures = 0
-        self._prepare(self._engine)
+        engine = self._open()
+        engine.add_actor(self.cloud.actor, render=False)
+        engine.add_actor(self.mesh.actor, render=False)
+        engine.add_axes(line_width=2, color=MUTED, x_color="#e0857a", y_color="#7fc98f", z_color="#7aa7e8", viewport=(0.0, 0.0, 0.14, 0.17))
 
     # -------------------------------------------------------------------------------- what is shown
     def show_table(self, radius_mm: float) -> None:
@@ -136,10 +115,6 @@ class SceneView(QWidget):
         """Nothing moves: there is time for the whole cloud."""
         return not (self._live or self._moving)
 
-    @property
-    def closed(self) -> bool:
-        return self._engine is None
-
     def light_live(self, normals: NDArray[np.float64], generation: int) -> None:
         self.cloud.light_live(normals, generation)
         self._dirty = True
@@ -161,87 +136,20 @@ class SceneView(QWidget):
     def view_top(self) -> None:
         self._look((0.0, 0.0, 1.0), (-1.0, 0.0, 0.0))
 
-    @property
-    def camera_position(self) -> tuple[float, float, float]:
-        """Where the camera stands, mm, object frame."""
-        x, y, z = self._open().camera.position
-        return x, y, z
-
-    # -------------------------------------------------------------------------------- painting
-    def paint(self) -> float:
-        """Ask for a picture if something changed; the time that the last one took, in seconds."""
-        if self._dirty and self._engine is not None and self.isVisible():
-            self._dirty = False
-            self.cloud.fit_point_size(self.devicePixelRatioF())
-            self._engine.update()
-        return self.paint_s
-
-    def warm_up(self) -> None:
-        """The first picture, out of sight: it has the graphics set up, which takes a quarter of a second."""
-        self._open().grabFramebuffer()
-
-    def grab_picture(self) -> NDArray[np.uint8]:
-        """The scene as (H, W, 3) bytes, drawn anew."""
-        engine = self._open()
-        self.cloud.fit_point_size(self.devicePixelRatioF())
-        engine.render()
-        reader = vtkWindowToImageFilter()
-        reader.SetInput(engine.render_window)
-        reader.ReadFrontBufferOff()
-        reader.Update()
-        image = reader.GetOutput()
-        width, height, _ = image.GetDimensions()
-        pixels: NDArray[np.uint8] = bytes_of(image.GetPointData().GetScalars()).reshape(height, width, 3)[::-1].copy()
-        return pixels
-
-    def close_scene(self) -> None:
-        """Release the graphics; may be called again."""
-        engine, self._engine = self._engine, None
-        if engine is not None:
-            engine.close()
-
     def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
         super().resizeEvent(event)
         size = self._scale.sizeHint()
         self._scale.setGeometry(self.width() - size.width() - 12, self.height() - size.height() - 8, size.width(), size.height())
         self._scale.raise_()
 
-    def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802 - Qt's name
-        self.close_scene()
-        super().closeEvent(event)
-
     # -------------------------------------------------------------------------------- inside
-    def _open(self) -> Any:
-        if self._engine is None:
-            raise SceneClosedError("the 3D view is closed")
-        return self._engine
-
-    def _prepare(self, engine: Any) -> None:
-        engine.set_background(GROUND, top=RAISED)
-        engine.enable_terrain_style(mouse_wheel_zooms=True)
-        engine.add_actor(self.cloud.actor, render=False)
-        engine.add_actor(self.mesh.actor, render=False)
-        engine.add_axes(line_width=2, color=MUTED, x_color="#e0857a", y_color="#7fc98f", z_color="#7aa7e8", viewport=(0.0, 0.0, 0.14, 0.17))
-        engine.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        interactor = engine.iren.interactor
-        interactor.AddObserver("StartInteractionEvent", lambda *_: self._interact(True))
-        interactor.AddObserver("EndInteractionEvent", lambda *_: self._interact(False))
-        window = engine.render_window
-        window.AddObserver("StartEvent", lambda *_: self._begin_picture())
-        window.AddObserver("EndEvent", lambda *_: self._end_picture())
+    def _prepare_picture(self) -> None:
+        self.cloud.fit_point_size(self.devicePixelRatioF())
 
     def _interact(self, moving: bool) -> None:
-        self._moving = moving
+        super()._interact(moving)
         self._follow = False
         self.cloud.thin_for_motion(moving)
-        self._dirty = True
-
-    def _begin_picture(self) -> None:
-        self._begun_s = time.perf_counter()
-
-    def _end_picture(self) -> None:
-        self.paint_s = time.perf_counter() - self._begun_s
-        self.pictures += 1
 
     def _bounds(self) -> NDArray[np.float64] | None:
         surface = self.mesh.surface
@@ -280,8 +188,6 @@ class SceneView(QWidget):
         camera.zoom(1.15)
         engine.renderer.ResetCameraClippingRange()
         self._dirty = True
-
-
 
 
 def _table_lines(radius_mm: float) -> pv.PolyData:

@@ -79,9 +79,9 @@ def test_the_command_is_cheap_to_spawn() -> None:
     assert answer.stdout.strip() == "[]"
 
 
-def test_only_the_scene_view_touches_the_interactor() -> None:
+def test_only_one_file_touches_the_interactor() -> None:
     using = {_name(path) for path in _sources("app") if "QtInteractor" in path.read_text(encoding="utf-8")}
-    assert using <= {"app/views/scene_view.py"}
+    assert using <= {"app/views/interactor.py"}
 
 
 def test_no_file_is_too_long() -> None:

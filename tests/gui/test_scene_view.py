@@ -13,7 +13,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from app.views.height_colours import SUPPORTED, UNSUPPORTED
-from app.views.scene_view import SceneClosedError, SceneView
+from app.views.interactor import SceneClosedError
+from app.views.scene_view import SceneView
 from app.views.surface import Surface
 from scanner_core.geometry.icosahedron import icosahedron
 from scanner_core.geometry.mesh import TriangleMesh

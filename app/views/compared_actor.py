@@ -1,0 +1,181 @@
+"""One of two compared surfaces as VTK draws it: plain or as the map of its deviation."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+
+from app.views.compared_shader import MOST_BANDS, install
+from app.views.height_colours import rgb
+from app.views.vtk_arrays import copied, copied_ids
+from scanner_core.comparison.colour_scale import HATCH, NO_COUNTERPART, THRESHOLD_LINE, WITHIN_LEVEL, DeviationScale
+from scanner_core.geometry.mesh import TriangleMesh
+
+STABLE = "#1f8f7d"
+PART = "#a45cff"
+BACK = "#5d5a58"
+Colour = tuple[int, int, int]
+
+
+class ComparedActor:
+    """The surface, and what is known of each of its vertices."""
+
+    def __init__(self, colour: str) -> None:
+        """`colour` is that of the plain surface."""
+        self.mesh: TriangleMesh | None = None
+        self.poly: Any = None
+        self._values = np.zeros((0, 4), np.float32)
+        self._marks = np.zeros((0, 2), np.float32)
+        self._mapper = _mapper()
+        self._first_mapper = _mapper()
+        self.actor = _actor(self._mapper)
+        self.first = _actor(self._first_mapper)
+        """The same surface, all but transparent: drawn before a translucent one, it keeps what lies behind out of it."""
+        self.first.SetVisibility(False)
+        for actor in (self.actor, self.first):
+            self._declare(actor, colour)
+
+    def show(self, mesh: TriangleMesh | None, normals: NDArray[np.float32] | None = None) -> None:
+        """Draw this one from now on, or none; `normals` (v, 3) as :meth:`TriangleMesh.vertex_normals` has them."""
+        self.mesh = mesh
+        self.actor.SetVisibility(mesh is not None)
+        self.poly = None
+        if mesh is None:
+            return
+        places = vtkPoints()
+        places.SetData(copied(mesh.vertices.astype(np.float32)))
+        triangles = np.ascontiguousarray(mesh.triangles, np.int64)
+        cells = vtkCellArray()
+        cells.SetData(copied_ids(np.arange(0, 3 * len(triangles) + 1, 3, dtype=np.int64)), copied_ids(triangles.ravel()))
+        self.poly = vtkPolyData()
+        self.poly.SetPoints(places)
+        self.poly.SetPolys(cells)
+        self.poly.GetPointData().SetNormals(copied(mesh.vertex_normals().astype(np.float32) if normals is None else normals))
+        count = len(mesh.vertices)
+        self._values = np.zeros((count, 4), np.float32)
+        self._values[:, 2] = 1.0
+        self._marks = np.zeros((count, 2), np.float32)
+        self._put("deviation", self._values)
+        self._put("marks", self._marks)
+        self._put("foot", np.zeros((count, 3), np.float32))
+        for mapper in (self._mapper, self._first_mapper):
+            mapper.SetInputData(self.poly)
+
+    def show_values(self, signed_um: NDArray[np.float64], level_um: NDArray[np.float64], counterpart: NDArray[np.bool_]) -> None:
+        """Signed deviation and level of detection, (v,) um, and which vertices have a counterpart."""
+        self._values[:, 0] = np.where(counterpart, np.nan_to_num(signed_um), 0.0)
+        self._values[:, 1] = np.nan_to_num(level_um)
+        self._values[:, 2] = counterpart
+        self._put("deviation", self._values)
+
+    def show_stable(self, stable: NDArray[np.bool_]) -> None:
+        """(v,): which vertices carry the alignment."""
+        self._values[:, 3] = stable
+        self._put("deviation", self._values)
+
+    def show_feet(self, feet_mm: NDArray[np.float64]) -> None:
+        """(v, 3) mm: where each vertex stands at the beginning of the morph; NaN stays in place."""
+        assert self.mesh is not None
+        self._put("foot", np.nan_to_num(feet_mm - self.mesh.vertices).astype(np.float32))
+
+    def mark(self, column: int, vertices: NDArray[np.int64] | NDArray[np.bool_] | None) -> None:
+        """Painted (0) or part (1): exactly these vertices."""
+        self._marks[:, column] = 0.0
+        if vertices is not None:
+            self._marks[vertices, column] = 1.0
+        self._put("marks", self._marks)
+
+    def show_scale(self, scale: DeviationScale | None) -> None:
+        """Map or, with None, the plain surface."""
+        for actor in (self.actor, self.first):
+            uniforms = actor.GetShaderProperty().GetFragmentCustomUniforms()
+            uniforms.SetUniformi("coloured", scale is not None)
+            if scale is not None:
+                uniforms.SetUniformf("perUM", scale.steps / scale.limit_um)
+                uniforms.SetUniformi("steps", scale.steps)
+                uniforms.SetUniformf("thresholdUM", scale.threshold_um)
+                for i, colour in enumerate(scale.band_colours[:MOST_BANDS]):
+                    uniforms.SetUniform3f(f"band{i}", _floats(colour))
+
+    def set_number(self, name: str, value: float) -> None:
+        """``thresholdUM``, ``pixelRatio``, ``fade`` or ``morph``."""
+        for actor in (self.actor, self.first):
+            shader = actor.GetShaderProperty()
+            uniforms = shader.GetVertexCustomUniforms() if name == "morph" else shader.GetFragmentCustomUniforms()
+            uniforms.SetUniformf(name, value)
+
+    def set_stable_shown(self, on: bool) -> None:
+        self.actor.GetShaderProperty().GetFragmentCustomUniforms().SetUniformi("stableShown", on)
+
+    def set_curtain(self, x: float, side: int) -> None:
+        """Only what lies right (+1) or left (-1) of a column of the picture, device pixels; 0 for all."""
+        self.actor.GetShaderProperty().GetFragmentCustomUniforms().SetUniform2f("curtain", (x, float(side)))
+
+    def set_cut(self, normal: Sequence[float], offset: float) -> None:
+        """Only points with ``normal . p <= offset``; a normal of zeros and an offset of 1 for all."""
+        for actor in (self.actor, self.first):
+            actor.GetShaderProperty().GetFragmentCustomUniforms().SetUniform4f("cut", (*normal, offset))
+
+    def _put(self, name: str, values: NDArray[np.float32]) -> None:
+        array = copied(values)
+        array.SetName(name)
+        self.poly.GetPointData().AddArray(array)
+        self.poly.Modified()
+
+    def _declare(self, actor: vtkActor, colour: str) -> None:
+        shader = actor.GetShaderProperty()
+        install(shader)
+        shader.GetVertexCustomUniforms().SetUniformf("morph", 1.0)
+        uniforms = shader.GetFragmentCustomUniforms()
+        for name in ("coloured", "steps", "stableShown"):
+            uniforms.SetUniformi(name, 0)
+        for name in ("perUM", "thresholdUM"):
+            uniforms.SetUniformf(name, 0.0)
+        uniforms.SetUniformf("pixelRatio", 1.0)
+        uniforms.SetUniformf("fade", 1.0 if actor is self.actor else 0.002)
+        uniforms.SetUniform2f("curtain", (0.0, 0.0))
+        uniforms.SetUniform4f("cut", (0.0, 0.0, 0.0, 1.0))
+        colours = {
+            "plainColour": rgb(colour),
+            "levelColour": WITHIN_LEVEL,
+            "emptyColour": NO_COUNTERPART,
+            "hatchColour": HATCH,
+            "lineColour": THRESHOLD_LINE,
+            "stableColour": rgb(STABLE),
+            "partColour": rgb(PART),
+            "backColour": rgb(BACK),
+        } | {f"band{i}": (0, 0, 0) for i in range(MOST_BANDS)}
+        for name, value in colours.items():
+            uniforms.SetUniform3f(name, _floats(value))
+
+
+def _floats(colour: Sequence[int] | NDArray[np.uint8]) -> tuple[float, float, float]:
+    red, green, blue = (float(value) / 255 for value in colour)
+    return red, green, blue
+
+
+def _mapper() -> vtkPolyDataMapper:
+    mapper = vtkPolyDataMapper()
+    mapper.ScalarVisibilityOff()
+    mapper.SetVBOShiftScaleMethod(0)  # the shader adds millimetres to the coordinates
+    for name in ("deviation", "marks", "foot"):
+        mapper.MapDataArrayToVertexAttribute(f"{name}MC", name, 0, -1)
+    return mapper
+
+
+def _actor(mapper: vtkPolyDataMapper) -> vtkActor:
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.SetVisibility(False)
+    actor.ForceOpaqueOn()
+    look = actor.GetProperty()
+    look.SetInterpolationToPhong()
+    look.SetSpecular(0.08)
+    look.SetSpecularPower(20)
+    return actor

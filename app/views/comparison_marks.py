@@ -1,0 +1,88 @@
+"""What is marked on the surfaces of a comparison: areas with their ranks, the marked tooth, landmarks."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF
+
+from app.theme import TEXT
+from app.views.compared_actor import PART, ComparedActor
+from app.views.comparison_overlay import ComparisonOverlay, Tag
+from app.views.line_actor import LineActor, outline
+from app.views.surface_picker import SurfacePicker
+from app.views.viewpoint import Viewpoint
+from scanner_core.comparison.area import Area
+
+Array = NDArray[np.float64]
+
+
+class ComparisonMarks:
+    """Outlines on the after surface, and words in the overlay."""
+
+    def __init__(self, after: ComparedActor, overlay: ComparisonOverlay) -> None:
+        self._after, self._overlay = after, overlay
+        self._outlines, self._chosen_outline, self._part_outline = LineActor("#20242a", 2.0), LineActor(TEXT, 4.0), LineActor(PART, 4.0)
+        self.lines = (self._outlines, self._chosen_outline, self._part_outline)
+        self._areas: tuple[Area, ...] = ()
+        self._chosen: int | None = None
+        self._landmarks: list[tuple[str, Array]] = []
+        self._landmark_lines: list[tuple[int, int]] = []
+
+    def clear(self) -> None:
+        self.show_areas(())
+        self.show_part(None)
+        self.show_landmarks((), ())
+
+    def show_areas(self, areas: Sequence[Area]) -> None:
+        self._areas, self._chosen = tuple(areas), None
+        self._draw(self._outlines, [area.vertices for area in self._areas])
+        self._draw(self._chosen_outline, ())
+
+    def choose(self, rank: int | None) -> None:
+        self._chosen = rank
+        self._draw(self._chosen_outline, [area.vertices for area in self._areas if area.rank == rank])
+
+    def show_part(self, vertices: NDArray[np.int64] | None) -> None:
+        self._draw(self._part_outline, () if vertices is None else (vertices,))
+
+    def show_landmarks(self, points: Sequence[tuple[str, Sequence[float]]], lines: Sequence[tuple[int, int]]) -> None:
+        self._landmarks = [(name, np.asarray(point, np.float64)) for name, point in points]
+        self._landmark_lines = list(lines)
+
+    @property
+    def worded(self) -> bool:
+        """Something has a word in the picture."""
+        return bool(self._areas or self._landmarks)
+
+    def place(self, view: Viewpoint, picker: SurfacePicker | None) -> None:
+        """The words where the camera has their points now; what is hidden is faint."""
+        tags: list[Tag] = []
+        for area in self._areas:
+            at = QPointF(*view.project(np.asarray(area.centroid_mm)[None])[0])
+            above = np.asarray(area.centroid_mm) + 0.8 * np.asarray(area.normal)
+            faint = picker is not None and not picker.visible(above, view)
+            tags.append(Tag(str(area.rank), at, _free(at, tags), faint, area.rank == self._chosen, area.rank))
+        places = [QPointF(*view.project(point[None])[0]) for _, point in self._landmarks]
+        tags += [Tag(name, place, place + QPointF(0, -18)) for (name, _), place in zip(self._landmarks, places, strict=True) if name]
+        self._overlay.points, self._overlay.lines = places, [(places[a], places[b]) for a, b in self._landmark_lines]
+        self._overlay.tags = tags
+        self._overlay.update()
+
+    def _draw(self, line: LineActor, groups: Sequence[NDArray[np.int64]]) -> None:
+        mesh = self._after.mesh
+        if mesh is None or not groups:
+            line.show_poly(None)
+            return
+        segments = [outline(mesh.triangles, group, len(mesh.vertices)) for group in groups]
+        line.show_segments(mesh.vertices, np.concatenate(segments))
+
+
+def _free(place: QPointF, taken: Sequence[Tag]) -> QPointF:
+    """The nearest place above where a label covers no other one."""
+    spot = place
+    while any(abs(spot.x() - tag.spot.x()) < 24 and abs(spot.y() - tag.spot.y()) < 24 for tag in taken):
+        spot = spot - QPointF(0, 25)
+    return spot

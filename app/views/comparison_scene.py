@@ -1,0 +1,424 @@
+"""The 3D view of a comparison: two surfaces, what differs between them, and the ways to look at it.
+
+Import this module in a thread first: pyvista alone takes seconds.  Three renderers share one camera: the background, the
+surface before and, above it, the surface after with a depth of its own.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QRectF, Qt, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QWidget
+from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
+
+from app.views.camera_flight import Flight, Stand, directions
+from app.views.compared_actor import ComparedActor
+from app.views.comparison_marks import ComparisonMarks
+from app.views.comparison_overlay import ComparisonOverlay
+from app.views.comparison_tools import ComparisonTools
+from app.views.interactor import InteractorView
+from app.views.section_cut import SectionCut
+from app.views.surface_picker import SurfacePicker
+from app.views.viewpoint import Viewpoint
+from scanner_core.comparison.area import Area
+from scanner_core.comparison.colour_scale import DeviationScale
+from scanner_core.geometry.mesh import TriangleMesh
+
+Array = NDArray[np.float64]
+
+MODES: Final = ("map", "side_by_side", "curtain", "flicker", "blend", "morph", "before", "after")
+BEFORE_COLOUR: Final = "#cbb894"
+AFTER_COLOUR: Final = "#dfe3e6"
+_COLOURED = ("map", "side_by_side", "curtain")
+_MARGIN = 1.08
+_FLY_MM = 9.0
+"""Half of what a picture shows after a flight to an area, at least."""
+
+
+class ComparisonScene(InteractorView):
+    """Both surfaces in the frame of BEFORE; call :meth:`paint` once a tick of the pump."""
+
+    hovered = Signal(object)
+    """:class:`Pointed`, or None beside the surfaces."""
+    picked = Signal(object)
+    """:class:`Pointed` of a click."""
+    painted = Signal(object, bool)
+    """Vertices (n,) int64 of the after surface under the brush, and whether they are added or taken away."""
+    stroke_ended = Signal()
+    """The brush was lifted."""
+    lassoed = Signal(object)
+    """Visible vertices (n,) int64 of the after surface within the lasso."""
+    area_clicked = Signal(int)
+    """The rank whose label was clicked."""
+    amount_changed = Signal(float)
+    """The curtain was dragged."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        engine = self._open()
+        engine.enable_trackball_style()
+        self._before, self._after = ComparedActor(BEFORE_COLOUR), ComparedActor(AFTER_COLOUR)
+        self._overlay = ComparisonOverlay(self)
+        self._overlay.setGeometry(self.rect())
+        self._marks, self._section = ComparisonMarks(self._after, self._overlay), SectionCut()
+        self._lines = (*self._section.lines, *self._marks.lines)
+        self._under, self._over = vtkRenderer(), vtkRenderer()
+        window = engine.render_window
+        window.SetNumberOfLayers(3)
+        engine.renderer.SetInteractive(False)
+        for layer, renderer in enumerate((self._under, self._over), 1):
+            renderer.SetLayer(layer)
+            renderer.SetActiveCamera(engine.camera)
+            renderer.AutomaticLightCreationOff()
+            renderer.AddLight(_light())
+            window.AddRenderer(renderer)
+        self._under.AddActor(self._before.actor)
+        self._over.AddActor(self._after.first)
+        self._over.AddActor(self._after.actor)
+        self._pickers: dict[str, SurfacePicker] = {}
+        self._normals: dict[str, NDArray[np.float32]] = {}
+        self._mode, self._amount, self._other = "map", 0.5, False
+        self._scale: DeviationScale | None = None
+        self._threshold_um: float | None = None
+        self._signed = self._level = np.zeros(0)
+        self._axes = np.eye(3)
+        self._upper: bool | None = None
+        self._flight: Flight | None = None
+        self._tools = ComparisonTools(self, engine, self._overlay)
+        self._arrange()
+
+    # -------------------------------------------------------------------------------- what is shown
+    def show_pair(self, before: TriangleMesh, after: TriangleMesh) -> None:
+        """Both surfaces, `after` already in the frame of BEFORE; no map yet, the camera sees everything."""
+        self.clear()
+        for name, actor, mesh in (("before", self._before, before), ("after", self._after, after)):
+            self._normals[name] = mesh.vertex_normals().astype(np.float32)
+            actor.show(mesh, self._normals[name])
+        self._arrange()
+        self.look("occlusal")
+
+    def clear(self) -> None:
+        """Neither surface, and nothing about them."""
+        self._open()
+        self._before.show(None)
+        self._after.show(None)
+        self._pickers.clear()
+        self._normals.clear()
+        self._scale, self._signed, self._level = None, np.zeros(0), np.zeros(0)
+        self._flight = None
+        self._marks.clear()
+        self.set_section(np.zeros(3), None)
+        self._arrange()
+
+    def show_deviation(
+        self, signed_um: Array, level_um: Array, stable: NDArray[np.bool_], counterpart: NDArray[np.bool_], scale: DeviationScale | None
+    ) -> None:
+        """Colour the after surface: (v_after,) deviation um (NaN without counterpart), level of detection um, stable, counterpart."""
+        self._open()
+        self._signed, self._level, self._scale = signed_um, level_um, scale
+        self._after.show_values(signed_um, level_um, counterpart & np.isfinite(signed_um))
+        self._after.show_stable(stable)
+        self._arrange()
+
+    def show_feet(self, feet_mm: Array) -> None:
+        """Where the after surface's vertices start from in the morph, (v_after, 3) mm: their feet on the before surface; NaN stays."""
+        self._after.show_feet(feet_mm)
+        self._dirty = True
+
+    def show_stable(self, on: bool) -> None:
+        """Dots where the alignment rests."""
+        self._after.set_stable_shown(on)
+        self._dirty = True
+
+    def show_mask(self, mask: NDArray[np.bool_] | None) -> None:
+        """What is painted, (v_after,)."""
+        self._after.mark(0, mask)
+        self._dirty = True
+
+    def show_part(self, vertices: NDArray[np.int64] | None) -> None:
+        """The marked tooth: vertices of the after surface."""
+        self._after.mark(1, vertices)
+        self._marks.show_part(vertices)
+        self._dirty = True
+
+    def show_areas(self, areas: Sequence[Area]) -> None:
+        """Outlines and ranks."""
+        self._marks.show_areas(areas)
+        self._dirty = True
+
+    def select_area(self, rank: int | None) -> None:
+        """The area that is spoken of."""
+        self._marks.choose(rank)
+        self._dirty = True
+
+    def show_landmarks(self, points: Sequence[tuple[str, Sequence[float]]], lines: Sequence[tuple[int, int]] = ()) -> None:
+        """Named points (mm, frame of BEFORE) and lines between them by their numbers."""
+        self._marks.show_landmarks(points, lines)
+        self._dirty = True
+
+    def set_threshold_um(self, threshold_um: float) -> None:
+        """Where the line on the map runs; 0 for none."""
+        self._threshold_um = threshold_um
+        self._arrange()
+
+    # -------------------------------------------------------------------------------- ways to look
+    @property
+    def mode(self) -> str:
+        return self._mode
+
+    @property
+    def amount(self) -> float:
+        """Of curtain, blend and morph: 0 is all before, 1 all after; the curtain stands that far from the right."""
+        return self._amount
+
+    def set_mode(self, mode: str) -> None:
+        """One of `MODES`."""
+        if mode not in MODES:
+            raise ValueError(mode)
+        halves = "side_by_side" in (mode, self._mode) and mode != self._mode
+        self._mode, self._other = mode, False
+        self._arrange()
+        if halves:
+            self.fit()
+
+    def set_amount(self, amount: float) -> None:
+        """0 to 1."""
+        self._amount = min(max(amount, 0.0), 1.0)
+        self._arrange()
+
+    def show_other(self, on: bool) -> None:
+        """The before surface in place of the after surface: the flicker."""
+        self._other = on
+        self._arrange()
+
+    @property
+    def shows_other(self) -> bool:
+        return self._other
+
+    def set_tool(self, tool: str) -> None:
+        """``look``, ``pick``, ``paint``, ``erase`` or ``lasso``: what the left button of the mouse does."""
+        self._tools.set_tool(tool)
+
+    def set_brush_mm(self, radius_mm: float) -> None:
+        self._tools.radius_mm = radius_mm
+
+    def set_section(self, origin: Sequence[float] | Array, normal: Sequence[float] | Array | None) -> None:
+        """A plane through `origin` (mm) across `normal`: the near half goes, both contours show; no normal, no section."""
+        self._section.set_plane(np.asarray(origin, np.float64), None if normal is None else np.asarray(normal, np.float64))
+        self._cut()
+
+    def set_section_offset_mm(self, offset_mm: float) -> None:
+        """Move the section along its normal from where it was set."""
+        self._section.set_offset_mm(offset_mm)
+        self._cut()
+
+    # -------------------------------------------------------------------------------- camera
+    def set_axes(self, axes: Array | None, upper: bool | None = None) -> None:
+        """Columns right, anterior and occlusal of the arch (3, 3), frame of BEFORE; whether it is an upper jaw, if that is known."""
+        self._axes = np.eye(3) if axes is None else axes
+        self._upper = upper
+
+    def look(self, view: str) -> None:
+        """``occlusal``, ``frontal``, ``left``, ``right``, ``lingual`` or ``underside``, everything in the picture."""
+        towards, up = directions(view, self._axes, self._upper)
+        camera = self._open().camera
+        self._flight = None
+        Stand(np.array(camera.GetFocalPoint()), towards, up, camera.GetDistance(), camera.GetParallelScale()).put(camera)
+        self.fit()
+
+    def fit(self) -> None:
+        """Everything in the picture, from where the camera looks."""
+        self._flight = None
+        points = self._points()
+        if points is not None:
+            self._frame(points, _MARGIN, 0.0).put(self._open().camera)
+        self._dirty = True
+
+    def fly_to(self, area: Area) -> None:
+        """Look at an area from outside, in a moment; a person's hand on the camera ends the flight."""
+        camera = self._open().camera
+        start = Stand.of(camera)
+        up = -self._axes[:, 2] if self._upper else self._axes[:, 2]
+        towards = np.asarray(area.normal, np.float64) + 0.35 * self._axes[:, 2]
+        towards = towards / np.sqrt(towards @ towards)
+        if abs(towards @ up) > 0.94:
+            up = start.up
+        middle = Stand(np.asarray(area.centroid_mm, np.float64), towards, up, start.distance, start.scale)
+        mesh = self._after.mesh
+        points = mesh.vertices[area.vertices] if mesh is not None and len(area.vertices) else middle.focus[None]
+        middle.put(camera)
+        end = self._frame(points, 1.5, _FLY_MM)
+        start.put(camera)
+        self._flight = Flight(start, end, time.perf_counter())
+        self._dirty = True
+
+    @property
+    def flying(self) -> bool:
+        return self._flight is not None
+
+    def set_parallel(self, on: bool) -> None:
+        """Without perspective: lengths in the picture are true across the line of sight."""
+        self._open().camera.SetParallelProjection(on)
+        self._dirty = True
+
+    # -------------------------------------------------------------------------------- painting
+    def paint(self) -> float:
+        """As :meth:`InteractorView.paint`; 0 while a person turns the scene, so that nothing else is waited for."""
+        if self._flight is not None:
+            self._dirty = True
+        taken_s = super().paint()
+        return 0.0 if self._moving or self._flight is not None else taken_s
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        super().resizeEvent(event)
+        self._overlay.setGeometry(self.rect())
+        self._overlay.raise_()
+        self._arrange()
+
+    # -------------------------------------------------------------------------------- for the tools
+    def viewpoint(self, x: float, y: float) -> tuple[str, Viewpoint] | None:
+        """Which surface is meant at a pixel, and how it is seen there."""
+        before, after = self._viewpoints()
+        if self._mode == "side_by_side":
+            return ("before", before) if before.contains(x, y) else ("after", after)
+        if self._mode == "curtain":
+            return ("before" if x < self.curtain_x else "after", after)
+        if self._mode == "before" or self._other:
+            return "before", before
+        return ("after", after) if self._mode in ("map", "flicker", "after", "blend") or self._amount >= 1 else None
+
+    def picker(self, surface: str) -> SurfacePicker | None:
+        """Rays into a surface; made when it is first asked for."""
+        actor = self._before if surface == "before" else self._after
+        if actor.mesh is None:
+            return None
+        if surface not in self._pickers:
+            self._pickers[surface] = SurfacePicker(actor.mesh, actor.poly, self._normals[surface])
+        return self._pickers[surface]
+
+    def ray(self, view: Viewpoint, x: float, y: float) -> tuple[Array, Array]:
+        """The line of sight through a pixel, as far as the section leaves it."""
+        near, far = view.ray(x, y)
+        normal, offset = self._section.kept(self._open().camera)
+        start, end = near @ normal - offset, far @ normal - offset
+        if start > 0 > end:
+            near = near + (far - near) * (start / (start - end))
+        return near, far
+
+    @property
+    def values(self) -> tuple[Array, Array] | None:
+        """Deviation and level of detection of the after surface's vertices, um, once they are known."""
+        return (self._signed, self._level) if len(self._signed) else None
+
+    @property
+    def curtain_x(self) -> float:
+        return self.width() * (1.0 - self._amount)
+
+    # -------------------------------------------------------------------------------- inside
+    def _interact(self, moving: bool) -> None:
+        super()._interact(moving)
+        self._flight = None
+
+    def _prepare_picture(self) -> None:
+        camera = self._open().camera
+        if self._flight is not None:
+            stand, last = self._flight.at(time.perf_counter())
+            stand.put(camera)
+            self._flight = None if last else self._flight
+        points = self._points()
+        if points is not None:
+            low, high = points.min(axis=0), points.max(axis=0)
+            self._over.ResetCameraClippingRange(low[0], high[0], low[1], high[1], low[2], high[2])
+        ratio = self.devicePixelRatioF()
+        normal, offset = self._section.kept(camera)
+        for actor in (self._before, self._after):
+            actor.set_cut(normal.tolist(), offset)
+            actor.set_number("pixelRatio", ratio)
+        for line in self._lines:
+            line.set_pixel_ratio(ratio)
+        self._marks.place(self._viewpoints()[1], self.picker("after") if self._marks.worded else None)
+
+    def _arrange(self) -> None:
+        """Everything that mode and amount decide."""
+        mode, amount = self._mode, self._amount
+        pair = self._after.mesh is not None
+        before = pair and (mode in ("side_by_side", "curtain", "blend", "before") or self._other)
+        after = pair and mode != "before" and not self._other
+        halves = mode == "side_by_side"
+        self._under.SetViewport(0.0, 0.0, 0.5 if halves else 1.0, 1.0)
+        self._over.SetViewport(0.5 if halves else 0.0, 0.0, 1.0, 1.0)
+        self._under.SetInteractive(halves or not after)
+        self._over.SetInteractive(after)
+        self._before.actor.SetVisibility(before)
+        self._after.actor.SetVisibility(after)
+        self._after.first.SetVisibility(after and mode == "blend")
+        ratio = self.devicePixelRatioF()
+        x, side = (self.curtain_x * ratio, 1) if mode == "curtain" else (0.0, 0)
+        self._before.set_curtain(x, -side)
+        self._after.set_curtain(x, side)
+        self._after.set_number("morph", amount if mode == "morph" else 1.0)
+        self._after.set_number("fade", amount if mode == "blend" else 1.0)
+        self._after.show_scale(self._scale if mode in _COLOURED else None)
+        if self._threshold_um is not None and mode in _COLOURED:
+            self._after.set_number("thresholdUM", self._threshold_um)
+        for renderer, seen in ((self._under, halves or not after), (self._over, after)):
+            for line in self._lines:
+                if seen:
+                    renderer.AddActor(line.actor)
+                elif renderer.HasViewProp(line.actor):
+                    renderer.RemoveActor(line.actor)
+        self._caption(pair)
+        self._dirty = True
+
+    def _caption(self, pair: bool) -> None:
+        overlay, left, right = self._overlay, Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignRight
+        whole, half = QRectF(self.rect()), 0.5 * self.width()
+        first, second = self.tr("Before"), self.tr("After")
+        overlay.seam_x = half if pair and self._mode == "side_by_side" else None
+        overlay.curtain_x = self.curtain_x if pair and self._mode == "curtain" else None
+        if not pair:
+            overlay.captions = []
+        elif self._mode == "side_by_side":
+            overlay.captions = [(QRectF(0, 0, half, self.height()), first, left), (QRectF(half, 0, half, self.height()), second, left)]
+        elif self._mode in ("curtain", "blend", "morph"):
+            overlay.captions = [(whole, first, left), (whole, second, right)]
+        else:
+            overlay.captions = [(whole, first if self._mode == "before" or self._other else second, left)]
+        overlay.update()
+
+    def _viewpoints(self) -> tuple[Viewpoint, Viewpoint]:
+        camera = self._open().camera
+        width, height = float(self.width()), float(self.height())
+        if self._mode == "side_by_side":
+            half = 0.5 * width
+            return Viewpoint.of(camera, 0.0, 0.0, half, height), Viewpoint.of(camera, half, 0.0, half, height)
+        whole = Viewpoint.of(camera, 0.0, 0.0, width, height)
+        return whole, whole
+
+    def _points(self) -> Array | None:
+        meshes = [actor.mesh for actor in (self._before, self._after) if actor.mesh is not None]
+        return np.concatenate([np.stack(mesh.bounds()) for mesh in meshes]) if meshes else None
+
+    def _frame(self, points: Array, margin: float, least_mm: float) -> Stand:
+        """The camera's stand, moved so that points (n, 3) fill the picture."""
+        stand = Stand.of(self._open().camera)
+        return stand.around(points, self.width() * (0.5 if self._mode == "side_by_side" else 1.0) / max(self.height(), 1), margin, least_mm)
+
+    def _cut(self) -> None:
+        self._section.show((self._before.poly, self._after.poly))
+        self._dirty = True
+
+
+def _light() -> Any:
+    """A lamp over the left shoulder of the person who looks."""
+    light = vtkLight()
+    light.SetLightTypeToCameraLight()
+    light.SetPosition(-0.35, 0.55, 1.0)
+    light.SetFocalPoint(0.0, 0.0, 0.0)
+    return light

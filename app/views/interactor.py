@@ -1,0 +1,161 @@
+"""What every 3D view is made of: a widget around pyvistaqt's QtInteractor.  The only file that touches it.
+
+What was learned the hard way: multisampling costs four times the picture on software rendering; the interactor must be
+closed by hand; a screenshot needs a ``render()`` before it, a living picture only an ``update()``.  Left to itself the
+interactor draws at every movement of the mouse and once more when Qt paints, also when only a widget above it has
+changed; and it obeys keys of VTK's own ("q" ends it).  Import this module in a thread first: pyvista alone takes seconds.
+"""
+
+from __future__ import annotations
+
+import time
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QCloseEvent, QKeyEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+from pyvistaqt import QtInteractor
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
+
+from app.theme import GROUND, RAISED
+from app.views.vtk_arrays import bytes_of
+
+
+class SceneClosedError(RuntimeError):
+    """The 3D view was used after it had been closed."""
+
+
+class _Engine(QtInteractor):
+    """A QtInteractor that draws only when it was asked to, and leaves the keys to the window."""
+
+    stale = True
+    """The scene has changed since it was drawn; otherwise the last picture is shown again."""
+    drawing = False
+    """Qt has the widget drawn."""
+
+    def paintGL(self) -> None:  # noqa: N802 - Qt's name
+        interactor = self.iren.interactor
+        if self.stale:
+            self.stale = False
+            interactor.EnableRenderOn()
+        self.drawing = True
+        base: Any = super()
+        base.paintGL()
+        self.drawing = False
+        interactor.EnableRenderOff()
+
+    def resizeGL(self, width: int, height: int) -> None:  # noqa: N802 - Qt's name
+        self.stale = True
+        base: Any = super()
+        base.resizeGL(width, height)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
+        event.ignore()
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
+        event.ignore()
+
+
+class InteractorView(QWidget):
+    """A 3D view that is drawn by its :meth:`paint`, at most once a call, and by nothing else."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._engine: Any = _Engine(self, auto_update=False, multi_samples=0, line_smoothing=False)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.addWidget(self._engine)
+        self._moving = False
+        self._dirty = True
+        self._begun_s = 0.0
+        self.paint_s = 0.0
+        """How long the last picture took."""
+        self.pictures = 0
+        engine = self._open()
+        engine.set_background(GROUND, top=RAISED)
+        engine.enable_terrain_style(mouse_wheel_zooms=True)
+        engine.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        interactor = engine.iren.interactor
+        interactor.EnableRenderOff()
+        interactor.AddObserver("StartInteractionEvent", lambda *_: self._interact(True))
+        interactor.AddObserver("EndInteractionEvent", lambda *_: self._interact(False))
+        interactor.AddObserver("RenderEvent", lambda *_: self._asked())
+        window = engine.render_window
+        window.AddObserver("StartEvent", lambda *_: self._begin_picture())
+        window.AddObserver("EndEvent", lambda *_: self._end_picture())
+
+    @property
+    def closed(self) -> bool:
+        return self._engine is None
+
+    @property
+    def camera_position(self) -> tuple[float, float, float]:
+        """Where the camera stands, mm, object frame."""
+        x, y, z = self._open().camera.position
+        return x, y, z
+
+    def paint(self) -> float:
+        """Ask for a picture if something changed; the time that the last one took, in seconds."""
+        if self._dirty and self._engine is not None and self.isVisible():
+            self._dirty = False
+            self._prepare_picture()
+            self._engine.stale = True
+            self._engine.update()
+        return self.paint_s
+
+    def warm_up(self) -> None:
+        """The first picture, out of sight: it has the graphics set up, which takes a quarter of a second."""
+        self._open().grabFramebuffer()
+
+    def grab_picture(self) -> NDArray[np.uint8]:
+        """The scene as (H, W, 3) bytes, drawn anew."""
+        engine = self._open()
+        self._prepare_picture()
+        engine.render()
+        reader = vtkWindowToImageFilter()
+        reader.SetInput(engine.render_window)
+        reader.ReadFrontBufferOff()
+        reader.ShouldRerenderOff()
+        reader.Update()
+        image = reader.GetOutput()
+        width, height, _ = image.GetDimensions()
+        pixels: NDArray[np.uint8] = bytes_of(image.GetPointData().GetScalars()).reshape(height, width, 3)[::-1].copy()
+        return pixels
+
+    def close_scene(self) -> None:
+        """Release the graphics; may be called again."""
+        engine, self._engine = self._engine, None
+        if engine is not None:
+            engine.close()
+
+    def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802 - Qt's name
+        self.close_scene()
+        super().closeEvent(event)
+
+    # -------------------------------------------------------------------------------- for the scenes
+    def _prepare_picture(self) -> None:
+        """Called before every picture."""
+
+    def _interact(self, moving: bool) -> None:
+        """A person begins or ends to move the camera."""
+        self._moving = moving
+        self._dirty = True
+
+    def _open(self) -> Any:
+        if self._engine is None:
+            raise SceneClosedError("the 3D view is closed")
+        return self._engine
+
+    # -------------------------------------------------------------------------------- inside
+    def _asked(self) -> None:
+        if self._engine is not None and not self._engine.drawing:
+            self._dirty = True
+
+    def _begin_picture(self) -> None:
+        self._begun_s = time.perf_counter()
+
+    def _end_picture(self) -> None:
+        self.paint_s = time.perf_counter() - self._begun_s
+        self.pictures += 1
