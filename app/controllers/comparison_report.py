@@ -10,7 +10,9 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from app.background import Background
+from app.controllers.case import safe_stem
 from app.settings import Settings
+from scanner_core import wall_clock
 from scanner_core.acquisition.handover import LatestSlot
 from scanner_core.comparison.comparison import Comparison
 from scanner_core.jobs.progress import Cancelled, Progress
@@ -75,4 +77,15 @@ class ComparisonReport(QObject):
 
 
 def _write(comparison: Comparison, folder: Path, progress: Callable[[Progress], None], cancelled: Callable[[], bool]) -> Path:
-    raise NotImplementedError
+    """Into ``before - after 2026-11-27``, with -2, -3 ... when that is taken."""
+    from scanner_core.comparison.report.job import ReportRequest
+    from scanner_core.jobs.blocking import run_in_worker
+
+    names = " - ".join(Path(surface.name).stem for surface in (comparison.before, comparison.after))
+    stem = safe_stem(f"{names} {wall_clock.today().isoformat()}")
+    place, number = folder / stem, 1
+    while place.exists():
+        number += 1
+        place = folder / f"{stem}-{number}"
+    run_in_worker("comparison-report", ReportRequest(comparison, place, wall_clock.stamp()), progress=progress, cancelled=cancelled)
+    return place

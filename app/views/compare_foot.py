@@ -68,7 +68,7 @@ class CompareFoot(QWidget):
             return self.tr("{phase}: {left} left").format(phase=words, left=fmt.left_time(answers.progress.seconds_left))
         if report.busy:
             left = None if report.progress is None else report.progress.seconds_left
-            return self.tr("Writing the report: {left} left").format(left=fmt.left_time(left))
+            return self.tr("Writing the report…") if left is None else self.tr("Writing the report: {left} left").format(left=fmt.left_time(left))
         if self._comparing.points.active:
             before, after = map(len, self._comparing.draft.choice.picks)
             return self.tr(

@@ -46,4 +46,4 @@ def nearest_tooth(place_mm: np.ndarray[tuple[int], np.dtype[np.float64]]) -> int
 @cache
 def _arch(*, treated: bool) -> TriangleMesh:
     spacing = 0.93 if treated else 0.87
-    return mesh_implicit(lambda points: solid(points, treated=treated), (-31.9, -26.9, -0.83), (31.9, 27.9, 13.3), spacing)
+    return mesh_implicit(lambda points: solid(points, TREATMENT if treated else {}), (-31.9, -26.9, -0.83), (31.9, 27.9, 13.3), spacing)

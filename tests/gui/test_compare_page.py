@@ -17,6 +17,7 @@ from app.views.compare_page import ComparePage
 from scanner_core.comparison.parameters import Frame, Jaw
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.mesh_io import write_mesh
+from scanner_core.virtual.specimens.arch import TREATMENT, foot
 from scanner_core.virtual.specimens.implicit import mesh_implicit
 from tests.gui.compare_pair import MOVED, POSE, PairFiles, nearest_tooth, write_pair
 from tests.gui.pictures import coloured
@@ -206,6 +207,41 @@ def test_a_painted_region_is_held_fixed_when_it_is_asked_for(program: Program, p
     program.window.undo()
     assert comparing.draft.choice.frame is Frame.AUTO
     assert comparing.answers.comparison is first
+
+
+def test_the_motion_of_a_marked_tooth_is_told(program: Program, page: ComparePage, files: PairFiles) -> None:
+    comparing = program.services.comparing
+    _load(program, page, files)
+    comparison, scene = comparing.answers.comparison, page.scene
+    assert comparison is not None
+    assert scene is not None
+    page.findings.tooth.click()
+    assert page.picture.tool == "tooth"
+    places = comparison.alignment.transform.apply(comparison.after.mesh.vertices)
+    near = np.abs(places[:, :2] - foot(9)[:2] - TREATMENT[9].translation[:2]).max(axis=1) < 2.5
+    scene.lassoed.emit(np.flatnonzero(near & (places[:, 2] > 6.0)))
+    until(lambda: comparing.tooth.motion is not None or program.window.banner.text, 60, "its motion")
+    motion = comparing.tooth.motion
+    assert motion is not None
+    assert abs(motion.angle_deg - 10.44) < 2.0
+    assert page.findings.texts["motion"].startswith("moved ")
+    program.window.undo()
+    assert comparing.draft.choice.tooth is None
+    assert comparing.tooth.motion is None
+
+
+def test_the_report_is_written_into_a_folder_of_its_own(program: Program, page: ComparePage, files: PairFiles, tmp_path: Path) -> None:
+    _load(program, page, files)
+    report, comparison = program.services.comparing.report, program.services.comparing.answers.comparison
+    assert comparison is not None
+    report.write(comparison, tmp_path)
+    assert page.foot.cancel.isVisible()
+    until(lambda: not report.busy, 120, "the report")
+    assert program.window.banner.text == ""
+    assert report.folder is not None
+    assert report.folder.parent == tmp_path
+    assert {path.name for path in report.folder.iterdir()} == {"report.pdf", "report.html", "deviation.ply", "table.csv"}
+    assert report.folder.name in page.foot.text
 
 
 def test_a_cancelled_comparison_ends_without_a_sentence_and_is_asked_again(program: Program, page: ComparePage, files: PairFiles) -> None:
