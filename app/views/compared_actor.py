@@ -14,7 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 from app.views.compared_shader import MOST_BANDS, install
 from app.views.height_colours import rgb
 from app.views.vtk_arrays import copied, copied_ids
-from scanner_core.comparison.colour_scale import HATCH, NO_COUNTERPART, THRESHOLD_LINE, WITHIN_LEVEL, DeviationScale
+from scanner_core.comparison.colour_scale import HATCH, NO_COUNTERPART, WITHIN_LEVEL, DeviationScale
 from scanner_core.geometry.mesh import TriangleMesh
 
 STABLE = "#1f8f7d"
@@ -99,12 +99,11 @@ class ComparedActor:
             if scale is not None:
                 uniforms.SetUniformf("perUM", scale.steps / scale.limit_um)
                 uniforms.SetUniformi("steps", scale.steps)
-                uniforms.SetUniformf("thresholdUM", scale.threshold_um)
                 for i, colour in enumerate(scale.band_colours[:MOST_BANDS]):
                     uniforms.SetUniform3f(f"band{i}", _floats(colour))
 
     def set_number(self, name: str, value: float) -> None:
-        """``thresholdUM``, ``pixelRatio``, ``fade`` or ``morph``."""
+        """``pixelRatio``, ``fade`` or ``morph``."""
         for actor in (self.actor, self.first):
             shader = actor.GetShaderProperty()
             uniforms = shader.GetVertexCustomUniforms() if name == "morph" else shader.GetFragmentCustomUniforms()
@@ -135,8 +134,7 @@ class ComparedActor:
         uniforms = shader.GetFragmentCustomUniforms()
         for name in ("coloured", "steps", "stableShown"):
             uniforms.SetUniformi(name, 0)
-        for name in ("perUM", "thresholdUM"):
-            uniforms.SetUniformf(name, 0.0)
+        uniforms.SetUniformf("perUM", 0.0)
         uniforms.SetUniformf("pixelRatio", 1.0)
         uniforms.SetUniformf("fade", 1.0 if actor is self.actor else 0.002)
         uniforms.SetUniform2f("curtain", (0.0, 0.0))
@@ -146,7 +144,6 @@ class ComparedActor:
             "levelColour": WITHIN_LEVEL,
             "emptyColour": NO_COUNTERPART,
             "hatchColour": HATCH,
-            "lineColour": THRESHOLD_LINE,
             "stableColour": rgb(STABLE),
             "partColour": rgb(PART),
             "backColour": rgb(BACK),
@@ -174,8 +171,5 @@ def _actor(mapper: vtkPolyDataMapper) -> vtkActor:
     actor.SetMapper(mapper)
     actor.SetVisibility(False)
     actor.ForceOpaqueOn()
-    look = actor.GetProperty()
-    look.SetInterpolationToPhong()
-    look.SetSpecular(0.08)
-    look.SetSpecularPower(20)
+    actor.GetProperty().SetInterpolationToPhong()
     return actor

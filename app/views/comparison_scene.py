@@ -8,14 +8,14 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QWidget
-from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from app.views.camera_flight import Flight, Stand, directions
 from app.views.compared_actor import ComparedActor
@@ -23,7 +23,7 @@ from app.views.comparison_marks import ComparisonMarks
 from app.views.comparison_overlay import ComparisonOverlay
 from app.views.comparison_tools import ComparisonTools
 from app.views.interactor import InteractorView
-from app.views.section_cut import SectionCut
+from app.views.section_cut import AFTER_LINE, BEFORE_LINE, SectionCut
 from app.views.surface_picker import SurfacePicker
 from app.views.viewpoint import Viewpoint
 from scanner_core.comparison.area import Area
@@ -67,7 +67,6 @@ class ComparisonScene(InteractorView):
         self._overlay = ComparisonOverlay(self)
         self._overlay.setGeometry(self.rect())
         self._marks, self._section = ComparisonMarks(self._after, self._overlay), SectionCut()
-        self._lines = (*self._section.lines, *self._marks.lines)
         self._under, self._over = vtkRenderer(), vtkRenderer()
         window = engine.render_window
         window.SetNumberOfLayers(3)
@@ -75,17 +74,17 @@ class ComparisonScene(InteractorView):
         for layer, renderer in enumerate((self._under, self._over), 1):
             renderer.SetLayer(layer)
             renderer.SetActiveCamera(engine.camera)
-            renderer.AutomaticLightCreationOff()
-            renderer.AddLight(_light())
             window.AddRenderer(renderer)
         self._under.AddActor(self._before.actor)
         self._over.AddActor(self._after.first)
         self._over.AddActor(self._after.actor)
+        for line in (*self._marks.lines, *self._section.lines):
+            self._over.AddActor(line.actor)
         self._pickers: dict[str, SurfacePicker] = {}
         self._normals: dict[str, NDArray[np.float32]] = {}
         self._mode, self._amount, self._other = "map", 0.5, False
         self._scale: DeviationScale | None = None
-        self._threshold_um: float | None = None
+        self._threshold_um = 250.0
         self._signed = self._level = np.zeros(0)
         self._axes = np.eye(3)
         self._upper: bool | None = None
@@ -122,8 +121,10 @@ class ComparisonScene(InteractorView):
         """Colour the after surface: (v_after,) deviation um (NaN without counterpart), level of detection um, stable, counterpart."""
         self._open()
         self._signed, self._level, self._scale = signed_um, level_um, scale
+        self._threshold_um = scale.threshold_um if scale is not None else self._threshold_um
         self._after.show_values(signed_um, level_um, counterpart & np.isfinite(signed_um))
         self._after.show_stable(stable)
+        self._marks.show_threshold(signed_um, self._threshold_um)
         self._arrange()
 
     def show_feet(self, feet_mm: Array) -> None:
@@ -165,6 +166,7 @@ class ComparisonScene(InteractorView):
     def set_threshold_um(self, threshold_um: float) -> None:
         """Where the line on the map runs; 0 for none."""
         self._threshold_um = threshold_um
+        self._marks.show_threshold(self._signed, threshold_um)
         self._arrange()
 
     # -------------------------------------------------------------------------------- ways to look
@@ -340,7 +342,9 @@ class ComparisonScene(InteractorView):
         for actor in (self._before, self._after):
             actor.set_cut(normal.tolist(), offset)
             actor.set_number("pixelRatio", ratio)
-        for line in self._lines:
+        for line in self._marks.lines:
+            line.set_cut(normal, offset)
+        for line in (*self._marks.lines, *self._section.lines):
             line.set_pixel_ratio(ratio)
         self._marks.place(self._viewpoints()[1], self.picker("after") if self._marks.worded else None)
 
@@ -361,18 +365,18 @@ class ComparisonScene(InteractorView):
         ratio = self.devicePixelRatioF()
         x, side = (self.curtain_x * ratio, 1) if mode == "curtain" else (0.0, 0)
         self._before.set_curtain(x, -side)
-        self._after.set_curtain(x, side)
+        for seen in (self._after, *self._marks.lines):
+            seen.set_curtain(x, side)
         self._after.set_number("morph", amount if mode == "morph" else 1.0)
         self._after.set_number("fade", amount if mode == "blend" else 1.0)
-        self._after.show_scale(self._scale if mode in _COLOURED else None)
-        if self._threshold_um is not None and mode in _COLOURED:
-            self._after.set_number("thresholdUM", self._threshold_um)
-        for renderer, seen in ((self._under, halves or not after), (self._over, after)):
-            for line in self._lines:
-                if seen:
-                    renderer.AddActor(line.actor)
-                elif renderer.HasViewProp(line.actor):
-                    renderer.RemoveActor(line.actor)
+        coloured = mode in _COLOURED and self._scale is not None
+        self._after.show_scale(self._scale if coloured else None)
+        self._marks.set_seen(after, coloured)
+        for line in self._section.lines:  # the contours belong to either surface
+            if halves or not after:
+                self._under.AddActor(line.actor)
+            else:
+                self._under.RemoveActor(line.actor)
         self._caption(pair)
         self._dirty = True
 
@@ -390,6 +394,7 @@ class ComparisonScene(InteractorView):
             overlay.captions = [(whole, first, left), (whole, second, right)]
         else:
             overlay.captions = [(whole, first if self._mode == "before" or self._other else second, left)]
+        overlay.keys = [(BEFORE_LINE, first), (AFTER_LINE, second)] if pair and self._section.active else []
         overlay.update()
 
     def _viewpoints(self) -> tuple[Viewpoint, Viewpoint]:
@@ -412,13 +417,4 @@ class ComparisonScene(InteractorView):
 
     def _cut(self) -> None:
         self._section.show((self._before.poly, self._after.poly))
-        self._dirty = True
-
-
-def _light() -> Any:
-    """A lamp over the left shoulder of the person who looks."""
-    light = vtkLight()
-    light.SetLightTypeToCameraLight()
-    light.SetPosition(-0.35, 0.55, 1.0)
-    light.SetFocalPoint(0.0, 0.0, 0.0)
-    return light
+        self._arrange()
