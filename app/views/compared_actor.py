@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkBinnedDecimation
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 from app.views.compared_shader import MOST_BANDS, install
@@ -20,7 +21,8 @@ from scanner_core.geometry.mesh import TriangleMesh
 STABLE = "#1f8f7d"
 PART = "#a45cff"
 BACK = "#5d5a58"
-Colour = tuple[int, int, int]
+_COARSE_TRIANGLES = 18_000
+"""Drawn of each surface while the camera moves on a machine that is slow at it."""
 
 
 class ComparedActor:
@@ -32,8 +34,9 @@ class ComparedActor:
         self.poly: Any = None
         self._values = np.zeros((0, 4), np.float32)
         self._marks = np.zeros((0, 2), np.float32)
-        self._mapper = _mapper()
+        self._mapper, self._coarse_mapper = _mapper(), _mapper()
         self._first_mapper = _mapper()
+        self._coarse: Any = None
         self.actor = _actor(self._mapper)
         self.first = _actor(self._first_mapper)
         """The same surface, all but transparent: drawn before a translucent one, it keeps what lies behind out of it."""
@@ -45,7 +48,8 @@ class ComparedActor:
         """Draw this one from now on, or none; `normals` (v, 3) as :meth:`TriangleMesh.vertex_normals` has them."""
         self.mesh = mesh
         self.actor.SetVisibility(mesh is not None)
-        self.poly = None
+        self.poly = self._coarse = None
+        self.actor.SetMapper(self._mapper)
         if mesh is None:
             return
         places = vtkPoints()
@@ -66,6 +70,17 @@ class ComparedActor:
         self._put("foot", np.zeros((count, 3), np.float32))
         for mapper in (self._mapper, self._first_mapper):
             mapper.SetInputData(self.poly)
+
+    def set_coarse(self, on: bool) -> None:
+        """Fewer triangles between the same vertices."""
+        if on and self.mesh is not None and len(self.mesh.triangles) > 1.5 * _COARSE_TRIANGLES:
+            if self._coarse is None:
+                self._coarse = _thinned(self.mesh, self.poly)
+                self._coarse_mapper.SetInputData(self._coarse)
+            self._coarse.GetPointData().ShallowCopy(self.poly.GetPointData())
+            self.actor.SetMapper(self._coarse_mapper)
+        else:
+            self.actor.SetMapper(self._mapper)
 
     def show_values(self, signed_um: NDArray[np.float64], level_um: NDArray[np.float64], counterpart: NDArray[np.bool_]) -> None:
         """Signed deviation and level of detection, (v,) um, and which vertices have a counterpart."""
@@ -99,8 +114,10 @@ class ComparedActor:
             if scale is not None:
                 uniforms.SetUniformf("perUM", scale.steps / scale.limit_um)
                 uniforms.SetUniformi("steps", scale.steps)
-                for i, colour in enumerate(scale.band_colours[:MOST_BANDS]):
-                    uniforms.SetUniform3f(f"band{i}", _floats(colour))
+                packed = np.zeros(MOST_BANDS)
+                packed[: 2 * scale.steps] = scale.band_colours[:MOST_BANDS] @ np.array([65536.0, 256.0, 1.0])
+                for i, four in enumerate(packed.reshape(-1, 4).tolist()):
+                    uniforms.SetUniform4f(f"bands{i}", four)
 
     def set_number(self, name: str, value: float) -> None:
         """``pixelRatio``, ``fade`` or ``morph``."""
@@ -139,6 +156,8 @@ class ComparedActor:
         uniforms.SetUniformf("fade", 1.0 if actor is self.actor else 0.002)
         uniforms.SetUniform2f("curtain", (0.0, 0.0))
         uniforms.SetUniform4f("cut", (0.0, 0.0, 0.0, 1.0))
+        for i in range(MOST_BANDS // 4):
+            uniforms.SetUniform4f(f"bands{i}", (0.0, 0.0, 0.0, 0.0))
         colours = {
             "plainColour": rgb(colour),
             "levelColour": WITHIN_LEVEL,
@@ -147,7 +166,7 @@ class ComparedActor:
             "stableColour": rgb(STABLE),
             "partColour": rgb(PART),
             "backColour": rgb(BACK),
-        } | {f"band{i}": (0, 0, 0) for i in range(MOST_BANDS)}
+        }
         for name, value in colours.items():
             uniforms.SetUniform3f(name, _floats(value))
 
@@ -173,3 +192,19 @@ def _actor(mapper: vtkPolyDataMapper) -> vtkActor:
     actor.ForceOpaqueOn()
     actor.GetProperty().SetInterpolationToPhong()
     return actor
+
+
+def _thinned(mesh: TriangleMesh, poly: Any) -> Any:
+    """The same vertices with fewer triangles between them: one vertex a cell of a grid (Lindstrom 2000), a few ten milliseconds."""
+    low, high = mesh.bounds()
+    edge_mm = np.sqrt(2.3 * mesh.area() / _COARSE_TRIANGLES)
+    thin = vtkBinnedDecimation()
+    thin.SetInputData(poly)
+    thin.AutoAdjustNumberOfDivisionsOff()
+    thin.SetNumberOfDivisions(*(int(max(extent / edge_mm, 1)) for extent in high - low))
+    thin.SetPointGenerationModeToUseInputPoints()
+    thin.Update()
+    coarse = vtkPolyData()
+    coarse.SetPoints(poly.GetPoints())
+    coarse.SetPolys(thin.GetOutput().GetPolys())
+    return coarse

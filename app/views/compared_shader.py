@@ -27,15 +27,17 @@ _VERTEX_PLACE = """vec4 moved = vertexMC + vec4(footMC * (1.0 - morph), 0.0);
   vertexVCVSOutput = MCVCMatrix * moved;
   gl_Position = MCDCMatrix * moved;
 """
-_BANDS = "\n".join(f"  if (n == {i}) return band{i};" for i in range(MOST_BANDS))
-_FRAGMENT_DECLARED = f"""//VTK::ValuePass::Dec
+_FRAGMENT_DECLARED = """//VTK::ValuePass::Dec
 in vec4 deviationVS;
 in vec2 marksVS;
 in vec3 placeVS;
-vec3 bandOf(int n) {{
-{_BANDS}
-  return band0;
-}}
+vec3 bandOf(int n) {  // three bytes in a float; a choice among sixteen colours would take half of the picture's time
+  vec4 four = n < 8 ? (n < 4 ? bands0 : bands1) : (n < 12 ? bands2 : bands3);
+  float three = four[n & 3];
+  float red = floor(three / 65536.0);
+  float green = floor((three - red * 65536.0) / 256.0);
+  return vec3(red, green, three - red * 65536.0 - green * 256.0) / 255.0;
+}
 """
 _FRAGMENT_COLOUR = """//VTK::Color::Impl
   float um = deviationVS.x;
@@ -49,7 +51,7 @@ _FRAGMENT_COLOUR = """//VTK::Color::Impl
       look = mod(pixel.x + pixel.y, 7.0) < 2.4 ? hatchColour : emptyColour;
     } else if (abs(um) <= deviationVS.y) {
       look = levelColour;
-      floorOfLight = 0.4;
+      floorOfLight = 0.3;
     } else {
       look = bandOf(int(clamp(floor(um * perUM) + float(steps), 0.0, float(2 * steps - 1))));
     }

@@ -17,6 +17,7 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QWidget
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
+from app.theme import PANEL
 from app.views.camera_flight import Flight, Stand, directions
 from app.views.compared_actor import ComparedActor
 from app.views.comparison_marks import ComparisonMarks
@@ -37,6 +38,7 @@ BEFORE_COLOUR: Final = "#cbb894"
 AFTER_COLOUR: Final = "#dfe3e6"
 _COLOURED = ("map", "side_by_side", "curtain")
 _MARGIN = 1.08
+_SLOW_S = 0.04
 _FLY_MM = 9.0
 """Half of what a picture shows after a flight to an area, at least."""
 
@@ -63,6 +65,7 @@ class ComparisonScene(InteractorView):
         super().__init__(parent)
         engine = self._open()
         engine.enable_trackball_style()
+        engine.set_background(PANEL)  # a gradient costs as much as ten thousand triangles
         self._before, self._after = ComparedActor(BEFORE_COLOUR), ComparedActor(AFTER_COLOUR)
         self._overlay = ComparisonOverlay(self)
         self._overlay.setGeometry(self.rect())
@@ -89,6 +92,7 @@ class ComparisonScene(InteractorView):
         self._axes = np.eye(3)
         self._upper: bool | None = None
         self._flight: Flight | None = None
+        self._coarse = False
         self._tools = ComparisonTools(self, engine, self._overlay)
         self._arrange()
 
@@ -110,7 +114,7 @@ class ComparisonScene(InteractorView):
         self._pickers.clear()
         self._normals.clear()
         self._scale, self._signed, self._level = None, np.zeros(0), np.zeros(0)
-        self._flight = None
+        self._land()
         self._marks.clear()
         self.set_section(np.zeros(3), None)
         self._arrange()
@@ -230,13 +234,13 @@ class ComparisonScene(InteractorView):
         """``occlusal``, ``frontal``, ``left``, ``right``, ``lingual`` or ``underside``, everything in the picture."""
         towards, up = directions(view, self._axes, self._upper)
         camera = self._open().camera
-        self._flight = None
+        self._land()
         Stand(np.array(camera.GetFocalPoint()), towards, up, camera.GetDistance(), camera.GetParallelScale()).put(camera)
         self.fit()
 
     def fit(self) -> None:
         """Everything in the picture, from where the camera looks."""
-        self._flight = None
+        self._land()
         points = self._points()
         if points is not None:
             self._frame(points, _MARGIN, 0.0).put(self._open().camera)
@@ -326,6 +330,7 @@ class ComparisonScene(InteractorView):
     def _interact(self, moving: bool) -> None:
         super()._interact(moving)
         self._flight = None
+        self._coarsen(moving)
 
     def _prepare_picture(self) -> None:
         camera = self._open().camera
@@ -333,6 +338,7 @@ class ComparisonScene(InteractorView):
             stand, last = self._flight.at(time.perf_counter())
             stand.put(camera)
             self._flight = None if last else self._flight
+            self._coarsen(not last)
         points = self._points()
         if points is not None:
             low, high = points.min(axis=0), points.max(axis=0)
@@ -347,6 +353,19 @@ class ComparisonScene(InteractorView):
         for line in (*self._marks.lines, *self._section.lines):
             line.set_pixel_ratio(ratio)
         self._marks.place(self._viewpoints()[1], self.picker("after") if self._marks.worded else None)
+
+    def _coarsen(self, moving: bool) -> None:
+        """Fewer triangles while something moves, if a picture takes long here."""
+        self._coarse = moving and (self._coarse or self.paint_s > _SLOW_S)
+        for actor in (self._before, self._after):
+            actor.set_coarse(self._coarse)
+        self._after.first.SetVisibility(self._mode == "blend" and self._after.mesh is not None and not self._coarse)
+
+    def _land(self) -> None:
+        """The flight ends where it is."""
+        if self._flight is not None:
+            self._flight = None
+            self._coarsen(self._moving)
 
     def _arrange(self) -> None:
         """Everything that mode and amount decide."""

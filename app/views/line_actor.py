@@ -93,8 +93,9 @@ def outlines(points: NDArray[np.float64], triangles: Vertices, groups: list[Vert
     poly.SetLines(_cells(numbers.reshape(-1, 2)))
     smooth = vtkSmoothPolyDataFilter()
     smooth.SetInputData(_joined(poly))
-    smooth.SetNumberOfIterations(12)
+    smooth.SetNumberOfIterations(15)
     smooth.SetRelaxationFactor(0.3)
+    smooth.SetEdgeAngle(180.0)
     smooth.Update()
     return smooth.GetOutput()
 
