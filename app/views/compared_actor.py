@@ -21,6 +21,8 @@ from scanner_core.geometry.mesh import TriangleMesh
 STABLE = "#1f8f7d"
 PART = "#a45cff"
 BACK = "#5d5a58"
+_ALL_BUT_TRANSPARENT = 0.002
+"""VTK leaves out what is wholly transparent, its depth too."""
 _COARSE_TRIANGLES = 18_000
 """Drawn of each surface while the camera moves on a machine that is slow at it."""
 
@@ -119,12 +121,19 @@ class ComparedActor:
                 for i, four in enumerate(packed.reshape(-1, 4).tolist()):
                     uniforms.SetUniform4f(f"bands{i}", four)
 
-    def set_number(self, name: str, value: float) -> None:
-        """``pixelRatio``, ``fade`` or ``morph``."""
+    def set_pixel_ratio(self, ratio: float) -> None:
+        """Device pixels of a pixel: the hatch keeps its size."""
         for actor in (self.actor, self.first):
-            shader = actor.GetShaderProperty()
-            uniforms = shader.GetVertexCustomUniforms() if name == "morph" else shader.GetFragmentCustomUniforms()
-            uniforms.SetUniformf(name, value)
+            actor.GetShaderProperty().GetFragmentCustomUniforms().SetUniformf("pixelRatio", ratio)
+
+    def set_fade(self, opacity: float) -> None:
+        """0 to 1."""
+        self.actor.GetShaderProperty().GetFragmentCustomUniforms().SetUniformf("fade", max(opacity, _ALL_BUT_TRANSPARENT))
+
+    def set_morph(self, amount: float) -> None:
+        """0 with every vertex at its foot, 1 with every vertex at its own place."""
+        for actor in (self.actor, self.first):
+            actor.GetShaderProperty().GetVertexCustomUniforms().SetUniformf("morph", amount)
 
     def set_stable_shown(self, on: bool) -> None:
         self.actor.GetShaderProperty().GetFragmentCustomUniforms().SetUniformi("stableShown", on)
@@ -153,7 +162,7 @@ class ComparedActor:
             uniforms.SetUniformi(name, 0)
         uniforms.SetUniformf("perUM", 0.0)
         uniforms.SetUniformf("pixelRatio", 1.0)
-        uniforms.SetUniformf("fade", 1.0 if actor is self.actor else 0.002)
+        uniforms.SetUniformf("fade", 1.0 if actor is self.actor else _ALL_BUT_TRANSPARENT)
         uniforms.SetUniform2f("curtain", (0.0, 0.0))
         uniforms.SetUniform4f("cut", (0.0, 0.0, 0.0, 1.0))
         for i in range(MOST_BANDS // 4):

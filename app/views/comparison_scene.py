@@ -347,7 +347,7 @@ class ComparisonScene(InteractorView):
         normal, offset = self._section.kept(camera)
         for actor in (self._before, self._after):
             actor.set_cut(normal.tolist(), offset)
-            actor.set_number("pixelRatio", ratio)
+            actor.set_pixel_ratio(ratio)
         for line in self._marks.lines:
             line.set_cut(normal, offset)
         for line in (*self._marks.lines, *self._section.lines):
@@ -386,8 +386,8 @@ class ComparisonScene(InteractorView):
         self._before.set_curtain(x, -side)
         for seen in (self._after, *self._marks.lines):
             seen.set_curtain(x, side)
-        self._after.set_number("morph", amount if mode == "morph" else 1.0)
-        self._after.set_number("fade", amount if mode == "blend" else 1.0)
+        self._after.set_morph(amount if mode == "morph" else 1.0)
+        self._after.set_fade(amount if mode == "blend" else 1.0)
         coloured = mode in _COLOURED and self._scale is not None
         self._after.show_scale(self._scale if coloured else None)
         self._marks.set_seen(after, coloured)
