@@ -262,7 +262,36 @@ SENTENCES: dict[str, Sentence] = {
         "The points belong to {count} separate objects: the second largest holds {share} % of them and lies {gap_mm} mm from the largest.",
         "No mesh was written; reconstruct one object at a time, and cut the points of the others off.",
     ),
+    # ------------------------------------------------------------------------------------------ comparison: alignment
+    "E-CMP-01": Sentence(
+        "{after} and {before} do not fit onto each other: in the best pose only {score} % of the surface agrees. They seem to be different objects.",
+        "Both files are untouched; check that they show the same jaw, and if they do, pick three points on both.",
+    ),
+    "E-CMP-02": Sentence(
+        "{after} and {before} do not overlap: nothing of one lies within {reach_mm} mm of the other.",
+        "Both files are untouched; let the program find the pose, or pick three points on both.",
+    ),
+    "E-CMP-03": Sentence(
+        "One of {after} and {before} is mirrored: {score} % of the surface agrees as it is, {mirrored} % of its mirror image.",
+        "Both files are untouched and nothing was mirrored; export the mirrored one again without mirroring.",
+    ),
+    "E-CMP-04": Sentence(
+        "{name} holds {triangles} measured triangles with an area; a comparison needs at least {least}.",
+        "The file is untouched; scan or export the surface again.",
+    ),
+    "E-CMP-05": Sentence(
+        "The picked points do not say how the surfaces lie: {reason}.",
+        "Nothing was changed; pick at least three points far from each other, in the same order on both surfaces.",
+    ),
+    "E-CMP-06": Sentence(
+        "{area_mm2} mm2 with a counterpart are painted as stable; at least {least_mm2} mm2 are needed.",
+        "Nothing was changed; paint more, or use the automatic frame.",
+    ),
     # ------------------------------------------------------------------------------------------ comparison
+    "E-CMP-10": Sentence(
+        "The marked part holds {marked} measured vertices; at least {least} are needed for a motion.",
+        "Nothing was changed; mark more of the tooth.",
+    ),
     "E-CMP-20": Sentence(
         "{path} holds {triangles} triangles, too few for a comparison; at least {least} are needed.",
         "Nothing was compared; choose the whole surface.",
@@ -272,6 +301,8 @@ SENTENCES: dict[str, Sentence] = {
         "No part of the surface in {path} was measured: its vertices all say that nothing supports them.",
         "Nothing was compared; scan it again, or reconstruct it from its points.",
     ),
+    "E-CMP-23": Sentence("The mask {path} cannot be used: {reason}.", "Nothing was compared; mark the stable part again."),
+    "E-CMP-24": Sentence("The null comparison says nothing of the rig: {reason}.", "The rig file is unchanged; measure the same model twice."),
     # ------------------------------------------------------------------------------------------ memory and worker process
     "E-MEM-01": Sentence(
         "There is not enough memory for '{command}'.", "Nothing was written; close other programs, or ask for fewer points or triangles."

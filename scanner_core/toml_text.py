@@ -1,4 +1,4 @@
-"""TOML from outside (rigs, plans): read within limits, and refused with a reason that fits into one sentence."""
+"""TOML from outside (rigs, plans): read within limits, and refused with a reason that fits into one sentence; and written."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ DEEPEST = 16
 LARGEST = 2**63 - 1
 """Of a whole number, as TOML says."""
 
+_HEADER = re.compile(r"\s*\[+\s*([^\]\s]+)\s*\]")
 # The parser's time grows with the square of the parts of a dotted key.  The quantifiers are possessive: no step is tried twice.
 _LONG_KEY = re.compile(r"(?<![\w-])(?:(?:[A-Za-z0-9_-]++|\"[^\"\n]*+\"|'[^'\n]*+')[ \t]*+\.[ \t]*+)" + f"{{{DEEPEST}}}")
 
@@ -67,3 +68,32 @@ def parse_toml(text: str) -> dict[str, Any]:
         if not level:
             return tree
     raise ValueError(f"it is nested more than {DEEPEST} deep")
+
+
+def toml_value(value: object) -> str:
+    """A TOML value; floats with all their digits."""
+    if isinstance(value, str):
+        escaped = value.replace("\\", "\\\\").replace('"', '\\"')
+        return '"' + "".join(c if c.isprintable() else f"\\U{ord(c):08x}" for c in escaped) + '"'
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, int | float):
+        return repr(value)
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(toml_value(v) for v in value) + "]"
+    raise TypeError(f"no TOML for {type(value).__name__}")
+
+
+def without_table(text: str, name: str) -> list[str]:
+    """The lines of a TOML text without the tables of that name and those within them; comments stay."""
+    kept: list[str] = []
+    inside = False
+    for line in text.splitlines():
+        header = _HEADER.match(line)
+        if header is not None and not line.startswith("  "):  # rows of numbers are indented
+            inside = header.group(1).split(".")[0] == name
+        if not inside or line.lstrip().startswith("#"):
+            kept.append(line)
+    while kept and not kept[-1]:
+        kept.pop()
+    return kept

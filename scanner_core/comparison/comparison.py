@@ -23,6 +23,7 @@ class Comparison:
     ----------
     mask : (v_after,) bool, what was painted as stable; None without
     null_level_um : the empirical level of detection of this rig and material (see `null_comparison`); None when none was measured
+    pair : what the two surfaces together give reason to doubt (see `pair_doubts`)
     """
 
     before: ComparedSurface
@@ -33,8 +34,14 @@ class Comparison:
     areas: tuple[Area, ...]
     mask: NDArray[np.bool_] | None = None
     null_level_um: float | None = None
+    pair: tuple[Doubt, ...] = ()
 
     @property
     def doubts(self) -> tuple[Doubt, ...]:
-        """Of both surfaces and of the alignment."""
-        return self.before.doubts + self.after.doubts + self.alignment.doubts
+        """Of both surfaces, of the two together, and of the alignment."""
+        return self.before.doubts + self.after.doubts + self.pair + self.alignment.doubts
+
+    @property
+    def reliable(self) -> bool:
+        """No serious doubt."""
+        return not any(doubt.serious for doubt in self.doubts)

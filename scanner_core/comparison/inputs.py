@@ -116,7 +116,8 @@ def _measured_with(store: CaseStore, provenance: dict[str, object]) -> dict[str,
             calibration = case_calibration(store, named)
     except ImprontaError:
         return told  # a rig that is damaged keeps no surface from being compared
-    return told | {"rig": rig.name, "calibration_id": calibration.identity(), "calibration_date": calibration.date}
+    told |= {"rig": rig.name, "calibration_id": calibration.identity(), "calibration_date": calibration.date}
+    return told | ({"null_levels": [level.as_dict() for level in rig.null_levels]} if rig.null_levels else {})
 
 
 def _surface(path: Path, mesh: TriangleMesh, sha256: str, unit: str, reason: str, doubts: list[Doubt], origin: dict[str, object]) -> ComparedSurface:

@@ -6,7 +6,6 @@ too large.  Nothing is measured with it; points come from the calibration alone.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import datetime
@@ -17,13 +16,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from scanner_core.devices.null_level import NullLevel, dump_null_levels, null_levels
 from scanner_core.devices.rig_values import FAR_MM, array, axis, number, only, plain, port, table, text, whole
 from scanner_core.errors import UsageError
 from scanner_core.one_line import one_line
 from scanner_core.optics.calibration import VALID_DAYS, ScaleReference, StereoCalibration, TurntableAxis
 from scanner_core.optics.camera_model import CameraModel
 from scanner_core.optics.spot_detection import SpotDetectorParameters
-from scanner_core.toml_text import parse_toml, read_text
+from scanner_core.toml_text import parse_toml, read_text, toml_value, without_table
 
 Array = NDArray[np.float64]
 
@@ -129,6 +129,7 @@ class RigConfig:
     spot: SpotDetectorParameters = field(default_factory=SpotDetectorParameters)
     acceptance: AcceptanceLimits = field(default_factory=AcceptanceLimits)
     image_model: Mapping[str, Any] = field(default_factory=dict)
+    null_levels: tuple[NullLevel, ...] = ()
 
     def without(self, terms: Sequence[str]) -> RigConfig:
         """The virtual rig with more terms of its image model switched off."""
@@ -185,9 +186,9 @@ def parse_rig(content: str, source: str) -> RigConfig:
 
 def dump_rig(rig: RigConfig) -> str:
     """The rig as TOML text; ``load_rig`` of it gives the same values to the last bit."""
-    lines = [f"name = {_value(rig.name)}"]
+    lines = [f"name = {toml_value(rig.name)}"]
     if rig.virtual is not None:
-        lines.append(f"virtual = {_value(rig.virtual)}")
+        lines.append(f"virtual = {toml_value(rig.virtual)}")
     for key, part in (
         ("camera.left", rig.left),
         ("camera.right", rig.right),
@@ -200,10 +201,11 @@ def dump_rig(rig: RigConfig) -> str:
     ):
         lines += ["", f"[{key}]"]
         lines += [
-            f"{name} = {_value(getattr(part, name))}" for name in part.__dataclass_fields__ if not (key.startswith("camera") and name == "name")
+            f"{name} = {toml_value(getattr(part, name))}" for name in part.__dataclass_fields__ if not (key.startswith("camera") and name == "name")
         ]
     if rig.image_model:
-        lines += ["", "[image_model]", *(f"{name} = {_value(value)}" for name, value in rig.image_model.items())]
+        lines += ["", "[image_model]", *(f"{name} = {toml_value(value)}" for name, value in rig.image_model.items())]
+    lines += dump_null_levels(rig.null_levels)
     if rig.calibration is not None:
         lines += ["", *_dump_calibration(rig.calibration)]
     return "\n".join(lines) + "\n"
@@ -234,17 +236,7 @@ def _read(path: Path) -> str:
 
 def recalibrated(text: str, calibration: StereoCalibration) -> str:
     """A rig file's text with another calibration; all else, with its comments, stays as it was written."""
-    kept: list[str] = []
-    inside = False
-    for line in text.splitlines():
-        header = re.match(r"\s*\[+\s*([^\]\s]+)\s*\]", line)
-        if header is not None and not line.startswith("  "):  # rows of numbers are indented
-            inside = header.group(1).split(".")[0] == "calibration"
-        if not inside or line.lstrip().startswith("#"):
-            kept.append(line)
-    while kept and not kept[-1]:
-        kept.pop()
-    return "\n".join([*kept, "", *_dump_calibration(calibration)]) + "\n"
+    return "\n".join([*without_table(text, "calibration"), "", *_dump_calibration(calibration)]) + "\n"
 
 
 def _rig(tree: dict[str, Any]) -> RigConfig:
@@ -266,6 +258,7 @@ def _rig(tree: dict[str, Any]) -> RigConfig:
         calibration=_calibration(table(tree, "calibration")) if "calibration" in tree else None,
         spot=SpotDetectorParameters(**spot),
         image_model={key: plain(value, key) for key, value in table(tree, "image_model", {}).items()},
+        null_levels=null_levels(tree.get("null_comparison", [])),
         acceptance=AcceptanceLimits(**{key: number(value, key, -1e9, 1e9) for key, value in limits.items()}),
     )
 
@@ -309,23 +302,23 @@ def _dump_calibration(calibration: StereoCalibration) -> list[str]:
     axis = calibration.turntable
     lines = [
         "[calibration]",
-        f"id = {_value(calibration.identity())}",
-        f"date = {_value(calibration.date)}",
+        f"id = {toml_value(calibration.identity())}",
+        f"date = {toml_value(calibration.date)}",
         f"views = {calibration.views}",
         f"reprojection_rms_px = {calibration.reprojection_rms_px!r}",
         f"held_out_rms_um = {calibration.held_out_rms_um!r}",
         f"valid_days = {calibration.valid_days!r}",
     ]
     if calibration.modes is not None:
-        lines += ["modes = [", *(f"  {_value(mode)}," for mode in calibration.modes.tolist()), "]"]
+        lines += ["modes = [", *(f"  {toml_value(mode)}," for mode in calibration.modes.tolist()), "]"]
     for name, camera in (("left", calibration.left), ("right", calibration.right)):
-        lines += ["", f"[calibration.{name}]", f"size_px = {_value(camera.size_px)}"]
-        lines += [f"{key} = {_value(getattr(camera, key).tolist())}" for key in ("matrix", "distortion", "rotation", "translation")]
-    lines += ["", "[calibration.turntable]", f"origin = {_value(axis.origin.tolist())}", f"direction = {_value(axis.direction.tolist())}"]
+        lines += ["", f"[calibration.{name}]", f"size_px = {toml_value(camera.size_px)}"]
+        lines += [f"{key} = {toml_value(getattr(camera, key).tolist())}" for key in ("matrix", "distortion", "rotation", "translation")]
+    lines += ["", "[calibration.turntable]", f"origin = {toml_value(axis.origin.tolist())}", f"direction = {toml_value(axis.direction.tolist())}"]
     lines += [f"angle_rms_deg = {axis.angle_rms_deg!r}", f"position_rms_um = {axis.position_rms_um!r}"]
     if calibration.scale is not None:
         known = {name: getattr(calibration.scale, name) for name in calibration.scale.__dataclass_fields__}
-        lines += ["", "[calibration.scale]", *(f"{name} = {_value(value)}" for name, value in known.items() if value is not None)]
+        lines += ["", "[calibration.scale]", *(f"{name} = {toml_value(value)}" for name, value in known.items() if value is not None)]
     return lines
 
 
@@ -376,17 +369,3 @@ def _scale(values: dict[str, Any]) -> ScaleReference:
     numbers = {key: number(values[key], key, 0.0, 1e9) for key in ("length_mm", "uncertainty_ppm", "print_scale")}
     held_out = array(values["held_out_ppm"], "held_out_ppm", (2,)).tolist() if "held_out_ppm" in values else None
     return ScaleReference(source=text(values, "source"), **numbers, held_out_ppm=None if held_out is None else (held_out[0], held_out[1]))
-
-
-def _value(value: object) -> str:
-    """A TOML value; floats with all their digits."""
-    if isinstance(value, str):
-        escaped = value.replace("\\", "\\\\").replace('"', '\\"')
-        return '"' + "".join(c if c.isprintable() else f"\\U{ord(c):08x}" for c in escaped) + '"'
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, int | float):
-        return repr(value)
-    if isinstance(value, list | tuple):
-        return "[" + ", ".join(_value(v) for v in value) + "]"
-    raise TypeError(f"no TOML for {type(value).__name__}")

@@ -1,0 +1,167 @@
+"""Brings the after surface onto the before surface: start, frame, uncertainty, and what speaks against it."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scanner_core.comparison.alignment import Alignment, FrameShift
+from scanner_core.comparison.alignment_doubts import frame_doubts, pose_doubts, region_doubts
+from scanner_core.comparison.alignment_uncertainty import alignment_uncertainty
+from scanner_core.comparison.coarse_fit import trimmed_fit
+from scanner_core.comparison.doubt import Doubt
+from scanner_core.comparison.fine_fit import LEAST_VERTICES, fit_chosen, fit_stable
+from scanner_core.comparison.global_start import FINE_CELLS, find_start, is_ambiguous, sample_both
+from scanner_core.comparison.parameters import ComparisonParameters, Frame
+from scanner_core.comparison.stable_region import find_stable
+from scanner_core.comparison.surface import ComparedSurface
+from scanner_core.comparison.surface_pairing import Mask, Pairs, SurfacePairing
+from scanner_core.comparison.surface_sample import supported_triangles
+from scanner_core.errors import ComparisonError
+from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.jobs.progress import Cancelled, IsCancelled, OnProgress, Progress
+
+Array = NDArray[np.float64]
+
+_LEAST_TRIANGLES = 100
+_LEAST_PAINTED_MM2 = 5.0
+
+
+def align(
+    before: ComparedSurface,
+    after: ComparedSurface,
+    parameters: ComparisonParameters,
+    *,
+    mask: Mask | None = None,
+    start: RigidTransform | None = None,
+    progress: OnProgress,
+    cancelled: IsCancelled,
+) -> Alignment:
+    """Align two surfaces in the frame that `parameters` ask for.
+
+    Parameters
+    ----------
+    mask : (v_after,) bool, what a person painted as stable; needed for the frame MASK
+    start : after to before, from picked points; a few millimetres off will do.  Of the frame GIVEN it is the alignment itself
+        (identity without it)
+
+    Raises
+    ------
+    ComparisonError
+        E-CMP-01 no pose fits, E-CMP-02 no overlap, E-CMP-03 mirrored, E-CMP-04 too few triangles, E-CMP-06 nothing painted
+    Cancelled
+    """
+    for surface in (before, after):
+        _check(surface)
+    frame = parameters.frame
+    painted = _painted(after, mask) if frame is Frame.MASK else None
+    rng = np.random.default_rng(parameters.seed)
+
+    def tell(phase: str, fraction: float) -> None:
+        if cancelled():
+            raise Cancelled
+        progress(Progress(phase, fraction))
+
+    tell("find the pose", 0.0)
+    ambiguous = False
+    if frame is Frame.GIVEN:
+        transform, method = start or RigidTransform.identity(), "given"
+    else:
+        if start is None:
+            found = find_start(before, after, seed=parameters.seed, cancelled=cancelled)
+            transform, method, ambiguous = found.transform, found.method, is_ambiguous(found)
+        else:
+            transform, method = start, "picked points"
+        fine_before, fine_after = sample_both(before, after, FINE_CELLS)
+        if start is not None:
+            transform = trimmed_fit(fine_before, fine_after, transform, share=0.7, rounds=30)
+        transform = trimmed_fit(fine_before, fine_after, transform, share=0.5, rounds=30)
+
+    tell("find the stable region", 0.5)
+    pairing = SurfacePairing(before, after, parameters.no_counterpart_mm)
+    here = pairing.at(transform)
+    if not here.facing.sum() >= LEAST_VERTICES:
+        raise ComparisonError("E-CMP-02", before=before.name, after=after.name, reach_mm=parameters.no_counterpart_mm)
+    everything = np.ones(len(pairing.areas), np.bool_)
+    auto, pairs, stable = fit_stable(pairing, transform, cancelled)
+    frames = {Frame.AUTO: auto}
+    tell("fit the whole for comparison", 0.75)
+    frames[Frame.WHOLE], whole_pairs, whole_used = fit_chosen(pairing, auto, everything, cancelled)
+    if frame is Frame.WHOLE:
+        pairs, stable = whole_pairs, whole_used
+    elif painted is not None:
+        frames[Frame.MASK], pairs, stable = fit_chosen(pairing, auto, painted, cancelled)
+    elif frame is Frame.GIVEN:
+        frames[Frame.GIVEN], pairs, stable = transform, here, find_stable(pairing, here)
+    if stable.sum() < LEAST_VERTICES:
+        if frame is Frame.MASK:
+            raise ComparisonError("E-CMP-06", area_mm2=0.0, least_mm2=_LEAST_PAINTED_MM2)
+        stable = pairs.facing.copy()
+    transform = frames[frame]
+
+    tell("estimate the uncertainty", 0.9)
+    return _assemble(pairing, pairs, stable, frames, frame, method, ambiguous, rng)
+
+
+def _assemble(
+    pairing: SurfacePairing,
+    pairs: Pairs,
+    stable: Mask,
+    frames: dict[Frame, RigidTransform],
+    frame: Frame,
+    method: str,
+    ambiguous: bool,
+    rng: np.random.Generator,
+) -> Alignment:
+    areas = pairing.areas
+    of_stable = (pairs.points[stable], pairs.normals[stable], pairs.distances[stable], areas[stable])
+    uncertainty = alignment_uncertainty(*of_stable, rng)
+    covariance, stable_um = uncertainty.covariance, uncertainty.stable_um
+    counted = pairing.supported
+    overlap = float(areas[pairs.facing].sum() / max(areas[counted].sum(), 1e-300))
+    share = float(areas[stable].sum() / max(areas[pairs.facing].sum(), 1e-300))
+    shifts = tuple(_shift(other, moved, pairs.points, pairing.after.vertices, counted) for other, moved in frames.items() if other is not frame)
+    doubts: list[Doubt] = region_doubts(frame, share, float(areas[stable].sum()), overlap)
+    doubts += pose_doubts(uncertainty, pairs.points[counted], ambiguous)
+    doubts += frame_doubts(frame, shifts)
+    return Alignment(
+        transform=frames[frame],
+        frame=frame,
+        method=method,
+        stable=stable,
+        stable_area_fraction=share,
+        rms_um=1e3 * float(np.sqrt(np.average(pairs.distances[stable] ** 2, weights=areas[stable]))),
+        noise_um=1e3 * 1.4826 * float(np.median(np.abs(pairs.distances[stable]))),
+        correlation_length_mm=uncertainty.correlation_length_mm,
+        covariance=covariance,
+        centre=uncertainty.centre,
+        uncertainty_um=stable_um,
+        scale_ratio=uncertainty.scale_ratio,
+        scale_ratio_uncertainty=uncertainty.scale_ratio_uncertainty,
+        overlap=overlap,
+        shifts=shifts,
+        doubts=tuple(doubts),
+    )
+
+
+def _shift(frame: Frame, transform: RigidTransform, here: Array, vertices: Array, counted: Mask) -> FrameShift:
+    displacement = 1e3 * np.linalg.norm(transform.apply(vertices) - here, axis=1)
+    of_counted = displacement[counted]
+    return FrameShift(frame, transform, float(np.sqrt(np.mean(of_counted**2))), float(of_counted.max()), displacement)
+
+
+def _check(surface: ComparedSurface) -> None:
+    """A surface of a hundred measured triangles with an area, or E-CMP-04."""
+    triangles = supported_triangles(surface)
+    if len(triangles) < _LEAST_TRIANGLES or not np.isfinite(surface.mesh.vertices).all() or surface.mesh.area() <= 0:
+        raise ComparisonError("E-CMP-04", name=surface.name, triangles=len(triangles), least=_LEAST_TRIANGLES)
+
+
+def _painted(after: ComparedSurface, mask: Mask | None) -> Mask:
+    if mask is None:
+        raise ComparisonError("E-CMP-06", area_mm2=0.0, least_mm2=_LEAST_PAINTED_MM2)
+    triangles = after.mesh.triangles
+    area = float(after.mesh.areas()[(mask & after.supported)[triangles].all(axis=1)].sum())
+    if area < _LEAST_PAINTED_MM2:
+        raise ComparisonError("E-CMP-06", area_mm2=round(area, 1), least_mm2=_LEAST_PAINTED_MM2)
+    return mask & after.supported

@@ -1,0 +1,80 @@
+"""What two surfaces together give reason to doubt, before they are aligned."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from datetime import datetime
+
+import numpy as np
+
+from scanner_core.comparison.doubt import Doubt
+from scanner_core.comparison.surface import ComparedSurface
+from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.one_line import one_line
+
+LARGEST_RATIO = 2.0
+"""Of the sizes; a surface of which one half is missing is some 0.7 times as large as the whole, another unit 2.54 times or more."""
+_UNIT_RATIOS = (
+    (2.54, "centimetres and inches"),
+    (10.0, "millimetres and centimetres"),
+    (25.4, "millimetres and inches"),
+    (1000.0, "millimetres and metres"),
+)
+
+
+def pair_doubts(before: ComparedSurface, after: ComparedSurface) -> tuple[Doubt, ...]:
+    """The same file twice, orders that contradict each other, sizes that do not belong together; gravest first."""
+    found = [*_identical(before, after), *_orders(before, after), *_sizes(before.mesh, after.mesh), *_dates(before, after)]
+    return tuple(sorted(found, key=lambda doubt: not doubt.serious))
+
+
+def _identical(before: ComparedSurface, after: ComparedSurface) -> Iterator[Doubt]:
+    same_mesh = before.mesh.vertices.shape == after.mesh.vertices.shape and np.array_equal(before.mesh.vertices, after.mesh.vertices)
+    if before.sha256 == after.sha256:
+        words = f"{before.name} and {after.name} are identical files: nothing was measured twice; choose the other state."
+        yield Doubt("identical-files", words, serious=True)
+    elif same_mesh and np.array_equal(before.mesh.triangles, after.mesh.triangles):
+        words = f"{before.name} and {after.name} hold the identical surface: nothing was measured twice; choose the other state."
+        yield Doubt("identical-surfaces", words, serious=True)
+
+
+def _orders(before: ComparedSurface, after: ComparedSurface) -> Iterator[Doubt]:
+    """A field that only one of the two fills in says nothing."""
+    for key, code, what in (("type", "types-differ", "is"), ("side", "sides-differ", "is of the side")):
+        first, second = (str(surface.origin.get(key) or "").strip() for surface in (before, after))
+        if first and second and first.casefold() != second.casefold():
+            words = f"By its order {before.name} {what} '{one_line(first)}', but {after.name} '{one_line(second)}'; choose two that belong together."
+            yield Doubt(code, words, serious=True)
+    patients = [surface.origin.get("patient_digest") for surface in (before, after)]
+    if all(patients) and patients[0] != patients[1]:
+        yield Doubt(
+            "patients-differ", f"The orders of {before.name} and {after.name} name different patients; choose two of one patient.", serious=True
+        )
+
+
+def _sizes(before: TriangleMesh, after: TriangleMesh) -> Iterator[Doubt]:
+    ratio = _spread_mm(after) / _spread_mm(before)
+    if 1 / LARGEST_RATIO <= ratio <= LARGEST_RATIO:
+        return
+    more = max(ratio, 1 / ratio)
+    known = next((f" ({names} differ by {factor:g})" for factor, names in _UNIT_RATIOS if abs(more / factor - 1) < 0.15), "")
+    words = f"The later surface is {ratio:.3g} times as large as the earlier one; check the units{known}, or whether the two belong together."
+    yield Doubt("sizes-differ", words, serious=True)
+
+
+def _spread_mm(mesh: TriangleMesh) -> float:
+    """Root mean square distance of the surface from its centroid: of the shape alone, not of its pose."""
+    areas, middles = mesh.areas(), mesh.vertices[mesh.triangles].mean(axis=1)
+    weights = areas / areas.sum()
+    return float(np.sqrt(weights @ ((middles - weights @ middles) ** 2).sum(axis=1)))
+
+
+def _dates(before: ComparedSurface, after: ComparedSurface) -> Iterator[Doubt]:
+    try:
+        first, second = (datetime.fromisoformat(str(surface.origin["date"])) for surface in (before, after))
+        late = first > second
+    except (KeyError, TypeError, ValueError):
+        return
+    if late:
+        words = f"{before.name} was measured after {after.name} ({first:%Y-%m-%d %H:%M} and {second:%Y-%m-%d %H:%M}): are the two exchanged?"
+        yield Doubt("dates-exchanged", words, serious=False)

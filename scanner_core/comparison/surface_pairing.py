@@ -1,0 +1,122 @@
+"""Every vertex of the after surface with its counterpart on the before surface, at any pose."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
+from scipy.spatial import cKDTree
+
+from scanner_core.comparison.surface import ComparedSurface
+from scanner_core.geometry.edges import EdgeTable, adjacency, row_dot, valences
+from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.proximity import SurfaceWalk
+from scanner_core.geometry.rigid import RigidTransform
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+_NORMALS_OVER_MM = 0.5
+"""Normals are averaged over this length: those of single vertices are noisier than the surfaces are curved."""
+_MOST_ROUNDS = 40
+_LEAST_COSINE = 0.5
+"""Surfaces that face each other at more than 60 degrees are no counterparts."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Pairs:
+    """Signed distances at one pose; rows are all vertices of the after surface.
+
+    Attributes
+    ----------
+    points : (v, 3) the moved vertices, frame of BEFORE, mm
+    normals : (v, 3) unit, the mean of both surfaces' smoothed normals
+    distances : (v,) mm along these normals, + outside
+    facing : (v,) bool, there is a counterpart
+    """
+
+    points: Array
+    normals: Array
+    distances: Array
+    facing: Mask
+
+    def jacobian(self, centre: Array) -> Array:
+        """Derivative of the distances by a rotation vector about `centre` and a translation, (v, 6)."""
+        return np.concatenate([np.cross(self.points - centre, self.normals), self.normals], axis=1)
+
+
+class MeshAverage:
+    """Averages values of vertices over a stated length along the surface, by diffusion on the mesh's edges."""
+
+    def __init__(self, mesh: TriangleMesh, table: EdgeTable) -> None:
+        joined = adjacency(table.edges, len(mesh.vertices))
+        valence = np.maximum(valences(table.edges, len(mesh.vertices)), 1)
+        # a vertex keeps half its value: a plain mean of neighbours would oscillate
+        self._step = sparse.csr_array(0.5 * sparse.eye_array(len(valence)) + 0.5 * sparse.diags_array(1.0 / valence) @ joined)
+        self.edge_mm = float(np.sqrt(np.mean(table.lengths(mesh.vertices) ** 2))) if len(table.edges) else 1.0
+
+    def __call__(self, values: Array, length_mm: float) -> Array:
+        """Values (v,) or (v, k), averaged as by a Gaussian with the standard deviation `length_mm` in every direction."""
+        # a round moves half of the value by one edge: the variance grows by a quarter of its square in each direction
+        rounds = int(np.clip(np.ceil(4 * (length_mm / self.edge_mm) ** 2), 1, _MOST_ROUNDS))
+        for _ in range(rounds):
+            values = self._step @ values
+        return values
+
+
+class SurfacePairing:
+    """Finds counterparts; everything about the two meshes that does not depend on the pose is made once.
+
+    Attributes
+    ----------
+    before, after : the meshes
+    supported : (v_after,) bool
+    areas : (v_after,) mm^2 of surface round each vertex
+    average : over lengths along the after surface
+    edges : of the after surface
+    """
+
+    def __init__(self, before: ComparedSurface, after: ComparedSurface, reach_mm: float) -> None:
+        self.before, self.after = before.mesh, after.mesh
+        self.supported = after.supported
+        self.reach_mm = reach_mm
+        before_table, self.edges = EdgeTable.of(before.mesh.triangles), EdgeTable.of(after.mesh.triangles)
+        self.average = MeshAverage(after.mesh, self.edges)
+        thirds = np.repeat(after.mesh.areas() / 3, 3)
+        self.areas = np.asarray(np.bincount(after.mesh.triangles.ravel(), thirds, minlength=len(after.mesh.vertices)), np.float64)
+        self._walk = SurfaceWalk(before.mesh, before_table)
+        self._tree = cKDTree(before.mesh.vertices)
+        self._usable: Mask = np.asarray(before.supported[before.mesh.triangles].all(axis=1), np.bool_)
+        alone = np.bincount(before_table.side_edges.ravel(), minlength=len(before_table.edges)) == 1
+        self._border_side: Mask = np.asarray(alone, np.bool_)[before_table.side_edges.ravel()]
+        self._before_normals = _smooth_normals(before.mesh, MeshAverage(before.mesh, before_table))
+        self._after_normals = _smooth_normals(after.mesh, self.average)
+
+    def at(self, transform: RigidTransform) -> Pairs:
+        """Counterparts at a pose, after to before."""
+        points = transform.apply(self.after.vertices)
+        away, nearest = self._tree.query(points, distance_upper_bound=2 * self.reach_mm + 1e-9)
+        near = np.flatnonzero(np.isfinite(away) & self.supported)
+        distances, facing = np.zeros(len(points)), np.zeros(len(points), np.bool_)
+        normals = transform.rotate(self._after_normals)
+        if len(near):
+            feet = self._walk.feet(points[near], nearest[near].astype(np.int64))
+            corners = self.before.triangles[feet.triangles]
+            opposite = np.einsum("nc,ncd->nd", feet.weights, self._before_normals[corners])
+            mean = normals[near] + opposite
+            mean /= np.maximum(np.sqrt(row_dot(mean, mean)), 1e-12)[:, None]
+            # side i runs from corner i to i + 1: a foot lies on it where the third weight is nothing
+            on_border = np.any(self._border_side[3 * feet.triangles[:, None] + np.arange(3)] & (feet.weights[:, (2, 0, 1)] < 1e-9), axis=1)
+            facing[near] = (
+                (feet.distances_mm < self.reach_mm) & ~on_border & self._usable[feet.triangles] & (row_dot(normals[near], opposite) > _LEAST_COSINE)
+            )
+            distances[near] = row_dot(points[near] - feet.points, mean)
+            normals[near] = mean
+        return Pairs(points, normals, distances, facing)
+
+
+def _smooth_normals(mesh: TriangleMesh, average: MeshAverage) -> Array:
+    normals = average(mesh.vertex_normals(), _NORMALS_OVER_MM)
+    return np.asarray(normals / np.maximum(np.sqrt(row_dot(normals, normals)), 1e-12)[:, None], np.float64)

@@ -1,0 +1,101 @@
+"""Two surfaces of one arch are brought onto each other, whatever their pose, and what does not belong together is refused."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+from scipy.spatial import cKDTree
+from scipy.spatial.transform import Rotation
+
+from scanner_core.comparison.aligning import align
+from scanner_core.comparison.alignment import Alignment
+from scanner_core.comparison.parameters import ComparisonParameters, Frame
+from scanner_core.comparison.surface import ComparedSurface
+from scanner_core.errors import ComparisonError
+from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.virtual.specimens.arch import arch
+from scanner_core.virtual.specimens.ear import ear
+
+NOISE_MM = 0.05
+
+
+@cache
+def clean(treated: bool) -> TriangleMesh:
+    return arch(treated=treated).mesh
+
+
+def surface(mesh: TriangleMesh, name: str = "surface") -> ComparedSurface:
+    return ComparedSurface(mesh, name, "0" * 64, "mm", "", np.ones(len(mesh.vertices), np.bool_))
+
+
+def pose(seed: int) -> RigidTransform:
+    rng = np.random.default_rng(seed)
+    return RigidTransform(Rotation.random(random_state=seed).as_matrix(), rng.normal(0, 40, 3))
+
+
+def posed(mesh: TriangleMesh, transform: RigidTransform, seed: int, noise_mm: float = NOISE_MM) -> TriangleMesh:
+    noise = np.random.default_rng(seed).normal(0, noise_mm, len(mesh.vertices)) if noise_mm else np.zeros(len(mesh.vertices))
+    return TriangleMesh(transform.apply(mesh.vertices + mesh.vertex_normals() * noise[:, None]), mesh.triangles)
+
+
+def cut(mesh: TriangleMesh, keep: np.ndarray[tuple[int], np.dtype[np.bool_]]) -> TriangleMesh:
+    """Only the triangles with three kept corners."""
+    triangles = mesh.triangles[keep[mesh.triangles].all(axis=1)]
+    used, new = np.unique(triangles, return_inverse=True)
+    return TriangleMesh(mesh.vertices[used], new.reshape(-1, 3))
+
+
+def aligned(before: TriangleMesh, after: TriangleMesh, frame: Frame = Frame.AUTO, **more: object) -> Alignment:
+    parameters = ComparisonParameters(frame=frame)
+    return align(surface(before, "before"), surface(after, "after"), parameters, progress=lambda _: None, cancelled=lambda: False, **more)  # type: ignore[arg-type]
+
+
+def error_um(found: RigidTransform, truth: RigidTransform, points: np.ndarray[tuple[int, int], np.dtype[np.float64]]) -> float:
+    """rms distance, on `points` of the after file."""
+    return 1e3 * float(np.sqrt(np.mean(np.sum((found.apply(points) - truth.apply(points)) ** 2, axis=1))))
+
+
+def test_moved_teeth_do_not_pull_the_alignment() -> None:
+    place = pose(1)
+    before, after = posed(clean(False), RigidTransform.identity(), 2), posed(clean(True), place, 3)
+    found = aligned(before, after)
+    away, _ = cKDTree(clean(False).vertices).query(clean(True).vertices)
+    points = after.vertices[away < 1e-6]  # both states share their grid where no moved tooth reaches
+    assert error_um(found.transform, place.inverse(), points) < 10
+    assert found.method == "principal axes"
+    whole = next(shift for shift in found.shifts if shift.frame is Frame.WHOLE)
+    assert whole.rms_um > 30  # least squares would have been pulled
+    assert found.reliable, found.doubts
+
+
+def test_a_fragment_is_found_by_features() -> None:
+    place = pose(4)
+    before = posed(clean(False), RigidTransform.identity(), 5)
+    whole = clean(True)
+    after = posed(cut(whole, whole.vertices[:, 0] > 0.0), place, 6)
+    found = aligned(before, after)
+    assert found.method == "point-pair features"
+    assert error_um(found.transform, place.inverse(), after.vertices) < 20
+
+
+def test_two_different_objects_are_refused() -> None:
+    with pytest.raises(ComparisonError) as told:
+        aligned(clean(False), ear().mesh)
+    assert told.value.code == "E-CMP-01"
+
+
+def test_one_triangle_is_refused() -> None:
+    one = TriangleMesh(np.eye(3), np.array([[0, 1, 2]]))
+    with pytest.raises(ComparisonError) as told:
+        aligned(clean(False), one)
+    assert told.value.code == "E-CMP-04"
+
+
+def test_identical_files_align_exactly() -> None:
+    found = aligned(clean(False), clean(False))
+    assert error_um(found.transform, RigidTransform.identity(), clean(False).vertices) < 0.1
+    assert found.rms_um < 0.1
+    assert found.stable_area_fraction > 0.99
