@@ -23,6 +23,7 @@ from scanner_core.comparison.doubt import Doubt
 from scanner_core.comparison.parameters import ComparisonParameters, Frame
 from scanner_core.comparison.surface import ComparedSurface
 from scanner_core.comparison.tracks import Track, tracks_of
+from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.jobs.progress import IsCancelled, OnProgress, Progress
 
 Array = NDArray[np.float64]
@@ -116,7 +117,7 @@ def measure_series(
     doubts: list[Doubt] = []
     masks: list[NDArray[np.bool_] | None] = [None] * len(later)
     common: NDArray[np.bool_] | None = None
-    starts = [None] * len(later) if parameters.frame is not Frame.AUTO else []
+    starts: list[RigidTransform | None] = [None] * len(later)
     held = parameters
     if parameters.frame is Frame.AUTO:
         found = [align(first, after, parameters, progress=part(), cancelled=cancelled) for after in later]
