@@ -12,6 +12,7 @@ from scanner_core.comparison.aligning import align
 from scanner_core.comparison.areas import find_areas
 from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.measuring import measure_deviation
+from scanner_core.comparison.pair_doubts import pair_doubts
 from scanner_core.comparison.parameters import ComparisonParameters
 from scanner_core.comparison.surface import ComparedSurface
 from scanner_core.geometry.rigid import RigidTransform
@@ -73,12 +74,13 @@ def compare(
     Cancelled
     """
     parameters = parameters or ComparisonParameters()
+    doubts = pair_doubts(before, after)
     clock = _Clock(progress)
     alignment = align(before, after, parameters, mask=mask, start=start, progress=clock.part("align"), cancelled=cancelled)
     deviation = measure_deviation(before, after, alignment, parameters, progress=clock.part("measure"), cancelled=cancelled)
     areas = find_areas(before, after, alignment, deviation, parameters, progress=clock.part("areas"), cancelled=cancelled)
     progress(Progress("areas", 1.0, 0.0))
-    return Comparison(before, after, parameters, alignment, deviation, areas, mask, null_level_um)
+    return Comparison(before, after, parameters, alignment, deviation, areas, mask, null_level_um, doubts)
 
 
 class _Clock:
