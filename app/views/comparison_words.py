@@ -13,8 +13,8 @@ from scanner_core.comparison.parameters import Frame, Jaw
 
 FRAMES = {
     Frame.AUTO: (
-        QT_TRANSLATE_NOOP("comparison", "Stable region, found"),
-        QT_TRANSLATE_NOOP("comparison", "what did not move is found and held fixed"),
+        QT_TRANSLATE_NOOP("comparison", "What did not move, found"),
+        QT_TRANSLATE_NOOP("comparison", "the stable region is found and held fixed"),
     ),
     Frame.WHOLE: (QT_TRANSLATE_NOOP("comparison", "Whole surface"), QT_TRANSLATE_NOOP("comparison", "best fit of everything, also of what moved")),
     Frame.MASK: (QT_TRANSLATE_NOOP("comparison", "Painted region"), QT_TRANSLATE_NOOP("comparison", "what was painted is held fixed")),

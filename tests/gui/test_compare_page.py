@@ -14,9 +14,11 @@ from PySide6.QtWidgets import QApplication
 from app.comparison_draft import ComparisonChoice
 from app.program import Program
 from app.views.compare_page import ComparePage
+from app.views.pointed import Pointed
+from scanner_core.case.store import CaseStore, Order
 from scanner_core.comparison.parameters import Frame, Jaw
 from scanner_core.geometry.mesh import TriangleMesh
-from scanner_core.mesh_io import write_mesh
+from scanner_core.mesh_io import read_mesh, write_mesh
 from scanner_core.virtual.specimens.arch import TREATMENT, foot
 from scanner_core.virtual.specimens.implicit import mesh_implicit
 from tests.gui.compare_pair import MOVED, POSE, PairFiles, nearest_tooth, write_pair
@@ -281,3 +283,74 @@ def test_what_cannot_be_compared_is_said_in_a_sentence(program: Program, page: C
 
 def _ball() -> TriangleMesh:
     return mesh_implicit(lambda points: np.sqrt((points**2).sum(axis=1)) - 15.0, (-16.0, -16.0, -16.0), (16.0, 16.0, 16.0), 1.0)
+
+
+def test_the_unit_of_a_file_is_guessed_shown_and_overruled(program: Program, page: ComparePage, files: PairFiles, tmp_path: Path) -> None:
+    comparing = program.services.comparing
+    mesh = read_mesh(files.before)
+    plain = tmp_path / "plain.obj"
+    write_mesh(plain, TriangleMesh(mesh.vertices / 25.4, mesh.triangles))
+    plain.write_text("".join(line for line in plain.read_text().splitlines(keepends=True) if not line.startswith("#")))  # where the unit stands
+    page.take_files([plain], None)
+    until(lambda: comparing.draft.choice.before is not None, 30, "the surface")
+    card = page.surfaces.cards["before"]
+    assert card.unit.currentData() == "inch"
+    assert "inch" in card.doubts
+    card.unit.setCurrentIndex(card.unit.findData("cm"))
+    card.unit.activated.emit(card.unit.currentIndex())
+    until(lambda: comparing.draft.choice.before is not None and comparing.draft.choice.before.surface.unit == "cm", 30, "the other unit")
+    program.window.undo()
+    assert card.unit.currentData() == "inch"
+
+
+def test_three_points_on_each_start_the_comparison_and_are_undone_one_by_one(program: Program, page: ComparePage, files: PairFiles) -> None:
+    comparing = program.services.comparing
+    _load(program, page, files)
+    assert page.scene is not None
+    assert comparing.draft.choice.before is not None
+    assert comparing.draft.choice.after is not None
+    page.alignment.points.click()
+    before, after = comparing.draft.choice.before.surface.mesh, comparing.draft.choice.after.surface.mesh
+    apart = 0.5 * (sum(before.bounds()) - sum(after.bounds()))
+    for tooth in (1, 6, 12):
+        place = foot(tooth) + np.array([0.0, 0.0, 4.0])
+        for surface, point in (("before", place), ("after", POSE.apply(place) + apart)):
+            page.scene.picked.emit(Pointed(surface, 0, tuple(point), None, None))
+    assert [len(points) for points in comparing.draft.choice.picks] == [3, 3]
+    until(lambda: comparing.draft.choice.start is not None, 20, "the start")
+    assert not comparing.points.active
+    _answered(program)
+    assert comparing.answers.comparison is not None
+    assert comparing.answers.comparison.alignment.method == "picked points"
+    for left in ([3, 3], [3, 2]):
+        program.window.undo()
+        assert [len(points) for points in comparing.draft.choice.picks] == left
+    assert comparing.points.active
+    page.foot.cancel.click()
+    assert not comparing.points.active
+
+
+def test_the_open_case_is_compared_and_keeps_the_result(program: Program, page: ComparePage, files: PairFiles, tmp_path: Path) -> None:
+    comparing, case = program.services.comparing, program.services.case
+    path = tmp_path / "later.impronta"
+    with CaseStore.create(path) as store:
+        store.put_order(Order("C-1", "", "", "arch"))
+        store.put_mesh(read_mesh(files.after), {})
+    program.window.open_case(path)
+    until(lambda: case.surface is not None, 30, "the case")
+    program.window.show_page("compare")
+    assert page.targets["after"]._case.isVisible()
+    comparing.reading.take_open_case("after")
+    page.take_files([files.before], "before")
+    _answered(program)
+    assert page.foot.keep.isVisible()
+    page.foot.keep.click()
+    until(lambda: case.undo_words is not None and "Compared" in case.undo_words, 20, "the edit")
+    assert not page.foot.keep.isVisible()
+    assert case.store is not None
+    assert case.store.comparison_id() is not None
+    program.window.undo()
+    until(lambda: page.foot.keep.isVisible(), 20, "the undone edit")
+    assert case.store.comparison_id() is None
+    case.close()
+    until(lambda: case.path is None, 20, "the closed case")
