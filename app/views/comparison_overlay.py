@@ -38,6 +38,8 @@ class ComparisonOverlay(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_NoSystemBackground)
         self.captions: list[tuple[QRectF, str, Qt.AlignmentFlag]] = []
         """Names of the pictures: a rectangle, the word, and the side of the rectangle on which it stands."""
+        self.keys: list[tuple[str, str]] = []
+        """Colours of lines and what they are."""
         self.seam_x: float | None = None
         """A line between two pictures."""
         self.curtain_x: float | None = None
@@ -47,6 +49,8 @@ class ComparisonOverlay(QWidget):
         self.brush: tuple[QPointF, float, bool] | None = None
         """Middle, radius in pixels, and whether it erases."""
         self.lasso: list[QPointF] = []
+        self.readout: tuple[QPointF, str] | None = None
+        """What is written beside the pointer."""
 
     def tag_at(self, place: QPointF) -> int | None:
         """The key of the tag under the pointer."""
@@ -57,6 +61,7 @@ class ComparisonOverlay(QWidget):
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             self._paint_curtain(painter)
             self._paint_captions(painter)
+            self._paint_keys(painter)
             self._paint_landmarks(painter)
             for tag in self.tags:
                 _paint_tag(painter, tag)
@@ -99,6 +104,20 @@ class ComparisonOverlay(QWidget):
             painter.setPen(QColor(TEXT))
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, word)
 
+    def _paint_keys(self, painter: QPainter) -> None:
+        top = self.height() - 14.0 - 22.0 * len(self.keys)
+        width = max((painter.fontMetrics().horizontalAdvance(word) for _, word in self.keys), default=0)
+        if self.keys:
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(_glass())
+            painter.drawRoundedRect(QRectF(12, top - 4, width + 48, 22.0 * len(self.keys) + 8), 5, 5)
+        for i, (colour, word) in enumerate(self.keys):
+            middle = top + 22.0 * i + 11
+            painter.setPen(QPen(QColor(colour), 3))
+            painter.drawLine(QPointF(20, middle), QPointF(42, middle))
+            painter.setPen(QColor(TEXT))
+            painter.drawText(QRectF(50, middle - 11, width + 8, 22), Qt.AlignmentFlag.AlignVCenter, word)
+
     def _paint_landmarks(self, painter: QPainter) -> None:
         painter.setPen(QPen(QColor(GROUND), 4))
         painter.drawLines([point for line in self.lines for point in line])
@@ -122,6 +141,19 @@ class ComparisonOverlay(QWidget):
             painter.setBrush(fill)
             painter.setPen(QPen(QColor(ACCENT), 1.8))
             painter.drawPolygon(QPolygonF(self.lasso))
+        if self.readout is not None:
+            place, word = self.readout
+            size = painter.fontMetrics().size(0, word)
+            box = QRectF(place.x() + 16, place.y() + 14, size.width() + 16, size.height() + 8)
+            if box.right() > self.width():
+                box.moveRight(place.x() - 10)
+            if box.bottom() > self.height():
+                box.moveBottom(place.y() - 10)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(_glass())
+            painter.drawRoundedRect(box, 5, 5)
+            painter.setPen(QColor(TEXT))
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, word)
 
 
 def _glass() -> QColor:

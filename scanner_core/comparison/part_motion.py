@@ -1,0 +1,95 @@
+"""The rigid motion of a part of the surface, a tooth, and how well it is known."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scanner_core.comparison.alignment import Alignment
+from scanner_core.comparison.area import PartMotion
+from scanner_core.comparison.part_fit import PartFit, PartFitter
+from scanner_core.comparison.surface import ComparedSurface
+from scanner_core.errors import ComparisonError
+from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.rigid import RigidTransform
+
+Array = NDArray[np.float64]
+LEAST_VERTICES = 30
+"""Five for each of the six unknowns."""
+_LEAST_NOISE_UM = 0.5
+
+
+def part_motion(
+    before: ComparedSurface, after: ComparedSurface, alignment: Alignment, part: NDArray[np.bool_], fitter: PartFitter | None = None
+) -> PartMotion:
+    """Rigid motion of the marked vertices `part` (v_after,) from before to after.
+
+    The part is fitted back onto the before surface from where it lies, with robust weights: gum that was marked along, and what is
+    not to be seen on both surfaces, falls out.  `fitter` is of ``before.mesh``, made if None.
+
+    Raises
+    ------
+    ComparisonError
+        ``E-CMP-10`` when fewer than `LEAST_VERTICES` vertices that are a measurement are marked.
+    """
+    which = np.flatnonzero(part & after.supported)
+    if len(which) < LEAST_VERTICES:
+        raise ComparisonError("E-CMP-10", marked=len(which), least=LEAST_VERTICES)
+    moved = TriangleMesh(alignment.transform.apply(after.mesh.vertices), after.mesh.triangles)
+    fitter = PartFitter(before.mesh) if fitter is None else fitter
+    normals = moved.vertex_normals()[which]
+    points = moved.vertices[which]
+    fit = fitter.fit(points, normals, alignment.noise_um / 1e3)
+    area = float(np.bincount(moved.triangles.ravel(), np.repeat(moved.areas() / 3, 3), minlength=len(part))[which].sum())
+    return motion_of_fit(fit, points, area, alignment)
+
+
+def motion_of_fit(fit: PartFit, points: Array, area_mm2: float, alignment: Alignment) -> PartMotion:
+    """The motion that a fit of points (n, 3) mm, aligned after surface, over `area_mm2` tells.
+
+    The covariance is s^2 (J^T W J)^-1, times the number of points that share one error: with noise correlated as
+    ``exp(-d^2 / 2 L^2)``, 1 + 2 pi L^2 per area of a point.  The alignment's own covariance at the part's place is added.  The
+    uncertainties that are told are those along the displacement and about the axis.
+    """
+    weights = fit.weights
+    back = fit.transform
+    motion = back.inverse()
+    centre = np.average(back.apply(points), axis=0, weights=weights) if weights.sum() > 0 else fit.centre
+    displacement = motion.apply(centre) - centre
+    jacobian = fit.jacobian.copy()
+    jacobian[:, :3] += np.cross(fit.centre - centre, jacobian[:, 3:])
+    rms = float(np.sqrt(np.average(fit.residual_mm**2, weights=weights))) if weights.sum() > 0 else float("nan")
+    # the weights themselves cut the tails off the residuals: the alignment's noise, which did not, is the least
+    noise = max(rms, alignment.noise_um / 1e3 if weights.mean() > 0.5 else 0.0, _LEAST_NOISE_UM / 1e3)
+    shared = 1 + 2 * np.pi * alignment.correlation_length_mm**2 * len(points) / max(area_mm2, 1e-9)
+    information = (jacobian * weights[:, None]).T @ jacobian
+    own = noise**2 * shared * np.linalg.pinv(information, rcond=1e-12, hermitian=True)
+    placed = _at(alignment, centre)
+    covariance = own + placed
+    angle = motion.angle_deg()
+    axis = _axis(motion)
+    length = float(np.linalg.norm(displacement))
+    direction = displacement / length if length > 1e-9 else np.zeros(3)
+    along = direction @ covariance[3:, 3:] @ direction if length > 1e-9 else np.trace(covariance[3:, 3:]) / 3
+    about = axis @ covariance[:3, :3] @ axis
+    return PartMotion(motion, centre, displacement, angle, axis, float(1e3 * np.sqrt(along)), float(np.degrees(np.sqrt(about))), 1e3 * rms)
+
+
+def _at(alignment: Alignment, place: Array) -> Array:
+    """The alignment's covariance (6, 6), its rotation taken about `place` (3,)."""
+    arm = place - alignment.centre
+    moving = np.eye(6)
+    moving[3:, :3] = -np.array([[0.0, -arm[2], arm[1]], [arm[2], 0.0, -arm[0]], [-arm[1], arm[0], 0.0]])
+    return np.asarray(moving @ alignment.covariance @ moving.T)
+
+
+def _axis(motion: RigidTransform) -> Array:
+    """Unit axis (3,) of the rotation; +z where there is none."""
+    values, vectors = np.linalg.eig(motion.rotation)
+    axis = np.real(vectors[:, np.argmin(np.abs(values - 1))])
+    skew = motion.rotation - motion.rotation.T
+    turning = np.array([skew[2, 1], skew[0, 2], skew[1, 0]])
+    length = float(np.linalg.norm(turning))
+    if length < 1e-12:
+        return np.array([0.0, 0.0, 1.0])
+    return np.asarray(axis if axis @ turning > 0 else -axis)
