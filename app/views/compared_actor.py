@@ -19,7 +19,6 @@ from scanner_core.comparison.colour_scale import HATCH, NO_COUNTERPART, WITHIN_L
 from scanner_core.geometry.mesh import TriangleMesh
 
 STABLE = "#1f8f7d"
-PART = "#a45cff"
 BACK = "#5d5a58"
 _ALL_BUT_TRANSPARENT = 0.002
 """VTK leaves out what is wholly transparent, its depth too."""
@@ -33,9 +32,9 @@ class ComparedActor:
     def __init__(self, colour: str) -> None:
         """`colour` is that of the plain surface."""
         self.mesh: TriangleMesh | None = None
+        self.normals = np.zeros((0, 3), np.float32)
         self.poly: Any = None
         self._values = np.zeros((0, 4), np.float32)
-        self._marks = np.zeros((0, 2), np.float32)
         self._mapper, self._coarse_mapper = _mapper(), _mapper()
         self._first_mapper = _mapper()
         self._coarse: Any = None
@@ -46,8 +45,8 @@ class ComparedActor:
         for actor in (self.actor, self.first):
             self._declare(actor, colour)
 
-    def show(self, mesh: TriangleMesh | None, normals: NDArray[np.float32] | None = None) -> None:
-        """Draw this one from now on, or none; `normals` (v, 3) as :meth:`TriangleMesh.vertex_normals` has them."""
+    def show(self, mesh: TriangleMesh | None) -> None:
+        """Draw this one from now on, or none."""
         self.mesh = mesh
         self.actor.SetVisibility(mesh is not None)
         self.poly = self._coarse = None
@@ -62,13 +61,13 @@ class ComparedActor:
         self.poly = vtkPolyData()
         self.poly.SetPoints(places)
         self.poly.SetPolys(cells)
-        self.poly.GetPointData().SetNormals(copied(mesh.vertex_normals().astype(np.float32) if normals is None else normals))
+        self.normals = mesh.vertex_normals().astype(np.float32)
+        self.poly.GetPointData().SetNormals(copied(self.normals))
         count = len(mesh.vertices)
         self._values = np.zeros((count, 4), np.float32)
         self._values[:, 2] = 1.0
-        self._marks = np.zeros((count, 2), np.float32)
         self._put("deviation", self._values)
-        self._put("marks", self._marks)
+        self._put("painted", np.zeros(count, np.float32))
         self._put("foot", np.zeros((count, 3), np.float32))
         for mapper in (self._mapper, self._first_mapper):
             mapper.SetInputData(self.poly)
@@ -101,12 +100,10 @@ class ComparedActor:
         assert self.mesh is not None
         self._put("foot", np.nan_to_num(feet_mm - self.mesh.vertices).astype(np.float32))
 
-    def mark(self, column: int, vertices: NDArray[np.int64] | NDArray[np.bool_] | None) -> None:
-        """Painted (0) or part (1): exactly these vertices."""
-        self._marks[:, column] = 0.0
-        if vertices is not None:
-            self._marks[vertices, column] = 1.0
-        self._put("marks", self._marks)
+    def show_painted(self, painted: NDArray[np.bool_] | None) -> None:
+        """(v,): what a person has painted."""
+        if self.mesh is not None:
+            self._put("painted", np.zeros(len(self.mesh.vertices), np.float32) if painted is None else painted.astype(np.float32))
 
     def show_scale(self, scale: DeviationScale | None) -> None:
         """Map or, with None, the plain surface."""
@@ -173,7 +170,6 @@ class ComparedActor:
             "emptyColour": NO_COUNTERPART,
             "hatchColour": HATCH,
             "stableColour": rgb(STABLE),
-            "partColour": rgb(PART),
             "backColour": rgb(BACK),
         }
         for name, value in colours.items():
@@ -189,7 +185,7 @@ def _mapper() -> vtkPolyDataMapper:
     mapper = vtkPolyDataMapper()
     mapper.ScalarVisibilityOff()
     mapper.SetVBOShiftScaleMethod(0)  # the shader adds millimetres to the coordinates
-    for name in ("deviation", "marks", "foot"):
+    for name in ("deviation", "painted", "foot"):
         mapper.MapDataArrayToVertexAttribute(f"{name}MC", name, 0, -1)
     return mapper
 

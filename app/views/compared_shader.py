@@ -14,22 +14,22 @@ MOST_BANDS: Final = 16
 
 _VERTEX_DECLARED = """//VTK::ValuePass::Dec
 in vec4 deviationMC;  // signed um, level um, 1 with counterpart, 1 stable
-in vec2 marksMC;  // 1 painted, 1 in the marked part
+in float paintedMC;  // 1 painted
 in vec3 footMC;  // from the vertex to its foot on the other surface, mm
 out vec4 deviationVS;
-out vec2 marksVS;
+out float paintedVS;
 out vec3 placeVS;
 """
 _VERTEX_PLACE = """vec4 moved = vertexMC + vec4(footMC * (1.0 - morph), 0.0);
   deviationVS = deviationMC;
-  marksVS = marksMC;
+  paintedVS = paintedMC;
   placeVS = moved.xyz;
   vertexVCVSOutput = MCVCMatrix * moved;
   gl_Position = MCDCMatrix * moved;
 """
 _FRAGMENT_DECLARED = """//VTK::ValuePass::Dec
 in vec4 deviationVS;
-in vec2 marksVS;
+in float paintedVS;
 in vec3 placeVS;
 vec3 bandOf(int n) {  // three bytes in a float; a choice among sixteen colours would take half of the picture's time
   vec4 four = n < 8 ? (n < 4 ? bands0 : bands1) : (n < 12 ? bands2 : bands3);
@@ -57,9 +57,8 @@ _FRAGMENT_COLOUR = """//VTK::Color::Impl
     }
   }
   vec2 cell = mod(pixel, 6.0) - 3.0;
-  if (stableShown > 0 && deviationVS.w > 0.5 && dot(cell, cell) < 2.2) look = stableColour;
-  if (marksVS.x > 0.5) look = mix(look, stableColour, 0.55);
-  if (marksVS.y > 0.5) look = mix(look, partColour, 0.4);
+  float dotted = paintedVS > 0.5 ? 5.2 : (stableShown > 0 && deviationVS.w > 0.5 ? 2.2 : 0.0);
+  if (dot(cell, cell) < dotted) look = stableColour;
   if (!gl_FrontFacing) look = mix(backColour, look, 0.3);
 """
 _FRAGMENT_LIGHT = """float facing = 0.5 + 0.5 * dot(normalVCVSOutput, vec3(-0.27, 0.43, 0.86));

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF
 
 from app.theme import GROUND, TEXT
-from app.views.compared_actor import PART, ComparedActor
+from app.views.compared_actor import ComparedActor
 from app.views.comparison_overlay import ComparisonOverlay, Tag
 from app.views.line_actor import LineActor, level_lines, outlines
 from app.views.surface_picker import SurfacePicker
@@ -18,6 +18,9 @@ from scanner_core.comparison.area import Area
 from scanner_core.comparison.colour_scale import THRESHOLD_LINE
 
 Array = NDArray[np.float64]
+_PART = "#a45cff"
+_AWAY_PX = 34.0
+"""From the middle of an area to its rank, so that the rank covers nothing of it."""
 
 
 class ComparisonMarks:
@@ -25,7 +28,7 @@ class ComparisonMarks:
 
     def __init__(self, after: ComparedActor, overlay: ComparisonOverlay) -> None:
         self._after, self._overlay = after, overlay
-        self._outlines, self._part_outline = LineActor(TEXT, 1.4), LineActor(PART, 3.5)
+        self._outlines, self._part_outline = LineActor(TEXT, 1.4), LineActor(_PART, 4.0)
         self._chosen_outline = (LineActor(GROUND, 6.0, behind=True), LineActor("#ffffff", 3.2))
         self._threshold = LineActor("#{:02x}{:02x}{:02x}".format(*THRESHOLD_LINE), 1.8, behind=True)
         self.lines = (self._threshold, *self._chosen_outline, self._outlines, self._part_outline)
@@ -74,11 +77,14 @@ class ComparisonMarks:
     def place(self, view: Viewpoint, picker: SurfacePicker | None) -> None:
         """The words where the camera has their points now; what is hidden is faint."""
         tags: list[Tag] = []
+        middle = np.zeros(2) if self._after.mesh is None else view.project(0.5 * np.sum(self._after.mesh.bounds(), axis=0)[None])[0]
         for area in self._areas:
-            at = QPointF(*view.project(np.asarray(area.centroid_mm)[None])[0])
+            place = view.project(np.asarray(area.centroid_mm)[None])[0]
+            out = place - middle
+            at, spot = QPointF(*place), QPointF(*(place + _AWAY_PX * out / max(float(np.hypot(*out)), 1e-6)))
             above = np.asarray(area.centroid_mm) + 0.8 * np.asarray(area.normal)
             faint = picker is not None and not picker.visible(above, view)
-            tags.append(Tag(str(area.rank), at, _free(at, tags), faint, area.rank == self._chosen, area.rank))
+            tags.append(Tag(str(area.rank), at, _free(spot, tags), faint, area.rank == self._chosen, area.rank))
         places = [QPointF(*view.project(point[None])[0]) for _, point in self._landmarks]
         tags += [Tag(name, place, place + QPointF(0, -18)) for (name, _), place in zip(self._landmarks, places, strict=True) if name]
         self._overlay.points, self._overlay.lines = places, [(places[a], places[b]) for a, b in self._landmark_lines]
@@ -87,7 +93,7 @@ class ComparisonMarks:
 
     def _draw(self, lines: Sequence[LineActor], groups: list[NDArray[np.int64]]) -> None:
         mesh = self._after.mesh
-        poly = None if mesh is None or not groups else outlines(mesh.vertices, mesh.triangles, groups)
+        poly = None if mesh is None or not groups else outlines(mesh.vertices, self._after.normals, mesh.triangles, groups)
         for line in lines:
             line.show_poly(poly)
 

@@ -49,6 +49,8 @@ class ComparisonOverlay(QWidget):
         self.brush: tuple[QPointF, float, bool] | None = None
         """Middle, radius in pixels, and whether it erases."""
         self.lasso: list[QPointF] = []
+        self.readout: tuple[QPointF, str] | None = None
+        """What is written beside the pointer."""
 
     def tag_at(self, place: QPointF) -> int | None:
         """The key of the tag under the pointer."""
@@ -139,6 +141,19 @@ class ComparisonOverlay(QWidget):
             painter.setBrush(fill)
             painter.setPen(QPen(QColor(ACCENT), 1.8))
             painter.drawPolygon(QPolygonF(self.lasso))
+        if self.readout is not None:
+            place, word = self.readout
+            size = painter.fontMetrics().size(0, word)
+            box = QRectF(place.x() + 16, place.y() + 14, size.width() + 16, size.height() + 8)
+            if box.right() > self.width():
+                box.moveRight(place.x() - 10)
+            if box.bottom() > self.height():
+                box.moveBottom(place.y() - 10)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(_glass())
+            painter.drawRoundedRect(box, 5, 5)
+            painter.setPen(QColor(TEXT))
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, word)
 
 
 def _glass() -> QColor:

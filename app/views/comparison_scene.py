@@ -84,7 +84,6 @@ class ComparisonScene(InteractorView):
         for line in (*self._marks.lines, *self._section.lines):
             self._over.AddActor(line.actor)
         self._pickers: dict[str, SurfacePicker] = {}
-        self._normals: dict[str, NDArray[np.float32]] = {}
         self._mode, self._amount, self._other = "map", 0.5, False
         self._scale: DeviationScale | None = None
         self._threshold_um = 250.0
@@ -100,9 +99,8 @@ class ComparisonScene(InteractorView):
     def show_pair(self, before: TriangleMesh, after: TriangleMesh) -> None:
         """Both surfaces, `after` already in the frame of BEFORE; no map yet, the camera sees everything."""
         self.clear()
-        for name, actor, mesh in (("before", self._before, before), ("after", self._after, after)):
-            self._normals[name] = mesh.vertex_normals().astype(np.float32)
-            actor.show(mesh, self._normals[name])
+        self._before.show(before)
+        self._after.show(after)
         self._arrange()
         self.look("occlusal")
 
@@ -112,7 +110,6 @@ class ComparisonScene(InteractorView):
         self._before.show(None)
         self._after.show(None)
         self._pickers.clear()
-        self._normals.clear()
         self._scale, self._signed, self._level = None, np.zeros(0), np.zeros(0)
         self._land()
         self._marks.clear()
@@ -143,12 +140,11 @@ class ComparisonScene(InteractorView):
 
     def show_mask(self, mask: NDArray[np.bool_] | None) -> None:
         """What is painted, (v_after,)."""
-        self._after.mark(0, mask)
+        self._after.show_painted(mask)
         self._dirty = True
 
     def show_part(self, vertices: NDArray[np.int64] | None) -> None:
         """The marked tooth: vertices of the after surface."""
-        self._after.mark(1, vertices)
         self._marks.show_part(vertices)
         self._dirty = True
 
@@ -305,7 +301,7 @@ class ComparisonScene(InteractorView):
         if actor.mesh is None:
             return None
         if surface not in self._pickers:
-            self._pickers[surface] = SurfacePicker(actor.mesh, actor.poly, self._normals[surface])
+            self._pickers[surface] = SurfacePicker(actor.mesh, actor.poly, actor.normals)
         return self._pickers[surface]
 
     def ray(self, view: Viewpoint, x: float, y: float) -> tuple[Array, Array]:
@@ -321,6 +317,11 @@ class ComparisonScene(InteractorView):
     def values(self) -> tuple[Array, Array] | None:
         """Deviation and level of detection of the after surface's vertices, um, once they are known."""
         return (self._signed, self._level) if len(self._signed) else None
+
+    @property
+    def coloured(self) -> bool:
+        """The after surface is shown as a map."""
+        return self._mode in _COLOURED and self._scale is not None
 
     @property
     def curtain_x(self) -> float:
@@ -388,9 +389,8 @@ class ComparisonScene(InteractorView):
             seen.set_curtain(x, side)
         self._after.set_morph(amount if mode == "morph" else 1.0)
         self._after.set_fade(amount if mode == "blend" else 1.0)
-        coloured = mode in _COLOURED and self._scale is not None
-        self._after.show_scale(self._scale if coloured else None)
-        self._marks.set_seen(after, coloured)
+        self._after.show_scale(self._scale if self.coloured else None)
+        self._marks.set_seen(after, self.coloured)
         for line in self._section.lines:  # the contours belong to either surface
             if halves or not after:
                 self._under.AddActor(line.actor)

@@ -86,6 +86,8 @@ class ComparisonTools(QObject):
             return False
         place = event.position()
         self._pressed = self._last = place
+        self._overlay.readout = None
+        self._overlay.update()
         rank = self._overlay.tag_at(place)
         if rank is not None:
             self._pressed = None
@@ -145,7 +147,7 @@ class ComparisonTools(QObject):
 
     def _leave(self) -> None:
         self._timer.stop()
-        self._overlay.brush = None
+        self._overlay.brush = self._overlay.readout = None
         self._overlay.update()
         self._scene.hovered.emit(None)
 
@@ -173,8 +175,20 @@ class ComparisonTools(QObject):
         return None if hit is None else (seen[0], picker, hit, seen[1])
 
     def _hover(self) -> None:
-        if not self._scene.closed and self._drag is None:
-            self._scene.hovered.emit(self.pointed(self._last))
+        if self._scene.closed or self._drag is not None:
+            return
+        met = self.pointed(self._last)
+        self._overlay.readout = (self._last, self._words(met)) if met is not None and self._scene.coloured and met.surface == "after" else None
+        self._overlay.update()
+        self._scene.hovered.emit(met)
+
+    def _words(self, met: Pointed) -> str:
+        """Value and sign, or why there is none."""
+        if met.signed_um is None or met.level_um is None:
+            return self.tr("no counterpart")
+        if abs(met.signed_um) <= met.level_um:
+            return self.tr("within ±{mm:.2f} mm").format(mm=met.level_um / 1000)
+        return self.tr("{mm} mm").format(mm=f"{met.signed_um / 1000:+.2f}".replace("-", "−"))
 
     def _stroke(self, place: QPointF) -> None:
         """Everything that the brush passes between two events of the mouse."""

@@ -17,6 +17,8 @@ from app.views.vtk_arrays import copied, copied_ids
 Vertices = NDArray[np.int64]
 _FEWEST_POINTS = 14
 """A closed line of fewer points is noise that crosses the threshold, not the border of anything."""
+_LIFT_MM = 0.06
+"""A smoothed line would sink into the surface here and there."""
 _CURTAIN = "//VTK::Color::Impl\n  if ((gl_FragCoord.x - curtain.x) * curtain.y < 0.0) discard;\n"
 
 
@@ -30,7 +32,7 @@ class LineActor:
         self._mapper = vtkPolyDataMapper()
         self._mapper.ScalarVisibilityOff()
         self._mapper.SetResolveCoincidentTopologyToPolygonOffset()
-        self._mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -6.0 if behind else -10.0)
+        self._mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -60.0 if behind else -160.0)
         self.actor = vtkActor()
         self.actor.SetMapper(self._mapper)
         self.actor.SetVisibility(False)
@@ -72,7 +74,7 @@ class LineActor:
         self.actor.SetVisibility(self._there and on)
 
 
-def outlines(points: NDArray[np.float64], triangles: Vertices, groups: list[Vertices]) -> Any:
+def outlines(points: NDArray[np.float64], normals: NDArray[np.float32], triangles: Vertices, groups: list[Vertices]) -> Any:
     """Smoothed borders of groups of vertices, or None: of the triangles all of whose corners belong to one group."""
     count = len(points)
     borders = []
@@ -89,7 +91,7 @@ def outlines(points: NDArray[np.float64], triangles: Vertices, groups: list[Vert
     if not len(segments):
         return None
     used, numbers = np.unique(segments, return_inverse=True)
-    poly = _poly(points[used])
+    poly = _poly(points[used] + _LIFT_MM * normals[used])
     poly.SetLines(_cells(numbers.reshape(-1, 2)))
     smooth = vtkSmoothPolyDataFilter()
     smooth.SetInputData(_joined(poly))

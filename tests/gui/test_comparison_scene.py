@@ -149,16 +149,16 @@ def test_the_stable_region_is_dotted_when_it_is_asked_for(view: ComparisonScene)
     assert 0.04 < dots[250:350, 230:350].mean() < 0.4
 
 
-def test_the_painted_mask_and_the_marked_tooth_are_tinted(view: ComparisonScene) -> None:
+def test_the_painted_mask_is_dotted_and_the_marked_tooth_outlined(view: ComparisonScene) -> None:
     view.show_mask(RIGHT)
-    tinted = coloured(view.grab_picture(), 25)
-    assert tinted[:, 230:].sum() > 10_000
-    assert tinted[:, :195].sum() == 0
+    dots = coloured(view.grab_picture(), 25)
+    assert 0.3 < dots[250:350, 230:350].mean() < 0.7
+    assert dots[:, :195].sum() == 0
     view.show_mask(None)
-    view.show_part(np.nonzero(~RIGHT)[0])
-    tinted = coloured(view.grab_picture(), 25)
-    assert tinted[:, :195].sum() > 10_000
-    assert tinted[:, 230:].sum() < 500
+    view.show_part(np.nonzero(AFTER.vertices[:, 0] < -4)[0])
+    violet = coloured(view.grab_picture(), 60)
+    assert 1500 < violet.sum() < 6000
+    assert violet[:, 180:].sum() == 0
     view.show_part(None)
     assert not coloured(view.grab_picture(), 25).any()
 
@@ -357,7 +357,8 @@ def test_areas_have_outlines_and_ranks_that_can_be_clicked(view: ComparisonScene
     assert 100 < chosen[:, 220:].sum() < chosen[:, :200].sum()  # the one that is spoken of stands out
     assert chosen.sum() < 6000
     spy = QSignalSpy(view.area_clicked)
-    QTest.mouseClick(_pane(view), Qt.MouseButton.LeftButton, pos=_pixel(view, np.array([8.0, -8.0, 0.0])))
+    outwards = QPoint(24, 24)  # the ranks stand beside their areas, away from the middle
+    QTest.mouseClick(_pane(view), Qt.MouseButton.LeftButton, pos=_pixel(view, np.array([8.0, -8.0, 0.0])) + outwards)
     assert spy.count() == 1
     assert spy.at(0)[0] == 2
 
