@@ -128,7 +128,7 @@ def _parser() -> argparse.ArgumentParser:
 
     export = _command(commands, "export", "mesh or points out of a case")
     export.add_argument("case", metavar="CASE")
-    export.add_argument("--out", required=True, metavar="FILE", help=".stl .ply .obj .3mf for the mesh, .xyz for the points")
+    export.add_argument("--out", required=True, metavar="FILE", help=".stl .ply .obj .3mf .dcm for the mesh, .xyz for the points")
     export.add_argument("--force", action="store_true", help="overwrite the output")
 
     _verify(commands)

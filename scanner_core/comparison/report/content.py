@@ -30,7 +30,7 @@ _SHIFT_WORDS = {
     Frame.MASK: "The painted region",
     Frame.GIVEN: "Taking the files as they lie",
 }
-_CONCERN = {"Order": ("order",), "Kind": ("side", "type"), "Date": ("date",), "Measured": ("rig", "calibration")}
+_CONCERN = {"Order": ("order",), "Kind": ("side", "type"), "Date": ("date",), "Measured": ("rig", "calibration_id", "calibration_date")}
 """What of a surface's origin is told.  Never its path, which often holds a patient's name."""
 
 Facts = tuple[tuple[str, str], ...]
@@ -143,7 +143,7 @@ def detection(comparison: Comparison) -> Facts:
 def alignment_card(comparison: Comparison) -> Facts:
     """What the alignment rests on."""
     a = comparison.alignment
-    correlation = f", correlated over {a.correlation_length_mm:.1f} mm" if a.correlation_length_mm > 0 else ""
+    correlation = f", correlated over {a.correlation_length_mm:.1f} mm" if a.correlation_length_mm >= 0.05 else ""
     return (
         ("Held fixed", _FRAMES[a.frame]),
         ("Found by", a.method),

@@ -10,8 +10,12 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from pydicom import dcmread
 
+from scanner_core.comparison.comparison import Comparison
+from scanner_core.comparison.report import dicom as report_dicom
 from scanner_core.comparison.report import html, writer
+from scanner_core.comparison.report.dicom import write_dicom
 from scanner_core.comparison.report.html import report_html
 from scanner_core.comparison.report.picture import Painter, fitted_scale
 from scanner_core.comparison.report.surface import write_deviation
@@ -20,6 +24,7 @@ from scanner_core.comparison.report.viewpoint import viewpoints
 from scanner_core.comparison.report.writer import NAMES, write_report
 from scanner_core.errors import StorageError
 from scanner_core.mesh_io.ply import parse_ply
+from scanner_core.mesh_io.stl import parse_stl
 from tests.core.comparison.made import POSE, REMARK, SERIOUS, made
 
 MADE = "2026-11-27T06:00:00+00:00"
@@ -142,3 +147,22 @@ def test_all_files_or_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     with pytest.raises(StorageError, match="E-DISK-01"):
         write_report(made(words="another"), tmp_path, force=True, made=MADE)
     assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
+
+
+def test_the_archive_gets_page_and_surface_in_the_frame_of_before(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def short(comparison: Comparison, path: Path, made: str) -> None:
+        path.write_bytes(b"%PDF" + comparison.areas[0].words.encode())
+
+    monkeypatch.setattr(report_dicom, "write_pdf", short)
+    comparison = made()
+    assert [path.name for path in write_dicom(comparison, tmp_path, made=MADE)] == ["report.dcm", "after.dcm"]
+    assert len(list(tmp_path.iterdir())) == 2
+    page, surface = (dcmread(tmp_path / name) for name in ("report.dcm", "after.dcm"))
+    assert page.EncapsulatedDocument[: page.EncapsulatedDocumentLength] == b"%PDFpatch 1"
+    mesh = parse_stl(surface.EncapsulatedDocument[: surface.EncapsulatedDocumentLength])
+    after = comparison.after.mesh
+    assert np.allclose(mesh.vertices[mesh.triangles], POSE.apply(after.vertices)[after.triangles], atol=1e-4)
+    assert page.PatientID == surface.PatientID == "2026-0417"
+    assert page.StudyInstanceUID == surface.StudyInstanceUID
+    with pytest.raises(StorageError, match="E-DISK-03"):
+        write_dicom(comparison, tmp_path, made=MADE)
