@@ -32,13 +32,13 @@ class Verdict(QWidget):
         if not current:
             word, why, role = self.tr("Out of date"), self.tr("What is shown was computed before the last change."), "muted"
         elif reasons:
-            more = self.tr("And {n} more, under Alignment and Surfaces.").format(n=len(reasons) - 1) if len(reasons) > 1 else ""
+            more = self.tr("And {n} more, under Surfaces and Alignment.").format(n=len(reasons) - 1) if len(reasons) > 1 else ""
             word, why, role = self.tr("Not reliable"), f"{reasons[0]} {more}".strip(), "bad"
         else:
             held, share = frame_words(comparison.alignment.frame), fmt.percent(comparison.alignment.stable_area_fraction)
-            why = self.tr("Held fixed: {frame}, {share} % of the surface.").format(frame=held, share=share)
+            why = self.tr("Held fixed: {frame} ({share} %).").format(frame=held, share=share)
             if comparison.doubts:
-                why += " " + self.tr("Remarks: {n}, under Surfaces and Alignment.").format(n=len(comparison.doubts))
+                why += " " + self.tr("Remarks: {n}.").format(n=len(comparison.doubts))
             word, role = self.tr("Reliable"), "good"
         self._word.setText(word)
         give_role(self._word, role)
