@@ -49,6 +49,12 @@ class ComparisonOverlay(QWidget):
         self.brush: tuple[QPointF, float, bool] | None = None
         """Middle, radius in pixels, and whether it erases."""
         self.lasso: list[QPointF] = []
+        self.twin: QPointF | None = None
+        """The pointer's place in the other of two pictures."""
+        self.sides: list[tuple[QPointF, str]] = []
+        """Letters for the patient's right and left."""
+        self.bar: tuple[float, str] | None = None
+        """A true length: pixels and its words."""
         self.readout: tuple[QPointF, str] | None = None
         """What is written beside the pointer."""
 
@@ -62,6 +68,7 @@ class ComparisonOverlay(QWidget):
             self._paint_curtain(painter)
             self._paint_captions(painter)
             self._paint_keys(painter)
+            self._paint_measures(painter)
             self._paint_landmarks(painter)
             for tag in self.tags:
                 _paint_tag(painter, tag)
@@ -118,6 +125,19 @@ class ComparisonOverlay(QWidget):
             painter.setPen(QColor(TEXT))
             painter.drawText(QRectF(50, middle - 11, width + 8, 22), Qt.AlignmentFlag.AlignVCenter, word)
 
+    def _paint_measures(self, painter: QPainter) -> None:
+        for place, word in self.sides:
+            painter.setPen(QColor(MUTED))
+            painter.drawText(QRectF(place.x() - 12, place.y() - 12, 24, 24), Qt.AlignmentFlag.AlignCenter, word)
+        if self.bar is None:
+            return
+        length, word = self.bar
+        end = QPointF(self.width() - 18, self.height() - 18)
+        start = end - QPointF(length, 0)
+        painter.setPen(QPen(QColor(TEXT), 1.6))
+        painter.drawPolyline([start - QPointF(0, 5), start, end, end - QPointF(0, 5)])
+        painter.drawText(QRectF(start.x(), end.y() - 26, length, 18), Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextDontClip, word)
+
     def _paint_landmarks(self, painter: QPainter) -> None:
         painter.setPen(QPen(QColor(GROUND), 4))
         painter.drawLines([point for line in self.lines for point in line])
@@ -141,6 +161,11 @@ class ComparisonOverlay(QWidget):
             painter.setBrush(fill)
             painter.setPen(QPen(QColor(ACCENT), 1.8))
             painter.drawPolygon(QPolygonF(self.lasso))
+        if self.twin is not None:
+            for colour, width in ((GROUND, 4.0), (TEXT, 1.6)):
+                painter.setPen(QPen(QColor(colour), width))
+                painter.drawLine(self.twin - QPointF(9, 0), self.twin + QPointF(9, 0))
+                painter.drawLine(self.twin - QPointF(0, 9), self.twin + QPointF(0, 9))
         if self.readout is not None:
             place, word = self.readout
             size = painter.fontMetrics().size(0, word)

@@ -53,6 +53,7 @@ def _shown(scene: ComparisonScene, signed_um: Array, stable: NDArray[np.bool_] |
     scene.set_parallel(False)
     scene.show_stable(False)
     scene.show_pair(BEFORE, AFTER)
+    scene.look("occlusal")
     nowhere = np.zeros(COUNT, np.bool_)
     scene.show_deviation(signed_um, np.full(COUNT, 100.0), nowhere if stable is None else stable, np.isfinite(signed_um), SCALE)
 
@@ -247,6 +248,25 @@ def test_escape_is_left_to_whoever_stops_the_laser(view: ComparisonScene) -> Non
     event = QKeyEvent(QKeyEvent.Type.KeyPress, Qt.Key.Key_Escape, Qt.KeyboardModifier.NoModifier)
     QApplication.sendEvent(_pane(view), event)
     assert not event.isAccepted()
+
+
+def test_the_camera_stays_when_the_same_surface_is_shown_again(view: ComparisonScene) -> None:
+    view.look("left")
+    stood = view.camera_position
+    view.show_pair(BEFORE, _plate(1.0))
+    assert view.camera_position == stood
+    view.show_pair(_plate(), AFTER)
+    assert view.camera_position != stood
+
+
+def test_what_was_in_the_picture_stays_in_it_side_by_side_and_back(view: ComparisonScene) -> None:
+    stood = view.camera_position
+    view.set_mode("side_by_side")
+    first = view.grab_picture()
+    assert not _surface(first[60:, :4]).any()
+    assert not _surface(first[60:, -4:]).any()
+    view.set_mode("map")
+    assert view.camera_position == pytest.approx(stood, rel=1e-6, abs=1e-6)
 
 
 def test_the_views_stand_where_their_names_say(view: ComparisonScene) -> None:
