@@ -17,6 +17,7 @@ from PySide6.QtWidgets import QApplication
 from app.background import Background
 from app.controllers.acquisition import AcquisitionController
 from app.controllers.case import CaseController
+from app.controllers.comparing import Comparing
 from app.controllers.export import ExportController
 from app.controllers.reconstruction import ReconstructionController
 from app.controllers.recovery import RecoveryController
@@ -72,8 +73,9 @@ class Program(QObject):
         acquisition = AcquisitionController(self.background, rig, cases, self.tell, self)
         reconstruction = ReconstructionController(self.background, cases, self.tell, self)
         export = ExportController(self.background, self.settings, cases, self.tell, self)
+        comparing = Comparing(self.background, self.settings, self.undo_stack, cases, self.tell, self)
         recovery = RecoveryController(self.background, self.settings, cases, acquisition, self.tell, self)
-        self.services = Services(self.settings, draft, self.background, rig, cases, acquisition, reconstruction, export, recovery)
+        self.services = Services(self.settings, draft, self.background, rig, cases, acquisition, reconstruction, export, comparing, recovery)
         draft.load(first_order(self.settings.last_order))
         self.window = MainWindow(self.services, UndoHistory(self.undo_stack, draft, cases, self))
         self.window.closing.connect(self.shut_down)
@@ -82,9 +84,10 @@ class Program(QObject):
         install_hooks(self.tell)
         self._shading = Shading(self.background)
         pages = [page.tick for page in self.window.pages.values()]
-        for source in (self.background.drain, acquisition.drain, reconstruction.drain, self._shading.tick, *pages):
+        for source in (self.background.drain, acquisition.drain, reconstruction.drain, comparing.drain, self._shading.tick, *pages):
             self.pump.add_source(source)
-        self.pump.add_painter(self.window.paint_scene)
+        for painter in (self.window.paint_scene, *(page.paint_scene for page in self.window.pages.values())):
+            self.pump.add_painter(painter)
         self.pump.start()
         if heartbeat_file is not None:
             self.heartbeat.start()
@@ -136,6 +139,7 @@ class Program(QObject):
             ("scan", lambda: services.acquisition.shutdown(_DEADLINE_S)),
             ("rig", lambda: services.rig.shutdown(_DEADLINE_S)),
             ("reconstruction", services.reconstruction.shutdown),
+            ("comparison", services.comparing.shutdown),
             ("case", lambda: services.case.shutdown(_DEADLINE_S)),
             ("shading", lambda: self._shading.close(_DEADLINE_S)),
             ("background", self._end_background),
@@ -164,6 +168,8 @@ class Program(QObject):
     def _end_scene(self) -> None:
         if self.window.scene is not None:
             self.window.scene.close_scene()
+        for page in self.window.pages.values():
+            page.close_scene()
 
     def _keep_settings(self) -> None:
         rig = self.services.rig.snapshot

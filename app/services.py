@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from app.background import Background
 from app.controllers.acquisition import AcquisitionController
 from app.controllers.case import CaseController
+from app.controllers.comparing import Comparing
 from app.controllers.export import ExportController
 from app.controllers.reconstruction import ReconstructionController
 from app.controllers.recovery import RecoveryController
@@ -27,4 +28,5 @@ class Services:
     acquisition: AcquisitionController
     reconstruction: ReconstructionController
     export: ExportController
+    comparing: Comparing
     recovery: RecoveryController

@@ -121,12 +121,14 @@ def _parser() -> argparse.ArgumentParser:
     _processing(reconstruct)
     reconstruct.add_argument("--force", action="store_true", help="overwrite the output")
 
+    _compare(commands)
+
     info = _command(commands, "info", "what is in a case, mesh or point file")
     info.add_argument("file", metavar="FILE")
 
     export = _command(commands, "export", "mesh or points out of a case")
     export.add_argument("case", metavar="CASE")
-    export.add_argument("--out", required=True, metavar="FILE", help=".stl .ply .obj .3mf for the mesh, .xyz for the points")
+    export.add_argument("--out", required=True, metavar="FILE", help=".stl .ply .obj .3mf .dcm for the mesh, .xyz for the points")
     export.add_argument("--force", action="store_true", help="overwrite the output")
 
     _verify(commands)
@@ -145,6 +147,29 @@ def _processing(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--without-view", action="append", type=_seed, default=[], metavar="N", help="leave a view of a case out; may be repeated")
     parser.add_argument("--scan", action="append", type=_count, default=[], metavar="N", help="of a case: merge these scans (default: the newest)")
     parser.add_argument("--as-scanned", action="store_true", help="drop what was chosen for a case before")
+
+
+def _compare(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    compare = _command(commands, "compare", "what moved between two surfaces, where, how much, and whether that can be trusted")
+    compare.add_argument("before", metavar="BEFORE", help="STL, PLY, OBJ, VTP, 3MF or a case")
+    compare.add_argument("after", metavar="AFTER", nargs="+", help="the same later; several in the order of time are a series")
+    frames = "what is held fixed: the region that did not change (auto, the default), everything (whole), a marked part (mask); given: no alignment"
+    compare.add_argument("--frame", choices=("auto", "whole", "mask", "given"), default="auto", help=frames)
+    mask = "the stable part of AFTER: JSON with a list of its vertices' numbers (from 0), or a mesh cut out of AFTER, in the place where it was"
+    compare.add_argument("--mask", metavar="FILE", help=mask)
+    compare.add_argument("--tolerance-um", type=_positive, default=250.0, metavar="T", help="clinical threshold (default 250)")
+    compare.add_argument("--jaw", choices=("upper", "lower"), help="needed for words such as 'right' and 'towards the cheek'")
+    for name, of in (("--units", "all files"), ("--units-before", "BEFORE"), ("--units-after", "every AFTER")):
+        help_text = f"of the numbers of {of} (default: as the file says, else guessed from the size)"
+        compare.add_argument(name, choices=("mm", "cm", "m", "inch"), help=help_text)
+    compare.add_argument("--out", metavar="DIR", help="folder of report.pdf, deviation.ply, table.csv (default: report only)")
+    compare.add_argument("--keep", action="store_true", help="keep the comparison in the case AFTER")
+    compare.add_argument("--rig", metavar="RIG.toml", help="show the level of detection that was measured with this rig (null comparison)")
+    compare.add_argument("--material", metavar="NAME", help="of the model, for the null comparison")
+    null = "BEFORE and AFTER are one model of --material, measured twice with --rig: store what seems to have changed as its level of detection"
+    compare.add_argument("--null", action="store_true", help=null)
+    compare.add_argument("--seed", type=_seed, default=0, metavar="N", help="of every random choice")
+    compare.add_argument("--force", action="store_true", help="overwrite results that are there")
 
 
 def _verify(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:

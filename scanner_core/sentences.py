@@ -303,6 +303,10 @@ SENTENCES: dict[str, Sentence] = {
     ),
     "E-CMP-23": Sentence("The mask {path} cannot be used: {reason}.", "Nothing was compared; mark the stable part again."),
     "E-CMP-24": Sentence("The null comparison says nothing of the rig: {reason}.", "The rig file is unchanged; measure the same model twice."),
+    "E-CMP-40": Sentence(
+        "DICOM files are written by the package pydicom, which is not installed.",
+        "Nothing was written; install it with pip install 'impronta[dicom]', or choose another format.",
+    ),
     # ------------------------------------------------------------------------------------------ memory and worker process
     "E-MEM-01": Sentence(
         "There is not enough memory for '{command}'.", "Nothing was written; close other programs, or ask for fewer points or triangles."

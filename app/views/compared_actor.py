@@ -9,18 +9,21 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkBinnedDecimation
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 from app.views.compared_shader import MOST_BANDS, install
 from app.views.height_colours import rgb
 from app.views.vtk_arrays import copied, copied_ids
-from scanner_core.comparison.colour_scale import HATCH, NO_COUNTERPART, THRESHOLD_LINE, WITHIN_LEVEL, DeviationScale
+from scanner_core.comparison.colour_scale import HATCH, NO_COUNTERPART, WITHIN_LEVEL, DeviationScale
 from scanner_core.geometry.mesh import TriangleMesh
 
 STABLE = "#1f8f7d"
-PART = "#a45cff"
 BACK = "#5d5a58"
-Colour = tuple[int, int, int]
+_ALL_BUT_TRANSPARENT = 0.002
+"""VTK leaves out what is wholly transparent, its depth too."""
+_COARSE_TRIANGLES = 18_000
+"""Drawn of each surface while the camera moves on a machine that is slow at it."""
 
 
 class ComparedActor:
@@ -29,11 +32,12 @@ class ComparedActor:
     def __init__(self, colour: str) -> None:
         """`colour` is that of the plain surface."""
         self.mesh: TriangleMesh | None = None
+        self.normals = np.zeros((0, 3), np.float32)
         self.poly: Any = None
         self._values = np.zeros((0, 4), np.float32)
-        self._marks = np.zeros((0, 2), np.float32)
-        self._mapper = _mapper()
+        self._mapper, self._coarse_mapper = _mapper(), _mapper()
         self._first_mapper = _mapper()
+        self._coarse: Any = None
         self.actor = _actor(self._mapper)
         self.first = _actor(self._first_mapper)
         """The same surface, all but transparent: drawn before a translucent one, it keeps what lies behind out of it."""
@@ -41,11 +45,12 @@ class ComparedActor:
         for actor in (self.actor, self.first):
             self._declare(actor, colour)
 
-    def show(self, mesh: TriangleMesh | None, normals: NDArray[np.float32] | None = None) -> None:
-        """Draw this one from now on, or none; `normals` (v, 3) as :meth:`TriangleMesh.vertex_normals` has them."""
+    def show(self, mesh: TriangleMesh | None) -> None:
+        """Draw this one from now on, or none."""
         self.mesh = mesh
         self.actor.SetVisibility(mesh is not None)
-        self.poly = None
+        self.poly = self._coarse = None
+        self.actor.SetMapper(self._mapper)
         if mesh is None:
             return
         places = vtkPoints()
@@ -56,16 +61,27 @@ class ComparedActor:
         self.poly = vtkPolyData()
         self.poly.SetPoints(places)
         self.poly.SetPolys(cells)
-        self.poly.GetPointData().SetNormals(copied(mesh.vertex_normals().astype(np.float32) if normals is None else normals))
+        self.normals = mesh.vertex_normals().astype(np.float32)
+        self.poly.GetPointData().SetNormals(copied(self.normals))
         count = len(mesh.vertices)
         self._values = np.zeros((count, 4), np.float32)
         self._values[:, 2] = 1.0
-        self._marks = np.zeros((count, 2), np.float32)
         self._put("deviation", self._values)
-        self._put("marks", self._marks)
+        self._put("painted", np.zeros(count, np.float32))
         self._put("foot", np.zeros((count, 3), np.float32))
         for mapper in (self._mapper, self._first_mapper):
             mapper.SetInputData(self.poly)
+
+    def set_coarse(self, on: bool) -> None:
+        """Fewer triangles between the same vertices."""
+        if on and self.mesh is not None and len(self.mesh.triangles) > 1.5 * _COARSE_TRIANGLES:
+            if self._coarse is None:
+                self._coarse = _thinned(self.mesh, self.poly)
+                self._coarse_mapper.SetInputData(self._coarse)
+            self._coarse.GetPointData().ShallowCopy(self.poly.GetPointData())
+            self.actor.SetMapper(self._coarse_mapper)
+        else:
+            self.actor.SetMapper(self._mapper)
 
     def show_values(self, signed_um: NDArray[np.float64], level_um: NDArray[np.float64], counterpart: NDArray[np.bool_]) -> None:
         """Signed deviation and level of detection, (v,) um, and which vertices have a counterpart."""
@@ -84,12 +100,10 @@ class ComparedActor:
         assert self.mesh is not None
         self._put("foot", np.nan_to_num(feet_mm - self.mesh.vertices).astype(np.float32))
 
-    def mark(self, column: int, vertices: NDArray[np.int64] | NDArray[np.bool_] | None) -> None:
-        """Painted (0) or part (1): exactly these vertices."""
-        self._marks[:, column] = 0.0
-        if vertices is not None:
-            self._marks[vertices, column] = 1.0
-        self._put("marks", self._marks)
+    def show_painted(self, painted: NDArray[np.bool_] | None) -> None:
+        """(v,): what a person has painted."""
+        if self.mesh is not None:
+            self._put("painted", np.zeros(len(self.mesh.vertices), np.float32) if painted is None else painted.astype(np.float32))
 
     def show_scale(self, scale: DeviationScale | None) -> None:
         """Map or, with None, the plain surface."""
@@ -99,16 +113,24 @@ class ComparedActor:
             if scale is not None:
                 uniforms.SetUniformf("perUM", scale.steps / scale.limit_um)
                 uniforms.SetUniformi("steps", scale.steps)
-                uniforms.SetUniformf("thresholdUM", scale.threshold_um)
-                for i, colour in enumerate(scale.band_colours[:MOST_BANDS]):
-                    uniforms.SetUniform3f(f"band{i}", _floats(colour))
+                packed = np.zeros(MOST_BANDS)
+                packed[: 2 * scale.steps] = scale.band_colours[:MOST_BANDS] @ np.array([65536.0, 256.0, 1.0])
+                for i, four in enumerate(packed.reshape(-1, 4).tolist()):
+                    uniforms.SetUniform4f(f"bands{i}", four)
 
-    def set_number(self, name: str, value: float) -> None:
-        """``thresholdUM``, ``pixelRatio``, ``fade`` or ``morph``."""
+    def set_pixel_ratio(self, ratio: float) -> None:
+        """Device pixels of a pixel: the hatch keeps its size."""
         for actor in (self.actor, self.first):
-            shader = actor.GetShaderProperty()
-            uniforms = shader.GetVertexCustomUniforms() if name == "morph" else shader.GetFragmentCustomUniforms()
-            uniforms.SetUniformf(name, value)
+            actor.GetShaderProperty().GetFragmentCustomUniforms().SetUniformf("pixelRatio", ratio)
+
+    def set_fade(self, opacity: float) -> None:
+        """0 to 1."""
+        self.actor.GetShaderProperty().GetFragmentCustomUniforms().SetUniformf("fade", max(opacity, _ALL_BUT_TRANSPARENT))
+
+    def set_morph(self, amount: float) -> None:
+        """0 with every vertex at its foot, 1 with every vertex at its own place."""
+        for actor in (self.actor, self.first):
+            actor.GetShaderProperty().GetVertexCustomUniforms().SetUniformf("morph", amount)
 
     def set_stable_shown(self, on: bool) -> None:
         self.actor.GetShaderProperty().GetFragmentCustomUniforms().SetUniformi("stableShown", on)
@@ -135,22 +157,21 @@ class ComparedActor:
         uniforms = shader.GetFragmentCustomUniforms()
         for name in ("coloured", "steps", "stableShown"):
             uniforms.SetUniformi(name, 0)
-        for name in ("perUM", "thresholdUM"):
-            uniforms.SetUniformf(name, 0.0)
+        uniforms.SetUniformf("perUM", 0.0)
         uniforms.SetUniformf("pixelRatio", 1.0)
-        uniforms.SetUniformf("fade", 1.0 if actor is self.actor else 0.002)
+        uniforms.SetUniformf("fade", 1.0 if actor is self.actor else _ALL_BUT_TRANSPARENT)
         uniforms.SetUniform2f("curtain", (0.0, 0.0))
         uniforms.SetUniform4f("cut", (0.0, 0.0, 0.0, 1.0))
+        for i in range(MOST_BANDS // 4):
+            uniforms.SetUniform4f(f"bands{i}", (0.0, 0.0, 0.0, 0.0))
         colours = {
             "plainColour": rgb(colour),
             "levelColour": WITHIN_LEVEL,
             "emptyColour": NO_COUNTERPART,
             "hatchColour": HATCH,
-            "lineColour": THRESHOLD_LINE,
             "stableColour": rgb(STABLE),
-            "partColour": rgb(PART),
             "backColour": rgb(BACK),
-        } | {f"band{i}": (0, 0, 0) for i in range(MOST_BANDS)}
+        }
         for name, value in colours.items():
             uniforms.SetUniform3f(name, _floats(value))
 
@@ -164,7 +185,7 @@ def _mapper() -> vtkPolyDataMapper:
     mapper = vtkPolyDataMapper()
     mapper.ScalarVisibilityOff()
     mapper.SetVBOShiftScaleMethod(0)  # the shader adds millimetres to the coordinates
-    for name in ("deviation", "marks", "foot"):
+    for name in ("deviation", "painted", "foot"):
         mapper.MapDataArrayToVertexAttribute(f"{name}MC", name, 0, -1)
     return mapper
 
@@ -174,8 +195,21 @@ def _actor(mapper: vtkPolyDataMapper) -> vtkActor:
     actor.SetMapper(mapper)
     actor.SetVisibility(False)
     actor.ForceOpaqueOn()
-    look = actor.GetProperty()
-    look.SetInterpolationToPhong()
-    look.SetSpecular(0.08)
-    look.SetSpecularPower(20)
+    actor.GetProperty().SetInterpolationToPhong()
     return actor
+
+
+def _thinned(mesh: TriangleMesh, poly: Any) -> Any:
+    """The same vertices with fewer triangles between them: one vertex a cell of a grid (Lindstrom 2000), a few ten milliseconds."""
+    low, high = mesh.bounds()
+    edge_mm = np.sqrt(2.3 * mesh.area() / _COARSE_TRIANGLES)
+    thin = vtkBinnedDecimation()
+    thin.SetInputData(poly)
+    thin.AutoAdjustNumberOfDivisionsOff()
+    thin.SetNumberOfDivisions(*(int(max(extent / edge_mm, 1)) for extent in high - low))
+    thin.SetPointGenerationModeToUseInputPoints()
+    thin.Update()
+    coarse = vtkPolyData()
+    coarse.SetPoints(poly.GetPoints())
+    coarse.SetPolys(thin.GetOutput().GetPolys())
+    return coarse

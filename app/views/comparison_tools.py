@@ -37,7 +37,7 @@ class ComparisonTools(QObject):
         self._pressed: QPointF | None = None
         self._drag: str | None = None
         self._last = QPointF()
-        self._space_s = 0.0
+        self._space_s, self._space_down = 0.0, False
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.setInterval(_HOVER_MS)
@@ -69,14 +69,16 @@ class ComparisonTools(QObject):
         return False
 
     def space(self, down: bool, *, repeated: bool = False) -> bool:
-        """Tap: the other surface; hold: the other one as long as it is held.  Whether the key was used."""
-        if self._scene.mode not in ("flicker", "map", "after", "before") or repeated:
-            return self._scene.mode in ("flicker", "map", "after", "before")
+        """Flicker: a tap shows the other surface, a long press as long as it lasts; elsewhere every press does.  Whether the key was used."""
+        if self._scene.mode not in ("flicker", "map", "after", "before"):
+            return False
+        if repeated or down == self._space_down:
+            return True  # also the release of a press that a shortcut of the window took
+        self._space_down = down
         now_s = time.perf_counter()
         if down:
             self._space_s = now_s
-            self._scene.show_other(not self._scene.shows_other)
-        elif self._scene.mode != "flicker" or now_s - self._space_s > _HELD_S:
+        if down or self._scene.mode != "flicker" or now_s - self._space_s > _HELD_S:
             self._scene.show_other(not self._scene.shows_other)
         return True
 
@@ -86,6 +88,8 @@ class ComparisonTools(QObject):
             return False
         place = event.position()
         self._pressed = self._last = place
+        self._overlay.readout = None
+        self._overlay.update()
         rank = self._overlay.tag_at(place)
         if rank is not None:
             self._pressed = None
@@ -109,6 +113,7 @@ class ComparisonTools(QObject):
             if not event.buttons():
                 self._last = place
                 self._show_brush(place)
+                self._show_twin(place)
                 if not self._timer.isActive():
                     self._timer.start()
                 if self._tool == "look":
@@ -145,7 +150,7 @@ class ComparisonTools(QObject):
 
     def _leave(self) -> None:
         self._timer.stop()
-        self._overlay.brush = None
+        self._overlay.brush = self._overlay.readout = self._overlay.twin = None
         self._overlay.update()
         self._scene.hovered.emit(None)
 
@@ -173,8 +178,20 @@ class ComparisonTools(QObject):
         return None if hit is None else (seen[0], picker, hit, seen[1])
 
     def _hover(self) -> None:
-        if not self._scene.closed and self._drag is None:
-            self._scene.hovered.emit(self.pointed(self._last))
+        if self._scene.closed or self._drag is not None:
+            return
+        met = self.pointed(self._last)
+        self._overlay.readout = (self._last, self._words(met)) if met is not None and self._scene.coloured and met.surface == "after" else None
+        self._overlay.update()
+        self._scene.hovered.emit(met)
+
+    def _words(self, met: Pointed) -> str:
+        """Value and sign, or why there is none."""
+        if met.signed_um is None or met.level_um is None:
+            return self.tr("no counterpart")
+        if abs(met.signed_um) <= met.level_um:
+            return self.tr("within ±{mm:.2f} mm").format(mm=met.level_um / 1000)
+        return self.tr("{mm} mm").format(mm=f"{met.signed_um / 1000:+.2f}".replace("-", "−"))
 
     def _stroke(self, place: QPointF) -> None:
         """Everything that the brush passes between two events of the mouse."""
@@ -198,6 +215,14 @@ class ComparisonTools(QObject):
         met = found is not None and found[0] == "after"
         self._overlay.brush = (place, self.radius_mm * found[3].pixels_per_mm(found[2].point), self._tool == "erase") if found and met else None
         self._overlay.update()
+
+    def _show_twin(self, place: QPointF) -> None:
+        """Side by side: the pointer's place in the other picture."""
+        half = 0.5 * self._scene.width()
+        twin = place + QPointF(half if place.x() < half else -half, 0.0) if self._scene.mode == "side_by_side" else None
+        if twin != self._overlay.twin:
+            self._overlay.twin = twin
+            self._overlay.update()
 
     def _close_lasso(self) -> None:
         path, self._overlay.lasso = self._overlay.lasso, []

@@ -18,7 +18,6 @@ from app.services import Services
 from app.undo import UndoHistory
 from app.views import format as fmt
 from app.views.banner import Banner
-from app.views.calibration_words import age_of, age_text, expired_text
 from app.views.file_dialogs import choose_file
 from app.views.page import Page
 from app.views.pages import PAGES
@@ -187,13 +186,16 @@ class MainWindow(QMainWindow):
             self.services.reconstruction.start(self.services.draft.values)
 
     def view_fit(self) -> None:
-        self._with_scene(lambda scene: scene.view_fit())
+        if not self.pages[self.page_id].look("fit"):
+            self._with_scene(lambda scene: scene.view_fit())
 
     def view_front(self) -> None:
-        self._with_scene(lambda scene: scene.view_front())
+        if not self.pages[self.page_id].look("front"):
+            self._with_scene(lambda scene: scene.view_front())
 
     def view_top(self) -> None:
-        self._with_scene(lambda scene: scene.view_top())
+        if not self.pages[self.page_id].look("top"):
+            self._with_scene(lambda scene: scene.view_top())
 
     def show_points(self, on: bool) -> None:
         self._with_scene(lambda scene: scene.set_points_visible(on))
@@ -243,6 +245,7 @@ class MainWindow(QMainWindow):
         services.reconstruction.grown.connect(lambda surface: self._with_scene(lambda scene: scene.show_mesh(surface)))
         services.reconstruction.ended.connect(self._end_reconstruction)
         services.reconstruction.changed.connect(self._show_activity)
+        services.comparing.answers.changed.connect(self._show_activity)
         self._undo.changed.connect(self._show_undo)
         self.rail.show_order(services.draft.values)
 
@@ -352,6 +355,8 @@ class MainWindow(QMainWindow):
             text = self.tr("Scanning")
         elif services.reconstruction.running:
             text = self.tr("Reconstructing")
+        elif services.comparing.answers.running:
+            text = self.tr("Comparing")
         elif services.rig.snapshot.calibrating is not None:
             text = self.tr("Calibrating")
         elif services.case.computing:
@@ -361,21 +366,7 @@ class MainWindow(QMainWindow):
         self.status_line.show_activity(text)
 
     def _show_rig(self) -> None:
-        rig, line = self.services.rig.snapshot, self.status_line
-        line.cameras.show_state(*(("good", self.tr("Cameras ready")) if rig.connected else ("idle", self.tr("Cameras opening"))))
-        if rig.motion is None:
-            line.turntable.show_state("idle", self.tr("Turntable"))
-        else:
-            line.turntable.show_state("good", self.tr("Turntable {angle:.1f}°").format(angle=rig.motion.table_deg))
-        calibration = rig.calibration
-        if calibration is None:
-            line.calibration.show_state("warn", self.tr("Not calibrated"))
-        else:
-            age = age_of(calibration)
-            text = self.tr("Calibration expired") if expired_text(age) else self.tr("Calibration {age}").format(age=fmt.age(calibration.date))
-            line.calibration.show_state(age_text(age)[0], text)
-        speed = self.tr("full speed") if rig.speed == "max" else f"{rig.speed}×"
-        line.show_rig(self.tr("Virtual rig  ·  {rig}  ·  {speed}").format(rig=rig.preset, speed=speed))
+        self.status_line.show_rig(self.services.rig.snapshot)
         self._show_activity()
 
     def _show_laser(self) -> None:

@@ -34,6 +34,17 @@ class Page(QWidget):
     def tick(self) -> None:
         """Called by the pump; takes out what came for this page."""
 
+    def paint_scene(self) -> float:
+        """For the pump, of a page with a 3D view of its own: ask for a picture; how many seconds the last one took."""
+        return 0.0
+
+    def close_scene(self) -> None:
+        """Release the graphics of a 3D view of its own."""
+
+    def look(self, view: str) -> bool:
+        """Turn a 3D view of its own: ``fit``, ``front`` or ``top``; False when there is none."""
+        return False
+
     def inspector(self, title: str) -> QVBoxLayout:
         """The layout of a page that stands beside the 3D view."""
         self.setFixedWidth(INSPECTOR_WIDTH)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from app.translation import QT_TRANSLATE_NOOP
+from app.views.compare_page import ComparePage
 from app.views.export_page import ExportPage
 from app.views.home_page import HomePage
 from app.views.page import MakePage
@@ -35,4 +36,5 @@ PAGES: tuple[PageInfo, ...] = (
     PageInfo("scan", QT_TRANSLATE_NOOP("pages", "Scan"), "scan", ScanPage, stage=QT_TRANSLATE_NOOP("pages", "Live point cloud")),
     PageInfo("reconstruct", QT_TRANSLATE_NOOP("pages", "Reconstruct"), "reconstruct", ReconstructPage, stage=QT_TRANSLATE_NOOP("pages", "Surface")),
     PageInfo("export", QT_TRANSLATE_NOOP("pages", "Export"), "export", ExportPage, stage=QT_TRANSLATE_NOOP("pages", "What is exported")),
+    PageInfo("compare", QT_TRANSLATE_NOOP("pages", "Compare"), "compare", ComparePage),
 )

@@ -7,7 +7,7 @@ from typing import ClassVar, TypeVar
 
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QValidator
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLayout, QPushButton, QSizePolicy, QSpinBox, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLayout, QPushButton, QScrollArea, QSizePolicy, QSpinBox, QVBoxLayout, QWidget
 
 from app.draft import SIDES
 from app.theme import GOOD, LASER, LEFT_EAR, MUTED, RIGHT_EAR, TEXT, WARNING, icon
@@ -98,6 +98,17 @@ def row(*parts: QWidget | QLayout | int, spacing: int = 8) -> QHBoxLayout:
 def column(*parts: QWidget | QLayout | int, spacing: int = 8) -> QVBoxLayout:
     """One below the other; an integer is a stretch."""
     return _fill(QVBoxLayout(), parts, spacing)
+
+
+def scrolled(part: QWidget) -> QScrollArea:
+    """As high as there is room; what does not fit is scrolled to, downwards only."""
+    area = QScrollArea()
+    area.setWidgetResizable(True)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    area.setWidget(part)
+    area.viewport().setAutoFillBackground(False)
+    part.setAutoFillBackground(False)
+    return area
 
 
 def _fill(box: BoxT, parts: tuple[QWidget | QLayout | int, ...], spacing: int) -> BoxT:

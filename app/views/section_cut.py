@@ -12,8 +12,9 @@ from vtkmodules.vtkFiltersCore import vtkCutter
 from app.views.line_actor import LineActor
 
 Array = NDArray[np.float64]
-BEFORE_LINE: Final = "#ffb454"
-AFTER_LINE: Final = "#6ec6ff"
+BEFORE_LINE: Final = "#ffe14d"
+AFTER_LINE: Final = "#f06bd0"
+"""Neither of them a colour of the map; of unlike lightness, too."""
 
 
 class SectionCut:

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QFrame, QHBoxLayout
 
+from app.controllers.rig_snapshot import RigSnapshot
+from app.views import format as fmt
+from app.views.calibration_words import age_of, age_text, expired_text
 from app.views.parts import Lamp, label, seam
 
 
@@ -30,8 +33,22 @@ class StatusLine(QFrame):
         box.addWidget(self._rig)
         self.setFixedHeight(30)
 
-    def show_rig(self, text: str) -> None:
-        self._rig.setText(text)
+    def show_rig(self, rig: RigSnapshot) -> None:
+        """All but the laser, which has a pace of its own."""
+        self.cameras.show_state(*(("good", self.tr("Cameras ready")) if rig.connected else ("idle", self.tr("Cameras opening"))))
+        if rig.motion is None:
+            self.turntable.show_state("idle", self.tr("Turntable"))
+        else:
+            self.turntable.show_state("good", self.tr("Turntable {angle:.1f}°").format(angle=rig.motion.table_deg))
+        calibration = rig.calibration
+        if calibration is None:
+            self.calibration.show_state("warn", self.tr("Not calibrated"))
+        else:
+            age = age_of(calibration)
+            text = self.tr("Calibration expired") if expired_text(age) else self.tr("Calibration {age}").format(age=fmt.age(calibration.date))
+            self.calibration.show_state(age_text(age)[0], text)
+        speed = self.tr("full speed") if rig.speed == "max" else f"{rig.speed}×"
+        self._rig.setText(self.tr("Virtual rig  ·  {rig}  ·  {speed}").format(rig=rig.preset, speed=speed))
 
     def show_activity(self, text: str) -> None:
         self._activity.setText(text)

@@ -10,14 +10,18 @@ from scanner_core.case.store import CaseStore
 from scanner_core.commands.console import Console
 from scanner_core.files import check_free
 from scanner_core.mesh_io import check_suffix, write_mesh, write_points
+from scanner_core.mesh_io.dicom import DicomSubject, check_pydicom, write_encapsulated_stl
 
 _POINT_SUFFIXES = (".xyz",)
+_DICOM_SUFFIX = ".dcm"
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
     out = Path(given.out).resolve()
-    points_wanted = out.suffix.lower() in _POINT_SUFFIXES
-    if not points_wanted:
+    points_wanted, dicom_wanted = out.suffix.lower() in _POINT_SUFFIXES, out.suffix.lower() == _DICOM_SUFFIX
+    if dicom_wanted:
+        check_pydicom()
+    elif not points_wanted:
         check_suffix(out)
     check_free(out, given.force)
     with CaseStore.open(Path(given.case), read_only=True) as store:
@@ -27,6 +31,17 @@ def run(given: argparse.Namespace, console: Console) -> int:
             console.result({"file": str(out), "points": len(cloud)}, [f"{len(cloud)} points written to {out}."])
         else:
             mesh, _ = store.mesh()
-            write_mesh(out, mesh, force=given.force)
+            if dicom_wanted:
+                write_encapsulated_stl(out, mesh, _subject(store), "Surface", force=given.force)
+            else:
+                write_mesh(out, mesh, force=given.force)
             console.result({"file": str(out), "triangles": len(mesh.triangles)}, [f"{len(mesh.triangles)} triangles written to {out}."])
     return 0
+
+
+def _subject(store: CaseStore) -> DicomSubject:
+    """Whom the case's mesh concerns: the patient's code, or the order's number where there is none."""
+    order = store.order()
+    scans = [scan for scan in store.scans() if scan.kind == "scan"]
+    made = scans[-1].started if scans else ""
+    return DicomSubject(order.patient_code or order.number, order.number, order.side, made)

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.comparison.alignment import Alignment, FrameShift
 from scanner_core.comparison.alignment_doubts import frame_doubts, pose_doubts, region_doubts
-from scanner_core.comparison.alignment_uncertainty import alignment_uncertainty
 from scanner_core.comparison.coarse_fit import trimmed_fit
 from scanner_core.comparison.doubt import Doubt
-from scanner_core.comparison.fine_fit import LEAST_VERTICES, fit_chosen, fit_stable
+from scanner_core.comparison.fine_fit import LEAST_VERTICES, Fit, fit_best, fit_chosen, fit_stable, with_uncertainty
+from scanner_core.comparison.fit_rows import MutualPairing
 from scanner_core.comparison.global_start import FINE_CELLS, find_start, is_ambiguous, sample_both
 from scanner_core.comparison.parameters import ComparisonParameters, Frame
 from scanner_core.comparison.stable_region import find_stable
@@ -55,6 +57,7 @@ def align(
         _check(surface)
     frame = parameters.frame
     painted = _painted(after, mask) if frame is Frame.MASK else None
+    everything = np.ones(len(after.mesh.vertices), np.bool_)
     rng = np.random.default_rng(parameters.seed)
 
     def tell(phase: str, fraction: float) -> None:
@@ -78,54 +81,55 @@ def align(
         transform = trimmed_fit(fine_before, fine_after, transform, share=0.5, rounds=30)
 
     tell("find the stable region", 0.5)
-    pairing = SurfacePairing(before, after, parameters.no_counterpart_mm)
-    here = pairing.at(transform)
-    if not here.facing.sum() >= LEAST_VERTICES:
+    pairing = MutualPairing(before, after, parameters.no_counterpart_mm)
+    here = pairing.forward.at(transform)
+    if here.facing.sum() < LEAST_VERTICES:
         raise ComparisonError("E-CMP-02", before=before.name, after=after.name, reach_mm=parameters.no_counterpart_mm)
-    everything = np.ones(len(pairing.areas), np.bool_)
-    auto, pairs, stable = fit_stable(pairing, transform, cancelled)
-    frames = {Frame.AUTO: auto}
-    tell("fit the whole for comparison", 0.75)
-    frames[Frame.WHOLE], whole_pairs, whole_used = fit_chosen(pairing, auto, everything, cancelled)
-    if frame is Frame.WHOLE:
-        pairs, stable = whole_pairs, whole_used
-    elif painted is not None:
-        frames[Frame.MASK], pairs, stable = fit_chosen(pairing, auto, painted, cancelled)
-    elif frame is Frame.GIVEN:
-        frames[Frame.GIVEN], pairs, stable = transform, here, find_stable(pairing, here)
+    auto = fit_stable(pairing, transform, cancelled)
+    tell("fit", 0.7)
+    others: dict[Frame, RigidTransform] = {}
+    if frame is Frame.AUTO:
+        chosen = auto.used if auto.used.sum() >= LEAST_VERTICES else auto.pairs.facing
+        fit = fit_best(pairing, auto.transform, chosen, rng, cancelled)
+    else:
+        others[Frame.AUTO] = fit_chosen(pairing, auto.transform, auto.used, cancelled).transform
+        if painted is not None:
+            fit = fit_best(pairing, auto.transform, painted, rng, cancelled)
+            if fit.uncertainty is None:
+                raise ComparisonError("E-CMP-06", area_mm2=0.0, least_mm2=_LEAST_PAINTED_MM2)
+        elif frame is Frame.WHOLE:
+            fit = fit_best(pairing, auto.transform, everything, rng, cancelled)
+        else:
+            fit = _as_given(pairing, transform, here, rng)
+    if frame is not Frame.WHOLE:
+        tell("fit the whole for comparison", 0.85)
+        others[Frame.WHOLE] = fit_chosen(pairing, fit.transform, everything, cancelled).transform
+    tell("judge", 0.95)
+    return _assemble(pairing.forward, fit, others, frame, method, ambiguous)
+
+
+def _as_given(pairing: MutualPairing, transform: RigidTransform, pairs: Pairs, rng: np.random.Generator) -> Fit:
+    """Nothing is fitted; noise, correlation and size are measured on what agrees, or on everything where hardly anything does."""
+    stable = find_stable(pairing.forward, pairs)
     if stable.sum() < LEAST_VERTICES:
-        if frame is Frame.MASK:
-            raise ComparisonError("E-CMP-06", area_mm2=0.0, least_mm2=_LEAST_PAINTED_MM2)
-        stable = pairs.facing.copy()
-    transform = frames[frame]
-
-    tell("estimate the uncertainty", 0.9)
-    return _assemble(pairing, pairs, stable, frames, frame, method, ambiguous, rng)
+        stable = pairs.facing
+    fit = with_uncertainty(pairing, Fit(transform, pairs, stable), stable, rng)
+    # what was not estimated has no uncertainty of estimation
+    return replace(fit, uncertainty=None if fit.uncertainty is None else replace(fit.uncertainty, covariance=np.zeros((6, 6)), stable_um=0.0))
 
 
-def _assemble(
-    pairing: SurfacePairing,
-    pairs: Pairs,
-    stable: Mask,
-    frames: dict[Frame, RigidTransform],
-    frame: Frame,
-    method: str,
-    ambiguous: bool,
-    rng: np.random.Generator,
-) -> Alignment:
-    areas = pairing.areas
-    of_stable = (pairs.points[stable], pairs.normals[stable], pairs.distances[stable], areas[stable])
-    uncertainty = alignment_uncertainty(*of_stable, rng)
-    covariance, stable_um = uncertainty.covariance, uncertainty.stable_um
+def _assemble(pairing: SurfacePairing, fit: Fit, others: dict[Frame, RigidTransform], frame: Frame, method: str, ambiguous: bool) -> Alignment:
+    areas, pairs, stable, uncertainty = pairing.areas, fit.pairs, fit.used, fit.uncertainty
+    assert uncertainty is not None, "enough vertices were seen to"
     counted = pairing.supported
     overlap = float(areas[pairs.facing].sum() / max(areas[counted].sum(), 1e-300))
     share = float(areas[stable].sum() / max(areas[pairs.facing].sum(), 1e-300))
-    shifts = tuple(_shift(other, moved, pairs.points, pairing.after.vertices, counted) for other, moved in frames.items() if other is not frame)
+    shifts = tuple(_shift(other, moved, pairs.points, pairing.after.vertices, counted) for other, moved in others.items())
     doubts: list[Doubt] = region_doubts(frame, share, float(areas[stable].sum()), overlap)
     doubts += pose_doubts(uncertainty, pairs.points[counted], ambiguous)
     doubts += frame_doubts(frame, shifts)
     return Alignment(
-        transform=frames[frame],
+        transform=fit.transform,
         frame=frame,
         method=method,
         stable=stable,
@@ -133,9 +137,9 @@ def _assemble(
         rms_um=1e3 * float(np.sqrt(np.average(pairs.distances[stable] ** 2, weights=areas[stable]))),
         noise_um=1e3 * 1.4826 * float(np.median(np.abs(pairs.distances[stable]))),
         correlation_length_mm=uncertainty.correlation_length_mm,
-        covariance=covariance,
+        covariance=uncertainty.covariance,
         centre=uncertainty.centre,
-        uncertainty_um=stable_um,
+        uncertainty_um=uncertainty.stable_um,
         scale_ratio=uncertainty.scale_ratio,
         scale_ratio_uncertainty=uncertainty.scale_ratio_uncertainty,
         overlap=overlap,

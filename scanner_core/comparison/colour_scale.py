@@ -83,7 +83,7 @@ class DeviationScale:
         colours = self.band_colours[band]
         colours[np.abs(values) <= (self.level_um if level_um is None else level_um)] = WITHIN_LEVEL
         colours[~known] = NO_COUNTERPART
-        return colours
+        return np.asarray(colours, np.uint8)
 
     def table(self, entries: int) -> Colours:
         """A look-up table (entries, 3) whose entries divide -limit to +limit evenly; each has the colour of its middle."""

@@ -92,14 +92,19 @@ def _of_file(path: Path, asked: str | None) -> ComparedSurface:
 
 def _of_case(path: Path) -> ComparedSurface:
     with CaseStore.open(path, read_only=True) as store:
-        mesh, provenance = store.mesh()
-        origin: dict[str, object] = {"kind": "case", "path": str(path), "mesh_id": store.mesh_id(), "mesh_provenance": provenance}
-        order = store.order()
-        origin |= {"order": order.number, "side": order.side, "type": order.type}
-        # Whether two cases are of one patient can be told; who that is cannot.
-        origin["patient_digest"] = hashlib.sha256(order.patient_code.encode()).hexdigest()[:12] if order.patient_code else ""
-        origin |= _measured_with(store, provenance)
-    return _surface(path, mesh, mesh_hash(mesh), "mm", "a case is in millimetres", [], origin)
+        return case_surface(store)
+
+
+def case_surface(store: CaseStore) -> ComparedSurface:
+    """The mesh that counts in a case that is open; errors as :func:`read_surface`."""
+    mesh, provenance = store.mesh()
+    origin: dict[str, object] = {"kind": "case", "path": str(store.path), "mesh_id": store.mesh_id(), "mesh_provenance": provenance}
+    order = store.order()
+    origin |= {"order": order.number, "side": order.side, "type": order.type}
+    # Whether two cases are of one patient can be told; who that is cannot.
+    origin["patient_digest"] = hashlib.sha256(order.patient_code.encode()).hexdigest()[:12] if order.patient_code else ""
+    origin |= _measured_with(store, provenance)
+    return _surface(store.path, mesh, mesh_hash(mesh), "mm", "a case is in millimetres", [], origin)
 
 
 def _measured_with(store: CaseStore, provenance: dict[str, object]) -> dict[str, object]:

@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 
 AVERAGE_MM = 0.5
 """Distances are averaged over this length: noise of single vertices goes, the change of a tooth stays."""
-THRESHOLD = 2.5
+THRESHOLD = 3.0
 """In standard deviations of the averaged distance."""
 MARGIN_MM = 1.0
 """Width of the seam left out along what changed: a change fades out over the gum, below the threshold."""
@@ -33,8 +33,8 @@ def averaged_distance(pairing: SurfacePairing, pairs: Pairs, length_mm: float = 
 def core_noise(values: Array, weights: Array) -> tuple[float, float]:
     """Centre and standard deviation of the narrow peak in values that are partly changes, as wide as may be.
 
-    Starts from the densest quarter and widens to 2.5 standard deviations of a normal distribution as long as the share
-    inside agrees with one; changes spread over more than the peak add little inside of it.
+    Starts from the densest quarter, and repeats the standard deviation within two of them until it agrees with itself:
+    changes spread over much more than the peak, and add little inside of it.
     """
     order = np.argsort(values)
     v, w = values[order], np.cumsum(weights[order])

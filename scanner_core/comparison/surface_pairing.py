@@ -35,16 +35,14 @@ class Pairs:
     normals : (v, 3) unit, the mean of both surfaces' smoothed normals
     distances : (v,) mm along these normals, + outside
     facing : (v,) bool, there is a counterpart
+    corners : (v, 3) int64, the vertices of the BEFORE surface about the counterpart; where there is one
     """
 
     points: Array
     normals: Array
     distances: Array
     facing: Mask
-
-    def jacobian(self, centre: Array) -> Array:
-        """Derivative of the distances by a rotation vector about `centre` and a translation, (v, 6)."""
-        return np.concatenate([np.cross(self.points - centre, self.normals), self.normals], axis=1)
+    corners: NDArray[np.int64]
 
 
 class MeshAverage:
@@ -101,6 +99,7 @@ class SurfacePairing:
         near = np.flatnonzero(np.isfinite(away) & self.supported)
         distances, facing = np.zeros(len(points)), np.zeros(len(points), np.bool_)
         normals = transform.rotate(self._after_normals)
+        around = np.zeros((len(points), 3), np.int64)
         if len(near):
             feet = self._walk.feet(points[near], nearest[near].astype(np.int64))
             corners = self.before.triangles[feet.triangles]
@@ -114,7 +113,8 @@ class SurfacePairing:
             )
             distances[near] = row_dot(points[near] - feet.points, mean)
             normals[near] = mean
-        return Pairs(points, normals, distances, facing)
+            around[near] = corners
+        return Pairs(points, normals, distances, facing, around)
 
 
 def _smooth_normals(mesh: TriangleMesh, average: MeshAverage) -> Array:

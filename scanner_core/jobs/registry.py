@@ -17,7 +17,11 @@ from typing import Any
 
 from scanner_core.errors import UsageError
 
-JOBS: dict[str, str] = {"reconstruct": "scanner_core.reconstruction.job:run"}
+JOBS: dict[str, str] = {
+    "reconstruct": "scanner_core.reconstruction.job:run",
+    "compare": "scanner_core.comparison.compare:run",
+    "comparison-report": "scanner_core.comparison.report.job:run",
+}
 """Name -> ``module:function``; the module is imported in the worker only, when it starts."""
 
 Job = Callable[..., Any]

@@ -225,5 +225,3 @@ def _footer(page: Page, on: Occasion) -> None:
 
 def _with_zone(moment: datetime) -> datetime:
     return moment if moment.tzinfo else moment.astimezone()
-
-

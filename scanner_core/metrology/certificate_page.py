@@ -36,6 +36,7 @@ _RC: dict[Any, Any] = {
     "axes.unicode_minus": True,
 }
 
+
 @contextmanager
 def page_style() -> Iterator[None]:
     """Inside, pages are drawn and saved; outside, matplotlib's settings are untouched."""
@@ -57,14 +58,12 @@ class Page:
         self.figure = Figure(figsize=(WIDTH_MM / 25.4, HEIGHT_MM / 25.4))
         self.y_mm = MARGIN_MM
 
-    def text(
-        self, x_mm: float, y_mm: float, words: str, size: float = 8.5, *, bold: bool = False, colour: str = INK, align: Align = "left"
-    ) -> None:
+    def text(self, x_mm: float, y_mm: float, words: str, size: float = 8.5, *, bold: bool = False, colour: str = INK, align: Align = "left") -> None:
         """One line whose baseline is at `y_mm`."""
         self.figure.text(
             x_mm / WIDTH_MM,
             1 - y_mm / HEIGHT_MM,
-            words,
+            _printable(words),
             fontsize=size,
             fontweight="bold" if bold else "normal",
             color=colour,
@@ -86,12 +85,23 @@ class Page:
         self.y_mm += 6
         self.text(MARGIN_MM, self.y_mm, title, 17, bold=True)
         if verdict is not None:
-            self._badge(verdict)
+            self.badge(WORDS[verdict], COLOURS[verdict])
         self.y_mm += 6.2
         self.text(MARGIN_MM, self.y_mm, subtitle, 9.5, colour=GREY)
         self.y_mm += 3.6
         self.rule(INK, 1.0)
         self.y_mm += 5.4
+
+    def badge(self, words: str, colour: str, width_mm: float = 34.0) -> None:
+        """A word on a colour at the right margin, beside the line of the heading."""
+        from matplotlib.patches import Rectangle
+
+        height = 9.0
+        left, top = WIDTH_MM - MARGIN_MM - width_mm, self.y_mm - 6.4
+        place = (left / WIDTH_MM, 1 - (top + height) / HEIGHT_MM)
+        box = Rectangle(place, width_mm / WIDTH_MM, height / HEIGHT_MM, transform=self.figure.transFigure, facecolor=colour, linewidth=0)
+        self.figure.add_artist(box)
+        self.text(left + width_mm / 2, top + 6.1, words, 11, bold=True, colour="white", align="center")
 
     def facts(self, rows: Sequence[tuple[str, str]], columns: int = 2) -> None:
         """Labels and values in columns, filled row by row."""
@@ -99,7 +109,7 @@ class Page:
         for i, (label, value) in enumerate(rows):
             x = MARGIN_MM + (i % columns) * width
             self.text(x, self.y_mm, label, 7.5, colour=GREY)
-            self.text(x + 24, self.y_mm, _shortened(value, width - 25.5, 8), 8)
+            self.text(x + 24, self.y_mm, shortened(value, width - 25.5, 8), 8)
             if i % columns == columns - 1 or i == len(rows) - 1:
                 self.y_mm += 4.3
         self.y_mm += 1.2
@@ -144,9 +154,7 @@ class Page:
 
     def axes(self, x_mm: float, y_mm: float, width_mm: float, height_mm: float, title: str, across: str, up: str) -> Axes:
         """Axes whose frame has these edges in mm (upper left corner at x, y); title and labels lie outside of it."""
-        axes = self.figure.add_axes(
-            (x_mm / WIDTH_MM, 1 - (y_mm + height_mm) / HEIGHT_MM, width_mm / WIDTH_MM, height_mm / HEIGHT_MM)
-        )
+        axes = self.figure.add_axes((x_mm / WIDTH_MM, 1 - (y_mm + height_mm) / HEIGHT_MM, width_mm / WIDTH_MM, height_mm / HEIGHT_MM))
         axes.set_title(title, fontsize=8, loc="left", pad=3.5, fontweight="bold", color=INK)
         axes.set_xlabel(across, fontsize=7, labelpad=1.5)
         axes.set_ylabel(up, fontsize=7, labelpad=2)
@@ -166,16 +174,6 @@ class Page:
         """Write the page as a PDF of one page; `path` ends in .pdf."""
         self.figure.savefig(path, format="pdf", dpi=200, metadata={"Title": title, "Creator": "Impronta"})
 
-    def _badge(self, verdict: Verdict) -> None:
-        from matplotlib.patches import Rectangle
-
-        width, height = 34.0, 9.0
-        left, top = WIDTH_MM - MARGIN_MM - width, self.y_mm - 6.4
-        place = (left / WIDTH_MM, 1 - (top + height) / HEIGHT_MM)
-        box = Rectangle(place, width / WIDTH_MM, height / HEIGHT_MM, transform=self.figure.transFigure, facecolor=COLOURS[verdict], linewidth=0)
-        self.figure.add_artist(box)
-        self.text(left + width / 2, top + 6.1, WORDS[verdict], 11, bold=True, colour="white", align="center")
-
 
 def wrapped(words: str, width_mm: float, size: float) -> list[str]:
     """Lines of text that fit into a width, by the measures of the font itself."""
@@ -192,11 +190,24 @@ def wrapped(words: str, width_mm: float, size: float) -> list[str]:
 
 
 def text_width_mm(words: str, size: float) -> float:
-    """Width of a line in the page's font."""
+    """Width of a line in the page's font, as it is printed: without the rounding to pixels of a screen."""
+    from matplotlib.ft2font import LoadFlags
+
     font = _font()
-    font.set_size(size, 72)
-    font.set_text(words, 0.0)
-    return float(font.get_width_height()[0]) / 64 * 25.4 / 72
+    font.set_size(size, 720)
+    font.set_text(_printable(words), 0.0, flags=LoadFlags.NO_HINTING)
+    return float(font.get_width_height()[0]) / 64 * 25.4 / 720
+
+
+def _printable(words: str) -> str:
+    """The text with a box for every character that the font does not have; a file may be named in any script."""
+    known = _letters()
+    return "".join(letter if ord(letter) in known else "□" for letter in words)
+
+
+@cache
+def _letters() -> frozenset[int]:
+    return frozenset(_font().get_charmap())
 
 
 @cache
@@ -206,8 +217,8 @@ def _font() -> FT2Font:
     return get_font(findfont(FontProperties(family="DejaVu Sans")))
 
 
-def _shortened(words: str, width_mm: float, size: float) -> str:
-    """The text, its middle left out where it is too long."""
+def shortened(words: str, width_mm: float, size: float) -> str:
+    """The text, its middle left out where it is too long for a width in mm."""
     if text_width_mm(words, size) <= width_mm:
         return words
     for keep in range(len(words) - 1, 4, -1):

@@ -238,4 +238,3 @@ def _pooled_uncertainty(by_place: Array, sd: Array, count: int) -> Array:
 
 def _by_axis(values: Array) -> dict[str, float]:
     return {axis: round(float(value), 3) for axis, value in zip(AXES, values, strict=True)}
-

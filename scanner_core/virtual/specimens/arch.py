@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -57,7 +58,7 @@ def arch(*, treated: bool = False) -> Specimen:
 
     Both states share their grid, so their meshes are equal in every vertex that no moved tooth reaches.
     """
-    mesh = mesh_implicit(lambda points: solid(points, treated=treated), (-31.9, -26.9, -0.83), (31.9, 27.9, 13.3), 0.3571)
+    mesh = mesh_implicit(lambda points: solid(points, TREATMENT if treated else {}), (-31.9, -26.9, -0.83), (31.9, 27.9, 13.3), 0.3571)
     return Specimen("arch-treated" if treated else "arch", mesh)
 
 
@@ -68,8 +69,8 @@ def foot(tooth: int) -> Array:
     return place
 
 
-def solid(points: Array, *, treated: bool) -> Array:
-    """Base and teeth blended, cut off flat by the table."""
+def solid(points: Array, motions: Mapping[int, RigidTransform]) -> Array:
+    """Base and teeth blended, cut off flat by the table; each tooth of `motions` has moved about its own foot."""
     p = points + _OFFSET
     x, y = p[:, 0] / _HALF_WIDTH, p[:, 1] / _DEPTH
     radius = np.hypot(x, y)
@@ -81,8 +82,8 @@ def solid(points: Array, *, treated: bool) -> Array:
     for tooth, (crown, angle) in enumerate(zip(CROWNS, _angles(), strict=True)):
         centre = foot(tooth)
         local = points - centre
-        if treated and tooth in TREATMENT:
-            local = TREATMENT[tooth].inverse().apply(local)
+        if tooth in motions:
+            local = motions[tooth].inverse().apply(local)
         tangent = np.array([_HALF_WIDTH * np.sin(angle), _DEPTH * np.cos(angle)])
         tangent /= np.linalg.norm(tangent)
         along = local[:, :2] @ tangent

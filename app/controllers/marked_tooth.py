@@ -1,0 +1,89 @@
+"""The tooth that a person marks with a lasso, and its motion."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+
+import numpy as np
+from PySide6.QtCore import QCoreApplication, QObject, Signal
+
+from app.background import Background
+from app.comparison_draft import ComparisonDraft, Mask
+from app.controllers.comparison import ComparisonController
+from app.translation import QT_TRANSLATE_NOOP
+from scanner_core.comparison.area import PartMotion
+from scanner_core.comparison.comparison import Comparison
+
+_MEASURING = QT_TRANSLATE_NOOP("comparison", "Measuring its motion…")
+
+
+class MarkedTooth(QObject):
+    """The mark is part of the choice, and so undone like everything; the motion follows it and the newest answer."""
+
+    changed = Signal()
+
+    def __init__(
+        self,
+        background: Background,
+        draft: ComparisonDraft,
+        answers: ComparisonController,
+        tell: Callable[[BaseException], None],
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._background, self._draft, self._answers, self._tell = background, draft, answers, tell
+        self._of: tuple[Comparison, Mask] | None = None  # what `motion` belongs to, or will
+        self.motion: PartMotion | None = None
+        self.words = ""
+        """What is being done, while there is no motion."""
+        draft.changed.connect(self._follow)
+        answers.answered.connect(self._follow)
+
+    # -------------------------------------------------------------------------------- commands
+    def correct(self, vertices: np.ndarray[tuple[int], np.dtype[np.int64]], *, add: bool) -> None:
+        """Add vertices of the surface after to the mark, or take them off; the first ones make it."""
+        after, tooth = self._draft.choice.after, self._draft.choice.tooth
+        if after is None:
+            return
+        mask = np.zeros(len(after.surface.mesh.vertices), np.bool_) if tooth is None else tooth.copy()
+        mask[vertices] = add
+        self._draft.edit("tooth" if tooth is None else "lasso", tooth=mask)
+
+    def unmark(self) -> None:
+        self._draft.edit("unmark", tooth=None)
+
+    # -------------------------------------------------------------------------------- inside
+    def _follow(self) -> None:
+        comparison, tooth = self._answers.comparison, self._draft.choice.tooth
+        if comparison is None or tooth is None or not tooth.any():
+            self._of = self.motion = None
+            self._say("")
+            return
+        if self._of is not None and self._of[0] is comparison and self._of[1] is tooth:
+            return
+        self._of, self.motion = (comparison, tooth), None
+        self._say(_MEASURING)
+        self._background.run(
+            "tooth-motion", partial(_motion, comparison, tooth), partial(self._done, comparison, tooth), partial(self._missed, tooth)
+        )
+
+    def _done(self, comparison: Comparison, tooth: Mask, motion: PartMotion) -> None:
+        if self._of is not None and self._of[0] is comparison and self._of[1] is tooth:
+            self.motion = motion
+            self._say("")
+
+    def _missed(self, tooth: Mask, fault: Exception) -> None:
+        if self._of is not None and self._of[1] is tooth:
+            self._say("")
+            self._tell(fault)
+
+    def _say(self, words: str) -> None:
+        self.words = QCoreApplication.translate("comparison", words) if words else ""
+        self.changed.emit()
+
+
+def _motion(comparison: Comparison, tooth: Mask) -> PartMotion:
+    from scanner_core.comparison.part_motion import part_motion
+
+    return part_motion(comparison.before, comparison.after, comparison.alignment, tooth)

@@ -1,0 +1,111 @@
+"""What is held fixed, how well that holds, and what another choice would have said."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QCheckBox, QComboBox, QPushButton, QWidget
+
+from app.services import Services
+from app.views import format as fmt
+from app.views.comparison_words import FRAMES, METHODS, doubt_words, frame_words, millimetres, translated
+from app.views.facts import Fact, Facts
+from app.views.parts import button, column, label, row, seam
+from scanner_core.comparison.comparison import Comparison
+from scanner_core.comparison.parameters import Frame
+
+
+class AlignmentPanel(QWidget):
+    """One of the three panels beside the picture."""
+
+    tool_wanted = Signal(str)
+    """``paint``, ``erase``, or ``look`` for none."""
+    stable_wanted = Signal(bool)
+    """Whether the stable region is to be seen."""
+
+    def __init__(self, services: Services) -> None:
+        super().__init__()
+        self._services = services
+        self.frame = QComboBox()
+        self.frame.setAccessibleName(self.tr("Held fixed"))
+        for frame in Frame:
+            self.frame.addItem(frame_words(frame), frame)
+        self.frame.activated.connect(lambda _: self._choose_frame(self.frame.currentData()))
+        self._about = label("", "faint", wrap=True)
+        self.stable = QCheckBox(self.tr("Show the stable region"))
+        self.stable.toggled.connect(self.stable_wanted)
+        self._tools: dict[str, QPushButton] = {}
+        for name, text in (("paint", self.tr("Paint stable")), ("erase", self.tr("Erase"))):
+            made = button(text, "choice", partial(self._choose_tool, name))
+            made.setCheckable(True)
+            self._tools[name] = made
+        self.points = button(self.tr("Pick three points on each…"), "link", services.comparing.points.begin)
+        self._shifts = label("", "", wrap=True)
+        self._facts = Facts()
+        self._doubts = label("", "bad", wrap=True, selectable=True)
+        caption = label(self.tr("Held fixed"), "section")
+        caption.setBuddy(self.frame)
+        box = column(caption, self.frame, self._about, self.stable, row(*self._tools.values(), spacing=6), self.points, seam(), spacing=8)
+        for shown in (self._facts, self._shifts, self._doubts):
+            box.addWidget(shown)
+        box.addStretch(1)
+        box.setContentsMargins(0, 0, 0, 0)
+        self.setLayout(box)
+        self.show_comparison(None)
+
+    def show_tool(self, tool: str) -> None:
+        """The tool that is in hand."""
+        for name, made in self._tools.items():
+            made.setChecked(name == tool)
+
+    def show_comparison(self, comparison: Comparison | None) -> None:
+        """The choice as it is, and the numbers of the answer that is there."""
+        choice = self._services.comparing.draft.choice
+        self.frame.setCurrentIndex(self.frame.findData(choice.frame))
+        self._about.setText(translated(FRAMES[choice.frame][1]))
+        for tool in (self.stable, *self._tools.values()):
+            tool.setEnabled(comparison is not None)
+        self.points.setEnabled(choice.before is not None and choice.after is not None)
+        for shown in (self._facts, self._shifts, self._doubts):
+            shown.setVisible(comparison is not None)
+        if comparison is None:
+            return
+        alignment = comparison.alignment
+        method = METHODS.get(alignment.method)
+        scale, scale_u = 100 * (alignment.scale_ratio - 1), 200 * alignment.scale_ratio_uncertainty
+        facts: list[Fact] = [
+            (self.tr("Held fixed"), frame_words(alignment.frame), ""),
+            (self.tr("Stable share"), self.tr("{n} %").format(n=fmt.percent(alignment.stable_area_fraction)), ""),
+            (self.tr("Residual there"), self.tr("{n} µm rms").format(n=fmt.micrometres(alignment.rms_um)), ""),
+            (self.tr("Uncertainty"), self.tr("± {n} µm (k = 2)").format(n=fmt.micrometres(2 * alignment.uncertainty_um)), ""),
+            (self.tr("Noise of a distance"), self.tr("{n} µm").format(n=fmt.micrometres(alignment.noise_um)), ""),
+            (self.tr("Size, after to before"), f"{scale:+.2f} ± {scale_u:.2f} %".replace("-", fmt.MINUS), ""),
+            (self.tr("With a counterpart"), self.tr("{n} %").format(n=fmt.percent(alignment.overlap)), ""),
+            (self.tr("Start found by"), translated(method) if method else alignment.method, ""),
+        ]
+        self._facts.show_facts(facts)
+        shifts = [
+            self.tr("{frame} instead would shift the result by {rms} mm on average, {most} mm at most.").format(
+                frame=frame_words(shift.frame), rms=millimetres(shift.rms_um), most=millimetres(shift.max_um)
+            )
+            for shift in alignment.shifts
+        ]
+        self._shifts.setText("\n".join(shifts))
+        self._doubts.setText("\n\n".join(doubt_words(doubt) for doubt in alignment.doubts))
+        self._doubts.setVisible(bool(alignment.doubts))
+
+    @property
+    def texts(self) -> dict[str, str]:
+        return self._facts.texts | {"shifts": self._shifts.text(), "doubts": self._doubts.text()}
+
+    def _choose_frame(self, frame: Frame) -> None:
+        comparing = self._services.comparing
+        if frame is Frame.MASK and comparing.draft.choice.mask is None and comparing.answers.comparison is not None:
+            # What was found is the painting to begin with.
+            comparing.draft.edit("frame", frame=frame, mask=comparing.answers.comparison.alignment.stable.copy())
+        else:
+            comparing.draft.edit("frame", frame=frame)
+
+    def _choose_tool(self, name: str) -> None:
+        self.tool_wanted.emit(name if self._tools[name].isChecked() else "look")

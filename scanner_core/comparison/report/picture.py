@@ -1,0 +1,165 @@
+"""The map of deviations and the stable region as pictures of the after surface, and where the areas' numbers go on them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from scanner_core.comparison.colour_scale import HATCH, NO_COUNTERPART, THRESHOLD_LINE, DeviationScale
+from scanner_core.comparison.comparison import Comparison
+from scanner_core.comparison.report.raster import Raster, rasterized
+from scanner_core.comparison.report.viewpoint import Viewpoint
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+STABLE, MOVABLE = (52, 142, 110), (214, 217, 221)
+"""Of the region that carries the alignment, and of the rest."""
+_LIGHT = np.array([-0.30, 0.45, 0.84])
+"""Direction to the light: right, up, towards the eye."""
+_FINER = 2
+"""Pixels that are computed for one of the picture, along either edge: soft edges."""
+_STEP_MM = 1.2
+"""A step in depth between neighbouring pixels that is drawn as an edge."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Picture:
+    """A picture of the after surface.
+
+    Attributes
+    ----------
+    pixels : (h, w, 4) uint8, red, green, blue and opacity
+    numbers : rank of an area and where its number goes: right and down, as shares of width and height
+    """
+
+    pixels: NDArray[np.uint8]
+    numbers: tuple[tuple[int, float, float], ...]
+
+
+def fitted_scale(comparison: Comparison) -> DeviationScale:
+    """The scale of colours of a comparison's report."""
+    values = np.where(comparison.after.supported, comparison.deviation.signed_um, np.nan)
+    return DeviationScale.fitting(values, comparison.deviation.detection_level_um, comparison.parameters.tolerance_um)
+
+
+class Painter:
+    """Paints one comparison from any viewpoint, all pictures at one scale.
+
+    Parameters
+    ----------
+    comparison : whose after surface is shown, in the frame of BEFORE
+    scale : of the colours
+    """
+
+    def __init__(self, comparison: Comparison, scale: DeviationScale) -> None:
+        self._comparison, self._scale = comparison, scale
+        mesh = comparison.after.mesh
+        self._triangles = mesh.triangles
+        self._points = comparison.alignment.transform.apply(mesh.vertices)
+        self._normals = comparison.alignment.transform.rotate(mesh.vertex_normals())
+        self._values = np.where(comparison.after.supported, comparison.deviation.signed_um, np.nan)
+
+    def extent_mm(self, viewpoint: Viewpoint) -> tuple[float, float]:
+        """Width and height of the surface as seen from there."""
+        seen = self._points @ viewpoint.axes[:2].T
+        width, height = seen.max(axis=0) - seen.min(axis=0)
+        return float(width), float(height)
+
+    def deviation(self, viewpoint: Viewpoint, pixel_mm: float, width: int, height: int) -> Picture:
+        """The signed map: stepped colours, a line at the threshold, a hatch where there is no counterpart.
+
+        Parameters
+        ----------
+        pixel_mm : edge of a pixel on the surface
+        width, height : of the picture, pixels
+        """
+        raster, points = self._raster(viewpoint, pixel_mm, width, height)
+        values = raster.sampled(self._triangles, self._values)
+        colours = self._scale.colours(values, raster.sampled(self._triangles, self._comparison.deviation.level_um)).astype(np.float64)
+        hatched = np.isnan(values) & (_stripes(raster.seen.shape)[raster.seen])
+        colours[hatched] = HATCH
+        image = self._shaded(raster, viewpoint, colours)
+        beyond = np.zeros(raster.seen.shape, np.bool_)
+        beyond[raster.seen] = np.abs(np.nan_to_num(values)) >= self._scale.threshold_um
+        known = np.zeros(raster.seen.shape, np.bool_)
+        known[raster.seen] = ~np.isnan(values)
+        image[_border(beyond, known)] = (*THRESHOLD_LINE, 255.0)
+        return Picture(_coarser(image), self._numbers(raster, points, viewpoint, pixel_mm))
+
+    def stable(self, viewpoint: Viewpoint, pixel_mm: float, width: int, height: int) -> Picture:
+        """The region that carries the alignment, in green."""
+        raster, _ = self._raster(viewpoint, pixel_mm, width, height)
+        carrying = raster.sampled(self._triangles, self._comparison.alignment.stable.astype(np.float64)) > 0.5
+        colours = np.where(carrying[:, None], np.array(STABLE, np.float64), np.array(MOVABLE, np.float64))
+        colours[~carrying & np.isnan(raster.sampled(self._triangles, self._values))] = NO_COUNTERPART
+        return Picture(_coarser(self._shaded(raster, viewpoint, colours)), ())
+
+    def _raster(self, viewpoint: Viewpoint, pixel_mm: float, width: int, height: int) -> tuple[Raster, Array]:
+        """The raster, and the vertices as seen from there relative to the picture's middle, mm."""
+        points = self._points @ viewpoint.axes.T
+        centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
+        points = points - centre
+        return rasterized(points, self._triangles, pixel_mm / _FINER, width * _FINER, height * _FINER, np.zeros(2)), points
+
+    def _shaded(self, raster: Raster, viewpoint: Viewpoint, colours: Array) -> Array:
+        """(h, w, 4) 0 to 255: the colours under light, silhouettes drawn finely, nothing where nothing is seen."""
+        normals = raster.sampled(self._triangles, self._normals @ viewpoint.axes.T)
+        normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-12)[:, None]
+        normals *= np.where(normals[:, 2] < 0, -1.0, 1.0)[:, None]
+        light = 0.55 + 0.45 * np.clip(normals @ (_LIGHT / np.linalg.norm(_LIGHT)), 0, 1)
+        image = np.zeros((*raster.seen.shape, 4))
+        image[raster.seen] = np.column_stack([colours * light[:, None], np.full(len(colours), 255.0)])
+        depth = np.where(raster.seen, raster.depth, -1e6)
+        edge = np.zeros(raster.seen.shape, np.bool_)
+        edge[:, 1:] |= np.abs(np.diff(depth, axis=1)) > _STEP_MM
+        edge[1:] |= np.abs(np.diff(depth, axis=0)) > _STEP_MM
+        image[edge & raster.seen, :3] *= 0.45
+        return image
+
+    def _numbers(self, raster: Raster, points: Array, viewpoint: Viewpoint, pixel_mm: float) -> tuple[tuple[int, float, float], ...]:
+        """Of every area of which a good part is seen: its rank, in the middle of that part."""
+        height, width = raster.seen.shape
+        fine = pixel_mm / _FINER
+        found = []
+        for area in self._comparison.areas:
+            own = points[area.vertices]
+            column = np.clip(np.rint(own[:, 0] / fine + 0.5 * width - 0.5).astype(np.int64), 0, width - 1)
+            row = np.clip(np.rint(0.5 * height - 0.5 - own[:, 1] / fine).astype(np.int64), 0, height - 1)
+            visible = raster.depth[row, column] < own[:, 2] + 0.3
+            if visible.mean() < 0.3:
+                continue
+            middle = np.median(np.column_stack([column, row])[visible], axis=0)
+            found.append((area.rank, float((middle[0] + 0.5) / width), float((middle[1] + 0.5) / height)))
+        return tuple(found)
+
+
+def _stripes(shape: tuple[int, ...]) -> Mask:
+    """Diagonal lines."""
+    row, column = np.indices(shape)
+    return np.asarray((row + column) % 12 < 3, np.bool_)
+
+
+def _border(beyond: Mask, known: Mask) -> Mask:
+    """Pixels on the border of a region, within what is known."""
+    border = np.zeros_like(beyond)
+    for axis in (0, 1):
+        first = [slice(None), slice(None)]
+        second = [slice(None), slice(None)]
+        first[axis], second[axis] = slice(None, -1), slice(1, None)
+        a, b = tuple(first), tuple(second)
+        change = (beyond[a] != beyond[b]) & known[a] & known[b]
+        border[a] |= change
+        border[b] |= change
+    return border
+
+
+def _coarser(image: Array) -> NDArray[np.uint8]:
+    """Means of squares of pixels, the colours weighted by their opacity."""
+    height, width = image.shape[0] // _FINER, image.shape[1] // _FINER
+    blocks = image.reshape(height, _FINER, width, _FINER, 4)
+    opacity = blocks[..., 3:].sum(axis=(1, 3))
+    colours = (blocks[..., :3] * blocks[..., 3:]).sum(axis=(1, 3)) / np.maximum(opacity, 1.0)
+    return np.asarray(np.concatenate([colours, opacity / _FINER**2], axis=2).round(), np.uint8)

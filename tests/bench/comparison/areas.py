@@ -1,0 +1,112 @@
+"""The moved teeth in the ranked list, what is false in it, and the motion of a marked tooth."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from scanner_core.comparison.area import Area, PartMotion
+from scanner_core.comparison.compare import compare
+from scanner_core.geometry.rigid import RigidTransform
+from tests.bench.comparison.clean_pair import CleanPair
+from tests.bench.comparison.scan_pair import Disturbance, ScanPair, scan
+
+FALSE_UM = 200.0
+"""An entry that reads more than this where nothing moved is false."""
+MOVED_MM = 0.2
+"""Tissue counts as moved from here on: the bound of the entries and of the truth that they are held against."""
+TIE_MM = 0.05
+"""Teeth whose displacements differ by less may stand in either order."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AreaFigures:
+    """Of one pair.
+
+    Attributes
+    ----------
+    teeth, found : moved teeth, and those with an entry of their own
+    false : entries above `FALSE_UM` on tissue that did not move
+    out_of_order : pairs of found teeth that stand in the wrong order
+    overlap : (found,) intersection over union of an entry's vertices and the tooth's moved tissue
+    place_um, angle_deg : (found,) errors of the entries' motions; empty where the truth is not told
+    z : (found * 3,) the errors of the displacements over their stated uncertainty
+    """
+
+    teeth: int
+    found: int
+    false: int
+    out_of_order: int
+    overlap: NDArray[np.float64]
+    place_um: NDArray[np.float64]
+    angle_deg: NDArray[np.float64]
+    z: NDArray[np.float64]
+
+
+def report(pairs: Iterable[tuple[int, CleanPair]], disturbance: Disturbance, title: str) -> list[dict[str, object]]:
+    """Print a line of all pairs; every pair's figures."""
+    figures = []
+    for seed, clean in pairs:
+        pair = scan(clean, disturbance, seed)
+        figures.append((seed, look(pair, compare(pair.before, pair.after).areas)))
+    teeth, found, false, wrong = (sum(getattr(f, name) for _, f in figures) for name in ("teeth", "found", "false", "out_of_order"))
+    overlap = np.concatenate([f.overlap for _, f in figures])
+    print(
+        f"areas: {title}: {found} of {teeth} moved teeth found, {wrong} pairs in the wrong order, {false} false at {FALSE_UM:.0f} um; "
+        f"IoU median {np.median(overlap):.3f}, worst {overlap.min():.3f}",
+        flush=True,
+    )
+    place, angle, z = (np.concatenate([getattr(f, name) for _, f in figures]) for name in ("place_um", "angle_deg", "z"))
+    if len(place):
+        print(
+            f"motion: {title}: median {np.median(place):.1f}, worst {place.max():.1f} um; "
+            f"median {np.median(angle):.2f}, worst {angle.max():.2f} deg; z sd {z.std():.2f} (n={len(z)})",
+            flush=True,
+        )
+    return [{"what": "areas", "title": title, "seed": seed} | {name: getattr(f, name) for name in AreaFigures.__slots__} for seed, f in figures]
+
+
+def look(pair: ScanPair, areas: Iterable[Area]) -> AreaFigures:
+    """Hold the entries of a comparison against the truth."""
+    areas = list(areas)
+    truth = _moved_tissue(pair)
+    best: list[Area | None] = []
+    overlap, entries = [], []
+    for tissue in truth:
+        shares = [_overlap(area.vertices, tissue) for area in areas]
+        number = int(np.argmax(shares)) if shares else -1
+        taken = number >= 0 and shares[number] > 0.3 and number not in entries
+        best.append(areas[number] if taken else None)
+        if taken:
+            overlap.append(shares[number])
+            entries.append(number)
+    moved = np.abs(pair.moved_mm) > 0.5 * MOVED_MM
+    false = sum(abs(area.max_um) > FALSE_UM and moved[area.vertices].mean() < 0.1 for area in areas)
+    found = [(area.rank, pair.shifts_mm[tooth]) for tooth, area in enumerate(best) if area is not None]
+    wrong = sum(a[0] < b[0] and a[1] < b[1] - TIE_MM for a in found for b in found)
+    errors = [_motion_errors(area.motion, pair.motions[t], pair.centres[t]) for t, area in enumerate(best) if area and area.motion and pair.motions]
+    place, angle, z = (np.array([error[i] for error in errors]) for i in range(3))
+    return AreaFigures(len(truth), len(found), int(false), int(wrong), np.array(overlap), place, angle, z.ravel())
+
+
+def _moved_tissue(pair: ScanPair) -> list[NDArray[np.int64]]:
+    """Of each tooth the vertices of the after surface that moved, told apart by the nearest moved crown."""
+    moved = np.flatnonzero(np.abs(pair.moved_mm) > MOVED_MM)
+    nearest = cKDTree(pair.centres).query(pair.clean_after[moved])[1]
+    return [moved[nearest == tooth] for tooth in range(len(pair.centres))]
+
+
+def _overlap(a: NDArray[np.int64], b: NDArray[np.int64]) -> float:
+    both = len(np.intersect1d(a, b))
+    return both / max(len(a) + len(b) - both, 1)
+
+
+def _motion_errors(found: PartMotion, true: RigidTransform, centre: NDArray[np.float64]) -> tuple[float, float, NDArray[np.float64]]:
+    """At the middle of the crown, um; of the rotation, deg; the displacement's error over its uncertainty."""
+    error = found.transform.apply(centre) - true.apply(centre)
+    z = 1e3 * error / (found.displacement_uncertainty_um / np.sqrt(3))
+    return float(1e3 * np.sqrt(error @ error)), (found.transform.inverse() @ true).angle_deg(), z

@@ -1,0 +1,283 @@
+"""The Compare page: from two dropped files to a report, everything undone and done again, refusals in sentences."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from app.comparison_draft import ComparisonChoice
+from app.program import Program
+from app.views.compare_page import ComparePage
+from scanner_core.comparison.parameters import Frame, Jaw
+from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.mesh_io import write_mesh
+from scanner_core.virtual.specimens.arch import TREATMENT, foot
+from scanner_core.virtual.specimens.implicit import mesh_implicit
+from tests.gui.compare_pair import MOVED, POSE, PairFiles, nearest_tooth, write_pair
+from tests.gui.pictures import coloured
+from tests.gui.waiting import until, wait_ms
+
+_LOADED: dict[PairFiles, ComparisonChoice] = {}
+
+
+@pytest.fixture(scope="module")
+def files(tmp_path_factory: pytest.TempPathFactory) -> PairFiles:
+    return write_pair(tmp_path_factory.mktemp("pair"))
+
+
+@pytest.fixture(scope="module")
+def program(shared_program: Program) -> Program:
+    """With the worker that compares: it stays."""
+    answers = shared_program.services.comparing.answers
+    answers.prewarm()
+    until(lambda: answers.worker_pid is not None, 60, "the worker")
+    return shared_program
+
+
+@pytest.fixture
+def page(program: Program) -> ComparePage:
+    """The page, empty."""
+    comparing = program.services.comparing
+    comparing.answers.cancel()
+    until(lambda: not comparing.answers.running and not comparing.reading.reading, 60, "an idle page")
+    program.undo_stack.clear()
+    comparing.draft.put(ComparisonChoice())
+    program.window.banner.dismiss()
+    program.window.show_page("compare")
+    found = program.window.pages["compare"]
+    assert isinstance(found, ComparePage)
+    return found
+
+
+def _drop(page: ComparePage, paths: list[Path], place: QPoint) -> None:
+    """As from a file manager."""
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
+    buttons, keys = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+    QApplication.sendEvent(page, QDragEnterEvent(place, Qt.DropAction.CopyAction, data, buttons, keys))
+    QApplication.sendEvent(page, QDropEvent(QPointF(place), Qt.DropAction.CopyAction, data, buttons, keys))
+
+
+def _answered(program: Program) -> None:
+    answers, banner = program.services.comparing.answers, program.window.banner
+    until(lambda: answers.current or banner.text, 120, "the comparison")
+    assert banner.text == ""
+
+
+def _load(program: Program, page: ComparePage, files: PairFiles) -> None:
+    """Both surfaces; those of a test before, whose answer is known, when there are any."""
+    draft = program.services.comparing.draft
+    if files in _LOADED:
+        draft.edit("before", before=_LOADED[files].before)
+        draft.edit("after", after=_LOADED[files].after)
+    else:
+        page.take_files([files.before, files.after], None)
+    _answered(program)
+    _LOADED[files] = draft.choice
+    until(lambda: page.scene is not None, 60, "the 3D view")
+    wait_ms(50)
+
+
+def test_from_two_dropped_files_to_what_moved(program: Program, page: ComparePage, files: PairFiles) -> None:
+    comparing = program.services.comparing
+    middle = page.targets["after"].mapTo(page, page.targets["after"].rect().center())
+    _drop(page, [files.after], middle)
+    until(lambda: comparing.draft.choice.after is not None, 30, "the surface after")
+    assert comparing.draft.choice.before is None
+    assert page.surfaces.cards["after"].unit.currentData() == "mm"
+    assert not comparing.answers.running
+    _drop(page, [files.before], QPoint(2, 2))  # beside both targets: into the free place
+    until(lambda: comparing.answers.running or comparing.answers.current, 30, "the comparison by itself")
+    _answered(program)
+    until(lambda: page.scene is not None, 60, "the 3D view")
+    comparison = comparing.answers.comparison
+    assert comparison is not None
+    found = [nearest_tooth(area.centroid_mm) for area in comparison.areas[: len(MOVED)]]
+    assert sorted(found) == sorted(MOVED)
+    assert np.abs(comparison.alignment.transform.rotation @ POSE.rotation - np.eye(3)).max() < 2e-3
+    assert page.verdict.text.startswith("Reliable")
+    assert page.findings.areas.count() == len(comparison.areas)
+    assert page.findings.areas.texts[0].startswith("1. ")
+    assert page.foot.save.isVisible()
+    wait_ms(100)
+    assert page.scene is not None
+    assert coloured(page.scene.grab_picture(), 60).sum() > 500  # the map
+
+
+def test_an_entry_of_the_list_flies_the_camera_there(program: Program, page: ComparePage, files: PairFiles) -> None:
+    _load(program, page, files)
+    scene = page.scene
+    assert scene is not None
+    before = scene.camera_position
+    page.findings.areas.choose(1)
+    until(lambda: not scene.flying, 10, "the end of the flight")
+    assert np.abs(np.subtract(scene.camera_position, before)).max() > 5.0
+
+
+def test_views_and_modes_by_key(program: Program, page: ComparePage, files: PairFiles) -> None:
+    _load(program, page, files)
+    window, scene = program.window, page.scene
+    assert scene is not None
+    window.activateWindow()
+    page.setFocus()
+    QTest.keyClick(page, Qt.Key.Key_1)
+    front = scene.camera_position
+    QTest.keyClick(page, Qt.Key.Key_7)
+    assert np.abs(np.subtract(scene.camera_position, front)).max() > 5.0
+    for key, mode in (
+        (Qt.Key.Key_S, "side_by_side"),
+        (Qt.Key.Key_C, "curtain"),
+        (Qt.Key.Key_B, "blend"),
+        (Qt.Key.Key_O, "morph"),
+        (Qt.Key.Key_M, "map"),
+    ):
+        QTest.keyClick(page, key)
+        assert scene.mode == mode
+        assert page.stage.amount.isVisible() == (mode in ("curtain", "blend", "morph"))
+    QTest.keyClick(page, Qt.Key.Key_Space)
+    assert scene.shows_other
+    QTest.keyClick(page, Qt.Key.Key_Space)
+    assert not scene.shows_other
+
+
+def test_everything_chosen_is_undone_by_the_windows_undo(program: Program, page: ComparePage, files: PairFiles) -> None:
+    comparing = program.services.comparing
+    _load(program, page, files)
+    first = comparing.answers.comparison
+    undo = program.window.actions_by_id["undo"]
+    comparing.draft.edit("frame", frame=Frame.WHOLE)
+    assert "held fixed" in undo.text()
+    _answered(program)
+    whole = comparing.answers.comparison
+    assert whole is not None
+    assert whole is not first
+    program.window.undo()
+    assert comparing.draft.choice.frame is Frame.AUTO
+    assert comparing.answers.comparison is first  # kept, not computed anew
+    program.window.redo()
+    assert comparing.answers.comparison is whole
+    program.window.undo()
+    page.findings.threshold.setValue(0.30)
+    page.findings.threshold.setValue(0.35)
+    assert comparing.draft.choice.tolerance_um == 350
+    program.window.undo()  # one step
+    assert comparing.draft.choice.tolerance_um == 250
+    page.findings._say_jaw(Jaw.LOWER)
+    program.window.undo()
+    assert comparing.draft.choice.jaw is None
+    page.surfaces._exchange()
+    assert comparing.draft.choice.before is not None
+    assert comparing.draft.choice.before.surface.name == "after.stl"
+    program.window.undo()
+    program.window.undo()
+    assert comparing.draft.choice.after is None
+    assert comparing.answers.comparison is None
+    program.window.redo()
+    assert comparing.answers.comparison is first
+
+
+def test_a_painted_region_is_held_fixed_when_it_is_asked_for(program: Program, page: ComparePage, files: PairFiles) -> None:
+    comparing = program.services.comparing
+    _load(program, page, files)
+    first = comparing.answers.comparison
+    assert first is not None
+    assert page.scene is not None
+    page.alignment._tools["erase"].click()
+    assert page.picture.tool == "erase"
+    stable = np.flatnonzero(first.alignment.stable)
+    page.scene.painted.emit(stable[:40], False)
+    page.scene.painted.emit(stable[40:80], False)
+    page.scene.stroke_ended.emit()
+    choice = comparing.draft.choice
+    assert choice.frame is Frame.MASK
+    assert choice.mask is not None
+    assert choice.mask.sum() == len(stable) - 80
+    assert not comparing.answers.running
+    assert page.verdict.text.startswith("Out of date")
+    page.foot.start.click()
+    _answered(program)
+    assert comparing.answers.comparison is not None
+    assert comparing.answers.comparison.alignment.frame is Frame.MASK
+    program.window.undo()
+    assert comparing.draft.choice.frame is Frame.AUTO
+    assert comparing.answers.comparison is first
+
+
+def test_the_motion_of_a_marked_tooth_is_told(program: Program, page: ComparePage, files: PairFiles) -> None:
+    comparing = program.services.comparing
+    _load(program, page, files)
+    comparison, scene = comparing.answers.comparison, page.scene
+    assert comparison is not None
+    assert scene is not None
+    page.findings.tooth.click()
+    assert page.picture.tool == "tooth"
+    places = comparison.alignment.transform.apply(comparison.after.mesh.vertices)
+    near = np.abs(places[:, :2] - foot(4)[:2] - TREATMENT[4].translation[:2]).max(axis=1) < 3.4
+    scene.lassoed.emit(np.flatnonzero(near & (places[:, 2] > 6.0)))
+    until(lambda: comparing.tooth.motion is not None or program.window.banner.text, 60, "its motion")
+    motion = comparing.tooth.motion
+    assert motion is not None
+    assert 0.9 < float(np.sqrt(motion.displacement_mm @ motion.displacement_mm)) < 1.7  # 1.31 mm at its foot
+    assert page.findings.texts["motion"].startswith("moved ")
+    program.window.undo()
+    assert comparing.draft.choice.tooth is None
+    assert comparing.tooth.motion is None
+
+
+def test_the_report_is_written_into_a_folder_of_its_own(program: Program, page: ComparePage, files: PairFiles, tmp_path: Path) -> None:
+    _load(program, page, files)
+    report, comparison = program.services.comparing.report, program.services.comparing.answers.comparison
+    assert comparison is not None
+    report.write(comparison, tmp_path)
+    assert page.foot.cancel.isVisible()
+    until(lambda: not report.busy, 120, "the report")
+    assert program.window.banner.text == ""
+    assert report.folder is not None
+    assert report.folder.parent == tmp_path
+    assert {path.name for path in report.folder.iterdir()} == {"report.pdf", "report.html", "deviation.ply", "table.csv"}
+    assert report.folder.name in page.foot.text
+
+
+def test_a_cancelled_comparison_ends_without_a_sentence_and_is_asked_again(program: Program, page: ComparePage, files: PairFiles) -> None:
+    answers = program.services.comparing.answers
+    page.take_files([files.before, files.after], None)
+    until(lambda: answers.running, 60, "the comparison")
+    page.foot.cancel.click()
+    until(lambda: not answers.running, 10, "its end")
+    assert answers.comparison is None
+    assert program.window.banner.text == ""
+    page.foot.start.click()
+    _answered(program)
+
+
+def test_what_cannot_be_compared_is_said_in_a_sentence(program: Program, page: ComparePage, files: PairFiles, tmp_path: Path) -> None:
+    comparing = program.services.comparing
+    broken = tmp_path / "broken.stl"
+    broken.write_text("no surface at all")
+    page.take_files([broken], "before")
+    until(lambda: program.window.banner.text, 30, "the sentence")
+    assert "broken.stl" in program.window.banner.text
+    assert comparing.draft.choice.before is None
+    program.window.banner.dismiss()
+    other = tmp_path / "ball.stl"
+    write_mesh(other, _ball())
+    page.take_files([files.before, other], None)
+    until(lambda: program.window.banner.text or comparing.answers.current, 120, "the refusal")
+    assert "E-CMP" in program.window.banner.details
+    assert comparing.answers.comparison is None
+    assert comparing.answers.fault is not None
+    assert "three points" in page.foot.text
+    program.window.banner.dismiss()
+    page.alignment.points.click()
+    assert comparing.points.active
+    assert "Before: 0 of 3" in page.foot.text
+
+
+def _ball() -> TriangleMesh:
+    return mesh_implicit(lambda points: np.sqrt((points**2).sum(axis=1)) - 15.0, (-16.0, -16.0, -16.0), (16.0, 16.0, 16.0), 1.0)
