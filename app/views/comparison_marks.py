@@ -59,7 +59,7 @@ class ComparisonMarks:
         self._landmark_lines = list(lines)
 
     def set_seen(self, after: bool, coloured: bool) -> None:
-        """Whether the after surface is in the picture, and as a map."""
+        """Whether the after surface is in the picture at its place, and as a map."""
         for line in self.lines:
             line.set_shown(after and (coloured or line is not self._threshold))
 

@@ -12,7 +12,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
-from app.theme import ACCENT, GROUND, MUTED, TEXT
+from app.theme import ACCENT, GROUND, MUTED, SEAM, TEXT
 
 _HANDLE = QRectF(-15, -15, 30, 30)
 
@@ -25,6 +25,7 @@ class Tag:
     at: QPointF
     spot: QPointF
     faint: bool = False
+    """The surface hides what it belongs to."""
     chosen: bool = False
     key: int = 0
 
@@ -196,18 +197,16 @@ def _paint_tag(painter: QPainter, tag: Tag) -> None:
     font = QFont(painter.font())
     font.setWeight(QFont.Weight.DemiBold)
     painter.setFont(font)
-    painter.setOpacity(0.5 if tag.faint and not tag.chosen else 1.0)
     if tag.at != tag.spot:
         for colour, width in ((GROUND, 3.5), (TEXT, 1.2)):
-            painter.setPen(QPen(QColor(colour), width))
+            painter.setPen(QPen(QColor(colour), width, Qt.PenStyle.DotLine if tag.faint else Qt.PenStyle.SolidLine))
             painter.drawLine(tag.at, tag.spot)
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(TEXT))
+        painter.setBrush(QColor(MUTED if tag.faint else TEXT))
         painter.drawEllipse(tag.at, 2.5, 2.5)
-    painter.setPen(QPen(QColor(TEXT if tag.chosen else GROUND), 1.5))
+    painter.setPen(QPen(QColor(TEXT if tag.chosen else SEAM), 1.2))
     painter.setBrush(QColor(ACCENT) if tag.chosen else _glass())
     box = _box(tag)
     painter.drawRoundedRect(box, 11, 11)
-    painter.setPen(QColor(GROUND if tag.chosen else TEXT))
+    painter.setPen(QColor(GROUND if tag.chosen else MUTED if tag.faint else TEXT))
     painter.drawText(box, Qt.AlignmentFlag.AlignCenter, tag.text)
-    painter.setOpacity(1.0)

@@ -128,7 +128,10 @@ class ComparisonScene(InteractorView):
         self._arrange()
 
     def show_feet(self, feet_mm: Array) -> None:
-        """Where the after surface's vertices start from in the morph, (v_after, 3) mm: their feet on the before surface; NaN stays."""
+        """Where the after surface's vertices start from in the morph, (v_after, 3) mm; NaN stays in its place.
+
+        Their feet on the before surface, or better, in a part whose motion is known, where that motion came from.
+        """
         self._after.show_feet(feet_mm)
         self._dirty = True
 
@@ -322,6 +325,7 @@ class ComparisonScene(InteractorView):
         if points is not None:
             low, high = points.min(axis=0), points.max(axis=0)
             self._over.ResetCameraClippingRange(low[0], high[0], low[1], high[1], low[2], high[2])
+        self._overlay.readout = self._overlay.twin = None  # of what was under the pointer before
         ratio = self.devicePixelRatioF()
         normal, offset = self._section.kept(camera)
         for actor in (self._before, self._after):
@@ -365,7 +369,7 @@ class ComparisonScene(InteractorView):
         self._after.set_morph(amount if mode == "morph" else 1.0)
         self._after.set_fade(amount if mode == "blend" else 1.0)
         self._after.show_scale(self._scale if self.coloured else None)
-        self._marks.set_seen(after, self.coloured)
+        self._marks.set_seen(after and (mode != "morph" or amount == 1.0), self.coloured)
         for line in self._section.lines:  # the contours belong to either surface
             if halves or not after:
                 self._under.AddActor(line.actor)

@@ -17,7 +17,7 @@ from scanner_core.comparison.report.legend import bands, css
 from scanner_core.comparison.report.picture import STABLE, Painter, Picture, fitted_scale
 from scanner_core.comparison.report.viewpoint import Viewpoint, viewpoints
 
-_WIDTH = 720
+_WIDTH = 600
 """Pixels of a picture."""
 _STYLE = """
 :root { color-scheme: light dark; --ink: #1b1f24; --grey: #5b6570; --line: #c9cfd6; --page: #fff; --good: #1e7a3c; --bad: #b3261e; }
@@ -62,7 +62,7 @@ def write_html(comparison: Comparison, path: Path, made: str) -> None:
 def report_html(comparison: Comparison, made: str) -> str:
     """The whole file."""
     scale = fitted_scale(comparison)
-    state = "verdict" if content.reliable(comparison) else "verdict bad"
+    state = "verdict" if comparison.reliable else "verdict bad"
     policy = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
     shifts = "".join(f"<p>{escape(sentence)}</p>" for sentence in content.shift_sentences(comparison))
     hashes = (("SHA-256 before", comparison.before.sha256), ("SHA-256 after", comparison.after.sha256))

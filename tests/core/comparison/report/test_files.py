@@ -86,7 +86,7 @@ def test_the_page_for_the_browser_is_well_formed_and_alone(monkeypatch: pytest.M
     assert "@import" not in text
     words = " ".join(tree.itertext())
     for told in (
-        f"Not reliable: {SERIOUS.words}",
+        f"Not reliable: AFTER: {SERIOUS.words}",
         REMARK.words,
         '<b>&"patch" 1',
         "歯 & <zähne>.stl",
