@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-_TOOLS = {"look": "look", "tooth": "lasso", "paint": "paint", "erase": "erase", "lasso_add": "lasso", "lasso_remove": "lasso"}
+_TOOLS = {"look": "look", "tooth": "pick", "paint": "paint", "erase": "erase", "lasso_add": "lasso", "lasso_remove": "lasso"}
 
 
 class ComparisonPicture(QObject):
@@ -191,6 +191,9 @@ class ComparisonPicture(QObject):
             x, y, z = found.point_mm
             dx, dy, dz = self._between.tolist() if found.surface == "after" else (0.0, 0.0, 0.0)
             self._comparing.points.pick("before" if found.surface == "before" else "after", (x - dx, y - dy, z - dz))
+        elif self.tool == "tooth" and found.surface == "after":
+            self._comparing.tooth.mark(found.vertex)
+            self.take_tool("look")
 
     def _paint(self, vertices: NDArray[np.int64], add: bool) -> None:
         """A stroke over the surface after goes on: over what was found, or painted before."""
@@ -211,9 +214,7 @@ class ComparisonPicture(QObject):
             self._comparing.draft.edit("paint" if stroke[1] else "erase", mask=stroke[0], frame=Frame.MASK)
 
     def _lasso(self, vertices: NDArray[np.int64]) -> None:
-        self._comparing.tooth.correct(vertices, add=self.tool != "lasso_remove")
-        if self.tool == "tooth":
-            self.take_tool("look")
+        self._comparing.tooth.correct(vertices, add=self.tool == "lasso_add")
 
     def _section(self, on: bool) -> None:
         """Across the surface, through the area that is spoken of or through the middle."""
