@@ -226,7 +226,8 @@ def test_a_click_marks_a_tooth_and_its_motion_is_told(program: Program, page: Co
     tooth, motion = comparing.draft.choice.tooth, comparing.tooth.motion
     assert tooth is not None
     assert motion is not None
-    assert tooth[crown].mean() > 0.8
+    assert tooth[crown].mean() > 0.5  # how well it grows is tested where it does
+    assert (beside[tooth].max(axis=1) < 5.0).all()
     assert 0.9 < float(np.sqrt(motion.displacement_mm @ motion.displacement_mm)) < 1.8  # 1.31 mm at its foot
     assert page.findings.texts["motion"].startswith("moved ")
     page.findings._lassos["lasso_remove"].click()
