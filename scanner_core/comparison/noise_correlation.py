@@ -58,6 +58,13 @@ class NoiseCorrelation:
         integral = float(np.sum((edges[1:] ** 2 - edges[:-1] ** 2) * self.covariance)) / self.variance
         return float(np.sqrt(max(integral, 0.0)))
 
+    def gaussian(self) -> tuple[float, float]:
+        """Share of the variance that is correlated, and the length l of ``exp(-h^2 / 2 l^2)`` that falls off alike, mm."""
+        share = float(np.clip(self.covariance[0] / self.variance, 0.05, 0.95))
+        below = np.flatnonzero(self.covariance < np.exp(-0.5) * self.covariance[0])
+        bins = int(below[0]) if len(below) else len(self.covariance)
+        return share, max(bins, 1) * self.reach_mm / len(self.covariance)
+
     def correlated(self) -> tuple[Indices, Indices, Array]:
         """The pairs within reach, centre and other, and the covariance of each."""
         close = self.near.apart_mm < self.reach_mm
