@@ -16,8 +16,10 @@ _PAIRS = 1_500_000
 """Bounds the pairs that are looked at."""
 _BINS = 16
 _LEAST_PAIRS = 200
-_SMALL = 0.05
-"""Of the variance: a correlation below it is taken for none."""
+_SMALL = 0.02
+"""Of the variance: a correlation below it is taken for none.  Five per cent over a ring of a millimetre would already
+matter as much as the variance itself, so dense are the points."""
+_FURTHEST_MM = 6.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -81,7 +83,7 @@ def measure_correlation(points: Array, noise: Array, rng: np.random.Generator) -
     variance = float(np.mean(noise**2))
     few = points[rng.choice(len(points), min(500, len(points)), replace=False)]
     spacing = float(np.median(tree.query(few, min(7, len(points)))[0][:, -1]))
-    furthest = max(float(np.ptp(points, axis=0).max()) / 4, 2 * spacing)
+    furthest = max(min(float(np.ptp(points, axis=0).max()) / 4, _FURTHEST_MM), 2 * spacing)
     reach = 4 * spacing
     while True:
         near = _neighbours(tree, points, reach, rng)
