@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
@@ -32,6 +32,10 @@ class Stand:
         towards = -np.array(camera.GetDirectionOfProjection())
         up = np.array(camera.GetViewUp())
         return cls(np.array(camera.GetFocalPoint()), towards, _across(up, towards), camera.GetDistance(), camera.GetParallelScale())
+
+    def upright(self) -> Stand:
+        """The same with `up` across the line of sight."""
+        return replace(self, up=_across(self.up, self.towards))
 
     def around(self, points: Array, aspect: float, margin: float, least_mm: float) -> Stand:
         """The same direction, so that points (n, 3) fill a picture of that aspect with a margin, and at least so many mm to every side."""

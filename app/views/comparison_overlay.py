@@ -12,7 +12,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
-from app.theme import ACCENT, GROUND, MUTED, TEXT
+from app.theme import ACCENT, GROUND, MUTED, SEAM, TEXT
 
 _HANDLE = QRectF(-15, -15, 30, 30)
 
@@ -25,6 +25,7 @@ class Tag:
     at: QPointF
     spot: QPointF
     faint: bool = False
+    """The surface hides what it belongs to."""
     chosen: bool = False
     key: int = 0
 
@@ -49,6 +50,12 @@ class ComparisonOverlay(QWidget):
         self.brush: tuple[QPointF, float, bool] | None = None
         """Middle, radius in pixels, and whether it erases."""
         self.lasso: list[QPointF] = []
+        self.twin: QPointF | None = None
+        """The pointer's place in the other of two pictures."""
+        self.sides: list[tuple[QPointF, str]] = []
+        """Letters for the patient's right and left."""
+        self.bar: tuple[float, str] | None = None
+        """A true length: pixels and its words."""
         self.readout: tuple[QPointF, str] | None = None
         """What is written beside the pointer."""
 
@@ -62,6 +69,7 @@ class ComparisonOverlay(QWidget):
             self._paint_curtain(painter)
             self._paint_captions(painter)
             self._paint_keys(painter)
+            self._paint_measures(painter)
             self._paint_landmarks(painter)
             for tag in self.tags:
                 _paint_tag(painter, tag)
@@ -118,6 +126,19 @@ class ComparisonOverlay(QWidget):
             painter.setPen(QColor(TEXT))
             painter.drawText(QRectF(50, middle - 11, width + 8, 22), Qt.AlignmentFlag.AlignVCenter, word)
 
+    def _paint_measures(self, painter: QPainter) -> None:
+        for place, word in self.sides:
+            painter.setPen(QColor(MUTED))
+            painter.drawText(QRectF(place.x() - 12, place.y() - 12, 24, 24), Qt.AlignmentFlag.AlignCenter, word)
+        if self.bar is None:
+            return
+        length, word = self.bar
+        end = QPointF(self.width() - 18, self.height() - 18)
+        start = end - QPointF(length, 0)
+        painter.setPen(QPen(QColor(TEXT), 1.6))
+        painter.drawPolyline([start - QPointF(0, 5), start, end, end - QPointF(0, 5)])
+        painter.drawText(QRectF(start.x(), end.y() - 26, length, 18), Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextDontClip, word)
+
     def _paint_landmarks(self, painter: QPainter) -> None:
         painter.setPen(QPen(QColor(GROUND), 4))
         painter.drawLines([point for line in self.lines for point in line])
@@ -141,6 +162,11 @@ class ComparisonOverlay(QWidget):
             painter.setBrush(fill)
             painter.setPen(QPen(QColor(ACCENT), 1.8))
             painter.drawPolygon(QPolygonF(self.lasso))
+        if self.twin is not None:
+            for colour, width in ((GROUND, 4.0), (TEXT, 1.6)):
+                painter.setPen(QPen(QColor(colour), width))
+                painter.drawLine(self.twin - QPointF(9, 0), self.twin + QPointF(9, 0))
+                painter.drawLine(self.twin - QPointF(0, 9), self.twin + QPointF(0, 9))
         if self.readout is not None:
             place, word = self.readout
             size = painter.fontMetrics().size(0, word)
@@ -171,18 +197,16 @@ def _paint_tag(painter: QPainter, tag: Tag) -> None:
     font = QFont(painter.font())
     font.setWeight(QFont.Weight.DemiBold)
     painter.setFont(font)
-    painter.setOpacity(0.5 if tag.faint and not tag.chosen else 1.0)
     if tag.at != tag.spot:
         for colour, width in ((GROUND, 3.5), (TEXT, 1.2)):
-            painter.setPen(QPen(QColor(colour), width))
+            painter.setPen(QPen(QColor(colour), width, Qt.PenStyle.DotLine if tag.faint else Qt.PenStyle.SolidLine))
             painter.drawLine(tag.at, tag.spot)
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(TEXT))
+        painter.setBrush(QColor(MUTED if tag.faint else TEXT))
         painter.drawEllipse(tag.at, 2.5, 2.5)
-    painter.setPen(QPen(QColor(TEXT if tag.chosen else GROUND), 1.5))
+    painter.setPen(QPen(QColor(TEXT if tag.chosen else SEAM), 1.2))
     painter.setBrush(QColor(ACCENT) if tag.chosen else _glass())
     box = _box(tag)
     painter.drawRoundedRect(box, 11, 11)
-    painter.setPen(QColor(GROUND if tag.chosen else TEXT))
+    painter.setPen(QColor(GROUND if tag.chosen else MUTED if tag.faint else TEXT))
     painter.drawText(box, Qt.AlignmentFlag.AlignCenter, tag.text)
-    painter.setOpacity(1.0)

@@ -6,25 +6,25 @@ surface before and, above it, the surface after with a depth of its own.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QRectF, Qt, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QWidget
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from app.theme import PANEL
-from app.views.camera_flight import Flight, Stand, directions
 from app.views.compared_actor import ComparedActor
-from app.views.comparison_marks import ComparisonMarks
+from app.views.comparison_camera import ComparisonCamera
+from app.views.comparison_captions import ComparisonCaptions
+from app.views.comparison_marks import ComparisonMarks, Landmark
 from app.views.comparison_overlay import ComparisonOverlay
 from app.views.comparison_tools import ComparisonTools
 from app.views.interactor import InteractorView
-from app.views.section_cut import AFTER_LINE, BEFORE_LINE, SectionCut
+from app.views.section_cut import SectionCut
 from app.views.surface_picker import SurfacePicker
 from app.views.viewpoint import Viewpoint
 from scanner_core.comparison.area import Area
@@ -37,10 +37,7 @@ MODES: Final = ("map", "side_by_side", "curtain", "flicker", "blend", "morph", "
 BEFORE_COLOUR: Final = "#cbb894"
 AFTER_COLOUR: Final = "#dfe3e6"
 _COLOURED = ("map", "side_by_side", "curtain")
-_MARGIN = 1.08
 _SLOW_S = 0.04
-_FLY_MM = 9.0
-"""Half of what a picture shows after a flight to an area, at least."""
 
 
 class ComparisonScene(InteractorView):
@@ -88,21 +85,25 @@ class ComparisonScene(InteractorView):
         self._scale: DeviationScale | None = None
         self._threshold_um = 250.0
         self._signed = self._level = np.zeros(0)
-        self._axes = np.eye(3)
-        self._upper: bool | None = None
-        self._flight: Flight | None = None
+        self._camera = ComparisonCamera(engine.camera)
         self._coarse = False
+        self._captions = ComparisonCaptions(self._overlay)
         self._tools = ComparisonTools(self, engine, self._overlay)
         self._arrange()
 
     # -------------------------------------------------------------------------------- what is shown
     def show_pair(self, before: TriangleMesh, after: TriangleMesh) -> None:
-        """Both surfaces, `after` already in the frame of BEFORE; no map yet, the camera sees everything."""
+        """Both surfaces, `after` already in the frame of BEFORE; no map yet.
+
+        The camera sees everything, or stays where it is when `before` is the surface that is shown already.
+        """
+        known = self._before.mesh is before
         self.clear()
         self._before.show(before)
         self._after.show(after)
         self._arrange()
-        self.look("occlusal")
+        if not known:
+            self.look("occlusal")
 
     def clear(self) -> None:
         """Neither surface, and nothing about them."""
@@ -111,7 +112,7 @@ class ComparisonScene(InteractorView):
         self._after.show(None)
         self._pickers.clear()
         self._scale, self._signed, self._level = None, np.zeros(0), np.zeros(0)
-        self._land()
+        self._camera.stop()
         self._marks.clear()
         self.set_section(np.zeros(3), None)
         self._arrange()
@@ -121,15 +122,18 @@ class ComparisonScene(InteractorView):
     ) -> None:
         """Colour the after surface: (v_after,) deviation um (NaN without counterpart), level of detection um, stable, counterpart."""
         self._open()
-        self._signed, self._level, self._scale = signed_um, level_um, scale
+        self._signed, self._level, self._scale = np.where(counterpart, signed_um, np.nan), level_um, scale
         self._threshold_um = scale.threshold_um if scale is not None else self._threshold_um
         self._after.show_values(signed_um, level_um, counterpart & np.isfinite(signed_um))
         self._after.show_stable(stable)
-        self._marks.show_threshold(signed_um, self._threshold_um)
+        self._marks.show_threshold(self._signed, self._threshold_um)
         self._arrange()
 
     def show_feet(self, feet_mm: Array) -> None:
-        """Where the after surface's vertices start from in the morph, (v_after, 3) mm: their feet on the before surface; NaN stays."""
+        """Where the after surface's vertices start from in the morph, (v_after, 3) mm; NaN stays in its place.
+
+        Their feet on the before surface, or better, in a part whose motion is known, where that motion came from.
+        """
         self._after.show_feet(feet_mm)
         self._dirty = True
 
@@ -158,8 +162,8 @@ class ComparisonScene(InteractorView):
         self._marks.choose(rank)
         self._dirty = True
 
-    def show_landmarks(self, points: Sequence[tuple[str, Sequence[float]]], lines: Sequence[tuple[int, int]] = ()) -> None:
-        """Named points (mm, frame of BEFORE) and lines between them by their numbers."""
+    def show_landmarks(self, points: Sequence[Landmark], lines: Sequence[tuple[int, int]] = ()) -> None:
+        """Named points and lines between them by their numbers."""
         self._marks.show_landmarks(points, lines)
         self._dirty = True
 
@@ -183,11 +187,11 @@ class ComparisonScene(InteractorView):
         """One of `MODES`."""
         if mode not in MODES:
             raise ValueError(mode)
-        halves = "side_by_side" in (mode, self._mode) and mode != self._mode
+        aspect = self._aspect()
         self._mode, self._other = mode, False
+        if self._aspect() != aspect:
+            self._camera.keep(self._points(), aspect, self._aspect())
         self._arrange()
-        if halves:
-            self.fit()
 
     def set_amount(self, amount: float) -> None:
         """0 to 1."""
@@ -223,46 +227,29 @@ class ComparisonScene(InteractorView):
     # -------------------------------------------------------------------------------- camera
     def set_axes(self, axes: Array | None, upper: bool | None = None) -> None:
         """Columns right, anterior and occlusal of the arch (3, 3), frame of BEFORE; whether it is an upper jaw, if that is known."""
-        self._axes = np.eye(3) if axes is None else axes
-        self._upper = upper
+        self._camera.set_axes(axes, upper)
+        self._dirty = True
 
     def look(self, view: str) -> None:
         """``occlusal``, ``frontal``, ``left``, ``right``, ``lingual`` or ``underside``, everything in the picture."""
-        towards, up = directions(view, self._axes, self._upper)
-        camera = self._open().camera
-        self._land()
-        Stand(np.array(camera.GetFocalPoint()), towards, up, camera.GetDistance(), camera.GetParallelScale()).put(camera)
-        self.fit()
+        self._camera.look(view, self._points(), self._aspect())
+        self._coarsen(self._moving)
 
     def fit(self) -> None:
         """Everything in the picture, from where the camera looks."""
-        self._land()
-        points = self._points()
-        if points is not None:
-            self._frame(points, _MARGIN, 0.0).put(self._open().camera)
-        self._dirty = True
+        self._camera.fit(self._points(), self._aspect())
+        self._coarsen(self._moving)
 
     def fly_to(self, area: Area) -> None:
         """Look at an area from outside, in a moment; a person's hand on the camera ends the flight."""
-        camera = self._open().camera
-        start = Stand.of(camera)
-        up = -self._axes[:, 2] if self._upper else self._axes[:, 2]
-        towards = np.asarray(area.normal, np.float64) + 0.35 * self._axes[:, 2]
-        towards = towards / np.sqrt(towards @ towards)
-        if abs(towards @ up) > 0.94:
-            up = start.up
-        middle = Stand(np.asarray(area.centroid_mm, np.float64), towards, up, start.distance, start.scale)
         mesh = self._after.mesh
-        points = mesh.vertices[area.vertices] if mesh is not None and len(area.vertices) else middle.focus[None]
-        middle.put(camera)
-        end = self._frame(points, 1.5, _FLY_MM)
-        start.put(camera)
-        self._flight = Flight(start, end, time.perf_counter())
+        points = np.asarray(area.centroid_mm)[None] if mesh is None or not len(area.vertices) else mesh.vertices[area.vertices]
+        self._camera.fly_to(area, points, self._aspect())
         self._dirty = True
 
     @property
     def flying(self) -> bool:
-        return self._flight is not None
+        return self._camera.flying
 
     def set_parallel(self, on: bool) -> None:
         """Without perspective: lengths in the picture are true across the line of sight."""
@@ -272,10 +259,9 @@ class ComparisonScene(InteractorView):
     # -------------------------------------------------------------------------------- painting
     def paint(self) -> float:
         """As :meth:`InteractorView.paint`; 0 while a person turns the scene, so that nothing else is waited for."""
-        if self._flight is not None:
-            self._dirty = True
+        self._dirty |= self._camera.flying
         taken_s = super().paint()
-        return 0.0 if self._moving or self._flight is not None else taken_s
+        return 0.0 if self._moving or self._camera.flying else taken_s
 
     def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
         super().resizeEvent(event)
@@ -330,20 +316,18 @@ class ComparisonScene(InteractorView):
     # -------------------------------------------------------------------------------- inside
     def _interact(self, moving: bool) -> None:
         super()._interact(moving)
-        self._flight = None
+        self._camera.stop()
         self._coarsen(moving)
 
     def _prepare_picture(self) -> None:
         camera = self._open().camera
-        if self._flight is not None:
-            stand, last = self._flight.at(time.perf_counter())
-            stand.put(camera)
-            self._flight = None if last else self._flight
-            self._coarsen(not last)
+        if self._camera.advance():
+            self._coarsen(self._camera.flying)
         points = self._points()
         if points is not None:
             low, high = points.min(axis=0), points.max(axis=0)
             self._over.ResetCameraClippingRange(low[0], high[0], low[1], high[1], low[2], high[2])
+        self._overlay.readout = self._overlay.twin = None  # of what was under the pointer before
         ratio = self.devicePixelRatioF()
         normal, offset = self._section.kept(camera)
         for actor in (self._before, self._after):
@@ -353,7 +337,10 @@ class ComparisonScene(InteractorView):
             line.set_cut(normal, offset)
         for line in (*self._marks.lines, *self._section.lines):
             line.set_pixel_ratio(ratio)
-        self._marks.place(self._viewpoints()[1], self.picker("after") if self._marks.worded else None)
+        first, second = self._viewpoints()
+        self._marks.place(first, second, self.picker("after") if self._marks.worded else None)
+        views = (first, second) if self._mode == "side_by_side" else (second,)
+        self._captions.measure(views, points, self._camera.right, bool(camera.GetParallelProjection()))
 
     def _coarsen(self, moving: bool) -> None:
         """Fewer triangles while something moves, if a picture takes long here."""
@@ -361,17 +348,11 @@ class ComparisonScene(InteractorView):
         for actor in (self._before, self._after):
             actor.set_coarse(self._coarse)
         self._after.first.SetVisibility(self._mode == "blend" and self._after.mesh is not None and not self._coarse)
-
-    def _land(self) -> None:
-        """The flight ends where it is."""
-        if self._flight is not None:
-            self._flight = None
-            self._coarsen(self._moving)
+        self._dirty = True
 
     def _arrange(self) -> None:
         """Everything that mode and amount decide."""
-        mode, amount = self._mode, self._amount
-        pair = self._after.mesh is not None
+        mode, amount, pair = self._mode, self._amount, self._after.mesh is not None
         before = pair and (mode in ("side_by_side", "curtain", "blend", "before") or self._other)
         after = pair and mode != "before" and not self._other
         halves = mode == "side_by_side"
@@ -390,31 +371,14 @@ class ComparisonScene(InteractorView):
         self._after.set_morph(amount if mode == "morph" else 1.0)
         self._after.set_fade(amount if mode == "blend" else 1.0)
         self._after.show_scale(self._scale if self.coloured else None)
-        self._marks.set_seen(after, self.coloured)
+        self._marks.set_seen(after and (mode != "morph" or amount == 1.0), self.coloured)
         for line in self._section.lines:  # the contours belong to either surface
             if halves or not after:
                 self._under.AddActor(line.actor)
             else:
                 self._under.RemoveActor(line.actor)
-        self._caption(pair)
+        self._captions.name(mode if pair else None, other=self._other, curtain_x=self.curtain_x, section=self._section.active)
         self._dirty = True
-
-    def _caption(self, pair: bool) -> None:
-        overlay, left, right = self._overlay, Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignRight
-        whole, half = QRectF(self.rect()), 0.5 * self.width()
-        first, second = self.tr("Before"), self.tr("After")
-        overlay.seam_x = half if pair and self._mode == "side_by_side" else None
-        overlay.curtain_x = self.curtain_x if pair and self._mode == "curtain" else None
-        if not pair:
-            overlay.captions = []
-        elif self._mode == "side_by_side":
-            overlay.captions = [(QRectF(0, 0, half, self.height()), first, left), (QRectF(half, 0, half, self.height()), second, left)]
-        elif self._mode in ("curtain", "blend", "morph"):
-            overlay.captions = [(whole, first, left), (whole, second, right)]
-        else:
-            overlay.captions = [(whole, first if self._mode == "before" or self._other else second, left)]
-        overlay.keys = [(BEFORE_LINE, first), (AFTER_LINE, second)] if pair and self._section.active else []
-        overlay.update()
 
     def _viewpoints(self) -> tuple[Viewpoint, Viewpoint]:
         camera = self._open().camera
@@ -429,10 +393,8 @@ class ComparisonScene(InteractorView):
         meshes = [actor.mesh for actor in (self._before, self._after) if actor.mesh is not None]
         return np.concatenate([np.stack(mesh.bounds()) for mesh in meshes]) if meshes else None
 
-    def _frame(self, points: Array, margin: float, least_mm: float) -> Stand:
-        """The camera's stand, moved so that points (n, 3) fill the picture."""
-        stand = Stand.of(self._open().camera)
-        return stand.around(points, self.width() * (0.5 if self._mode == "side_by_side" else 1.0) / max(self.height(), 1), margin, least_mm)
+    def _aspect(self) -> float:
+        return self.width() * (0.5 if self._mode == "side_by_side" else 1.0) / max(self.height(), 1)
 
     def _cut(self) -> None:
         self._section.show((self._before.poly, self._after.poly))

@@ -37,7 +37,7 @@ class ComparisonTools(QObject):
         self._pressed: QPointF | None = None
         self._drag: str | None = None
         self._last = QPointF()
-        self._space_s = 0.0
+        self._space_s, self._space_down = 0.0, False
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.setInterval(_HOVER_MS)
@@ -69,14 +69,16 @@ class ComparisonTools(QObject):
         return False
 
     def space(self, down: bool, *, repeated: bool = False) -> bool:
-        """Tap: the other surface; hold: the other one as long as it is held.  Whether the key was used."""
-        if self._scene.mode not in ("flicker", "map", "after", "before") or repeated:
-            return self._scene.mode in ("flicker", "map", "after", "before")
+        """Flicker: a tap shows the other surface, a long press as long as it lasts; elsewhere every press does.  Whether the key was used."""
+        if self._scene.mode not in ("flicker", "map", "after", "before"):
+            return False
+        if repeated or down == self._space_down:
+            return True  # also the release of a press that a shortcut of the window took
+        self._space_down = down
         now_s = time.perf_counter()
         if down:
             self._space_s = now_s
-            self._scene.show_other(not self._scene.shows_other)
-        elif self._scene.mode != "flicker" or now_s - self._space_s > _HELD_S:
+        if down or self._scene.mode != "flicker" or now_s - self._space_s > _HELD_S:
             self._scene.show_other(not self._scene.shows_other)
         return True
 
@@ -111,6 +113,7 @@ class ComparisonTools(QObject):
             if not event.buttons():
                 self._last = place
                 self._show_brush(place)
+                self._show_twin(place)
                 if not self._timer.isActive():
                     self._timer.start()
                 if self._tool == "look":
@@ -137,9 +140,10 @@ class ComparisonTools(QObject):
         pressed, self._pressed = self._pressed, None
         if drag in ("paint", "erase"):
             self._scene.stroke_ended.emit()
-        elif drag == "lasso":
-            self._close_lasso()
-        elif drag is None and pressed is not None and (event.position() - pressed).manhattanLength() <= _CLICK_PX:
+        clicked = pressed is not None and (event.position() - pressed).manhattanLength() <= _CLICK_PX
+        if drag == "lasso":
+            self._close_lasso(clicked)
+        if drag in (None, "lasso") and clicked:
             pointed = self.pointed(event.position())
             if pointed is not None:
                 self._scene.picked.emit(pointed)
@@ -147,7 +151,7 @@ class ComparisonTools(QObject):
 
     def _leave(self) -> None:
         self._timer.stop()
-        self._overlay.brush = self._overlay.readout = None
+        self._overlay.brush = self._overlay.readout = self._overlay.twin = None
         self._overlay.update()
         self._scene.hovered.emit(None)
 
@@ -213,9 +217,20 @@ class ComparisonTools(QObject):
         self._overlay.brush = (place, self.radius_mm * found[3].pixels_per_mm(found[2].point), self._tool == "erase") if found and met else None
         self._overlay.update()
 
-    def _close_lasso(self) -> None:
+    def _show_twin(self, place: QPointF) -> None:
+        """Side by side: the pointer's place in the other picture."""
+        half = 0.5 * self._scene.width()
+        twin = place + QPointF(half if place.x() < half else -half, 0.0) if self._scene.mode == "side_by_side" else None
+        if twin != self._overlay.twin:
+            self._overlay.twin = twin
+            self._overlay.update()
+
+    def _close_lasso(self, clicked: bool) -> None:
+        """What is within; a mere click picks a point instead."""
         path, self._overlay.lasso = self._overlay.lasso, []
         self._overlay.update()
+        if clicked:
+            return
         middle = path[len(path) // 2]
         seen = self._scene.viewpoint(middle.x(), middle.y())
         picker = self._scene.picker("after")

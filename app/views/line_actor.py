@@ -32,7 +32,7 @@ class LineActor:
         self._mapper = vtkPolyDataMapper()
         self._mapper.ScalarVisibilityOff()
         self._mapper.SetResolveCoincidentTopologyToPolygonOffset()
-        self._mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -60.0 if behind else -160.0)
+        self._mapper.SetRelativeCoincidentTopologyLineOffsetParameters(0.0, -100.0 if behind else -700.0)
         self.actor = vtkActor()
         self.actor.SetMapper(self._mapper)
         self.actor.SetVisibility(False)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
@@ -38,7 +39,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
     )
     _check_usage(given, paths)
     rig = None if given.rig is None else load_rig_or_preset(given.rig)
-    folder = None if given.out is None else _folder(Path(given.out), given.force, NAMES if len(paths) == 2 else [_SERIES])
+    folder = None if given.out is None else _free(Path(given.out), given.force, NAMES if len(paths) == 2 else [_SERIES])
     surfaces = _read(given, paths, console)
     try:
         return _compared(given, console, surfaces, parameters, rig, folder)
@@ -62,16 +63,17 @@ def _compared(
     mask = None if given.mask is None else read_mask(Path(given.mask), after)
     comparison = _beside_null(run_comparison(console, before, after, parameters, mask), rig, given.material)
     values, lines = comparison_values(comparison), comparison_summary(comparison)
-    if given.null:
-        level = null_level_of(comparison, given.material)
+    level = null_level_of(comparison, given.material.strip()) if given.null else None
+    if folder is not None:
+        console.progress("report", 0.9)
+        files = write_report(comparison, _made(folder), force=given.force, made=stamp())
+        values["files"] = [str(path) for path in files]
+        lines.append(f"Written to {folder}: {', '.join(path.name for path in files)}.")
+    if level is not None:  # case and rig last: what cannot be delivered changes neither
         _store(Path(given.rig), level, given.force)
         values["null"] = level.as_dict() | {"rig": given.rig}
         lines += null_summary(level, given.rig)
     values |= _kept(given, comparison)
-    if folder is not None:
-        files = write_report(comparison, folder, force=given.force, made=stamp())
-        values["files"] = [str(path) for path in files]
-        lines.append(f"Written to {folder}: {', '.join(path.name for path in files)}.")
     _tell(console, warnings(comparison))
     console.result(values, lines)
     return 0
@@ -158,11 +160,11 @@ def _series(
     }
     lines = series_summary(series)
     if folder is not None:
-        with replaced_when_whole(folder / _SERIES, given.force) as partial:
+        with replaced_when_whole(_made(folder) / _SERIES, given.force) as partial:
             partial.write_text(series.csv(), encoding="utf-8")
         files = [folder / _SERIES]
         for number, one in enumerate(to_first, 2):
-            files += write_report(one, _folder(folder / f"{number}-against-1", given.force, NAMES), force=given.force, made=stamp())
+            files += write_report(one, _made(folder / f"{number}-against-1"), force=given.force, made=stamp())
         values["files"] = [str(path) for path in files]
         lines.append(f"Written to {folder}: {', '.join(path.relative_to(folder).as_posix() for path in files)}.")
     _tell(console, list(dict.fromkeys(sentence for one in to_first for sentence in warnings(one))))
@@ -176,13 +178,19 @@ def _tell(console: Console, sentences: Sequence[str]) -> None:
         console.say(f"Warning: {sentence}")
 
 
-def _folder(path: Path, force: bool, names: Sequence[str]) -> Path:
-    """The folder, made where it is missing; StorageError when it cannot be, or holds one of the files already."""
+def _free(path: Path, force: bool, names: Sequence[str]) -> Path:
+    """The folder, which need not exist yet; StorageError when it holds one of the files already, or cannot be written."""
     folder = path.resolve()
+    if os.path.lexists(folder):
+        for name in names:
+            check_free(folder / name, force)
+    return folder
+
+
+def _made(folder: Path) -> Path:
+    """The folder, made where it is missing, now that there is something to put into it."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as fault:
         raise StorageError("E-DISK-02", path=folder, reason=fault.strerror or fault) from fault
-    for name in names:
-        check_free(folder / name, force)
     return folder

@@ -15,8 +15,7 @@ from scanner_core.comparison.crowns import find_crowns
 from scanner_core.comparison.deviation import Deviation
 from scanner_core.comparison.measuring import weighted_percentiles
 from scanner_core.comparison.parameters import ComparisonParameters
-from scanner_core.comparison.part_fit import PartFitter
-from scanner_core.comparison.part_motion import LEAST_VERTICES, part_motion
+from scanner_core.comparison.part_motion import motion_of_fit
 from scanner_core.comparison.patches import PatchGroup, connected, crown_groups, plain_groups
 from scanner_core.comparison.surface import ComparedSurface
 from scanner_core.comparison.surface_smoothing import SurfaceSmoother
@@ -46,7 +45,7 @@ def find_areas(
 
     On an arch, what differs on a crown that has moved as a rigid body is one entry, however many patches it shows as, and
     what a moved crown pushes over onto the flanks of its neighbours belongs to it.  Elsewhere each connected patch is one.  Entries
-    with a motion come first, by how far the part has moved on the average; the others follow by their volume.  Raises `Cancelled`.
+    with a motion come first, by how far the part's centre has moved; the others follow by their volume.  Raises `Cancelled`.
     """
     progress(Progress("areas", 0.0))
     mesh = TriangleMesh(alignment.transform.apply(after.mesh.vertices), after.mesh.triangles)
@@ -60,36 +59,24 @@ def find_areas(
     normals, area_mm2 = mesh.vertex_normals(), smoother.area_mm2
     frame = arch_frame(before.mesh, before.supported)
     progress(Progress("areas", 0.2))
-    fitter = PartFitter(before.mesh) if frame is not None else None
-    if frame is None or fitter is None:
-        groups = plain_groups(over, table, area_mm2)
-    else:
-        crowns = find_crowns(mesh, frame.up, smoother, table)
-        noise_mm = alignment.noise_um / 1e3
-        groups = crown_groups(mesh, normals, over, seen, crowns, table, area_mm2, fitter, noise_mm, cancelled)
-    progress(Progress("areas", 0.7))
+    groups = (
+        plain_groups(over, table, area_mm2)
+        if frame is None
+        else crown_groups(mesh, over, seen, find_crowns(mesh, frame.up, smoother, table), smoother, table, before.mesh, alignment, cancelled)
+    )
+    progress(Progress("areas", 0.8))
     ranked: list[tuple[float, Area]] = []
     for group in groups:
-        motion = _motion(before, after, alignment, group, fitter)
+        motion = None
+        if group.fit is not None:
+            middle = mesh.vertices[group.body].mean(axis=0)
+            motion = motion_of_fit(group.fit, middle, float(area_mm2[group.core].sum()), alignment, None if frame is None else frame.up)
         area = _area(group, mesh, normals, area_mm2, smooth, deviation, table, motion)
-        moved = 0.0 if motion is None else _mean_displacement(motion, mesh.vertices[group.body])
+        moved = 0.0 if motion is None else float(np.linalg.norm(motion.displacement_mm))
         ranked.append((moved, replace(area, words=area_words(area, frame, parameters.jaw))))
     ranked.sort(key=lambda entry: (-entry[0], -abs(entry[1].volume_mm3)))
     progress(Progress("areas", 1.0))
     return tuple(replace(area, rank=rank) for rank, (_, area) in enumerate(ranked, 1))
-
-
-def _motion(before: ComparedSurface, after: ComparedSurface, alignment: Alignment, group: PatchGroup, fitter: PartFitter | None) -> PartMotion | None:
-    if fitter is None or len(group.body) < LEAST_VERTICES:
-        return None
-    part = np.zeros(len(after.mesh.vertices), np.bool_)
-    part[group.body] = True
-    return part_motion(before, after, alignment, part, fitter)
-
-
-def _mean_displacement(motion: PartMotion, after_points: Array) -> float:
-    """Mean length, mm, of the way of a part's points (n, 3), given where they are after."""
-    return float(np.linalg.norm(after_points - motion.transform.inverse().apply(after_points), axis=1).mean())
 
 
 def _area(

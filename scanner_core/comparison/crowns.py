@@ -6,54 +6,76 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from scanner_core.comparison.surface_smoothing import SurfaceSmoother
 from scanner_core.geometry.edges import EdgeTable
 from scanner_core.geometry.mesh import TriangleMesh
 
 Array = NDArray[np.float64]
-LEAST_DEPTH_MM = 0.8
-"""A valley less deep than this parts no two crowns: fissures and the furrows of noise are shallower, gaps between teeth deeper."""
+VALLEY_MM = 0.8
+"""A valley as deep as this parts two crowns: gaps between teeth are deeper, most fissures shallower."""
+FURROW_MM = 0.3
+"""A valley less deep than this is noise.  What is between the two may be a fissure or a narrow gap: only motion can tell."""
 _SMOOTHING_MM = 0.5
+_FREE_MM = 0.5
+"""The free part of a crown goes down to so far below the highest valley round it."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Crowns:
-    """A partition of a surface into the surroundings of its summits.
+    """A partition of a surface into the surroundings of its summits, in two steps.
 
     Attributes
     ----------
-    label : (v,) int64, 0 to the number of crowns - 1
-    summits : (n,) int64, the highest vertex of each
-    height_mm : (v,) smoothed height
-    saddle_mm : (n,) height of the highest valley that leads to another crown; the lowest height of all where there is none
+    crown : (v,) int64, of each vertex the crown, 0 to the number of crowns - 1: parted from the others by a valley
+    cusp : (v,) int64, the same for the finer parts, parted by furrows at least
+    free : (v,) bool, what stands free of the gum
     """
 
-    label: NDArray[np.int64]
-    summits: NDArray[np.int64]
-    height_mm: Array
-    saddle_mm: Array
-
-    def above_gum(self, below_saddle_mm: float) -> NDArray[np.bool_]:
-        """(v,) what stands higher than the highest valley round its crown less `below_saddle_mm`: the free part of a crown."""
-        return np.asarray(self.height_mm > self.saddle_mm[self.label] - below_saddle_mm)
+    crown: NDArray[np.int64]
+    cusp: NDArray[np.int64]
+    free: NDArray[np.bool_]
 
 
 def find_crowns(mesh: TriangleMesh, up: Array, smoother: SurfaceSmoother, table: EdgeTable) -> Crowns:
     """Watershed of the height along `up` (3,): vertices in falling order join the higher ground beside them.
 
-    Two summits stay apart where the lower one stands `LEAST_DEPTH_MM` or more above the valley between them (persistence;
-    Edelsbrunner, Letscher and Zomorodian, Topological persistence and simplification, 2002).
+    Two summits stay apart where the lower one stands as high above the pass between them as the valley's depth must be
+    (persistence; Edelsbrunner, Letscher and Zomorodian, Topological persistence and simplification, 2002).  What is not free
+    belongs to the crown and cusp whose free part is nearest: down on the gum, falling water tells nothing.
     """
     height = smoother(mesh.vertices @ up, _SMOOTHING_MM)
-    count = len(mesh.vertices)
+    cusp, summits, passes = _watershed(height, table)
+    peak = height[summits]
+    crown_of = np.arange(len(summits))
+    for level, one, other in sorted(passes, reverse=True):
+        a, b = crown_of[one], crown_of[other]
+        if a != b and min(peak[a], peak[b]) - level < VALLEY_MM:
+            lower, upper = (a, b) if peak[a] < peak[b] else (b, a)
+            crown_of[crown_of == lower] = upper
+    pass_of = np.full(len(summits), float(height.min()))
+    for level, one, other in passes:
+        a, b = crown_of[one], crown_of[other]
+        if a != b:
+            pass_of[[a, b]] = np.maximum(pass_of[[a, b]], level)
+    free = np.asarray(height > pass_of[crown_of[cusp]] - _FREE_MM)
+    nearest = cKDTree(mesh.vertices[free]).query(mesh.vertices[~free])[1]
+    cusp[~free] = cusp[free][nearest]
+    crown = np.unique(crown_of, return_inverse=True)[1][cusp]
+    return Crowns(crown.astype(np.int64), cusp, free)
+
+
+def _watershed(height: Array, table: EdgeTable) -> tuple[NDArray[np.int64], NDArray[np.int64], list[tuple[float, int, int]]]:
+    """Number of the summit of each vertex (v,), the summits (n,), and the highest pass between each two: (height, one, other)."""
+    count = len(height)
     start = np.concatenate([table.edges[:, 0], table.edges[:, 1]])
     neighbours = np.concatenate([table.edges[:, 1], table.edges[:, 0]])[np.argsort(start, kind="stable")].tolist()
     offsets = np.concatenate([[0], np.cumsum(np.bincount(start, minlength=count))]).tolist()
     heights = height.tolist()
-    parent = [-1] * count  # -1: not under way yet
-    owner = [-1] * count  # the summit whose slope a vertex was reached on
-    saddles: dict[tuple[int, int], float] = {}
+    parent = [-1] * count
+    owner = [-1] * count  # the summit on whose slope a vertex was reached; -1: still under water
+    passes: list[tuple[float, int, int]] = []
 
     def root(i: int) -> int:
         while parent[i] != i:
@@ -69,14 +91,11 @@ def find_crowns(mesh: TriangleMesh, up: Array, smoother: SurfaceSmoother, table:
         best = max(around, key=heights.__getitem__)
         owner[i] = best
         for other in around - {best}:
-            if heights[other] - heights[i] < LEAST_DEPTH_MM:
+            if heights[other] - heights[i] < FURROW_MM:
                 parent[other] = best
             else:
-                saddles.setdefault((min(best, other), max(best, other)), heights[i])
+                passes.append((heights[i], best, other))
     summits, label = np.unique(np.array([root(owner[i]) for i in range(count)]), return_inverse=True)
-    saddle = np.full(len(summits), float(height.min()))
-    for pair, level in saddles.items():
-        ends = np.searchsorted(summits, [root(pair[0]), root(pair[1])])
-        if ends[0] != ends[1]:
-            saddle[ends] = np.maximum(saddle[ends], level)
-    return Crowns(label.astype(np.int64), summits.astype(np.int64), height, saddle)
+    number = {summit: i for i, summit in enumerate(summits.tolist())}
+    numbered = [(level, number[root(one)], number[root(other)]) for level, one, other in passes]
+    return label.astype(np.int64), summits.astype(np.int64), [(level, one, other) for level, one, other in numbered if one != other]

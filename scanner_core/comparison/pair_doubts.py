@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from datetime import datetime
 
@@ -14,6 +15,7 @@ from scanner_core.one_line import one_line
 
 LARGEST_RATIO = 2.0
 """Of the sizes; a surface of which one half is missing is some 0.7 times as large as the whole, another unit 2.54 times or more."""
+_OPPOSITES = (("left", "right"), ("upper", "lower"), ("maxilla", "mandible"))
 _UNIT_RATIOS = (
     (2.54, "centimetres and inches"),
     (10.0, "millimetres and centimetres"),
@@ -42,7 +44,7 @@ def _orders(before: ComparedSurface, after: ComparedSurface) -> Iterator[Doubt]:
     """A field that only one of the two fills in says nothing."""
     for key, code, what in (("type", "types-differ", "is"), ("side", "sides-differ", "is of the side")):
         first, second = (str(surface.origin.get(key) or "").strip() for surface in (before, after))
-        if first and second and first.casefold() != second.casefold():
+        if _contradict(first, second):
             words = f"By its order {before.name} {what} '{one_line(first)}', but {after.name} '{one_line(second)}'; choose two that belong together."
             yield Doubt(code, words, serious=True)
     patients = [surface.origin.get("patient_digest") for surface in (before, after)]
@@ -50,6 +52,13 @@ def _orders(before: ComparedSurface, after: ComparedSurface) -> Iterator[Doubt]:
         yield Doubt(
             "patients-differ", f"The orders of {before.name} and {after.name} name different patients; choose two of one patient.", serious=True
         )
+
+
+def _contradict(first: str, second: str) -> bool:
+    """Whether two entries of an order cannot both be right: no word in common, or opposite words."""
+    one, two = (set(re.findall(r"\w+", entry.casefold())) for entry in (first, second))
+    opposite = any(a in one - two and b in two - one for pair in _OPPOSITES for a, b in (pair, pair[::-1]))
+    return bool(one and two) and (not one & two or opposite)
 
 
 def _sizes(before: TriangleMesh, after: TriangleMesh) -> Iterator[Doubt]:

@@ -18,6 +18,21 @@ Array = NDArray[np.float64]
 _WIDEST_MM, _TUKEY = 1.5, 4.685
 """The robust weight's reach in the first round, and in the last in units of the noise (95 % efficient)."""
 _ROUNDS = 40
+_ROUNDS_TRIED = 15
+OFF_MM = 0.2
+"""Residual above which a point did not go along with its part."""
+_LOST = 0.3
+"""Share of such points above which a fit is tried from elsewhere."""
+_BESIDE_MM = 1.2
+_SHIFT_FIRST_MM = 0.6
+"""Reach above which a step may not turn the part: from a tooth's width away, a crown would rather turn than shift."""
+_MEAN_OF_NORMAL = 0.8
+"""Mean magnitude of a normal error over its standard deviation."""
+_SUSPICIOUS = 1.3
+"""Mean residual over what the noise explains, above which turns are tried: a crown is nearly round, and slips."""
+_TURNS_DEG = (-18.0, -9.0, 9.0, 18.0)
+_TURNED_REACH_MM = 0.4
+_TRIED_POINTS = 150
 _SETTLED_MM = 2e-5
 _MOST_TURNED = 0.5
 """Cosine below which a foot's normal belongs to another side of the surface."""
@@ -42,6 +57,10 @@ class PartFit:
     jacobian: Array
     centre: Array
 
+    def off(self) -> float:
+        """Share of the points that did not go along."""
+        return float((np.abs(self.residual_mm) > OFF_MM).mean())
+
 
 class PartFitter:
     """Fits parts onto one before surface; made once, used for every part."""
@@ -59,30 +78,61 @@ class PartFitter:
         """Iteratively reweighted point-to-plane fit of points (n, 3) mm with unit normals (n, 3).
 
         The weights are Tukey's.  Their reach shrinks from where everything counts to a few times the noise, so that what does not
-        move with the part, such as the gum, falls out of the fit.
+        move with the part, such as the gum, falls out of the fit.  Where too much falls out, the fit begins again from places
+        beside the first one, and the best is taken: a crown may have been caught by the flank of its neighbour.
         """
-        transform = RigidTransform.identity() if start is None else start
-        widest = _WIDEST_MM
-        reach, least = widest, _TUKEY * max(noise_mm, 2e-3)
-        for _ in range(_ROUNDS):
-            placed = transform.apply(points)
-            residual, outward, facing = self._residuals(placed, transform.rotate(normals))
-            weights = _tukey(residual, reach) * facing
-            centre = placed.mean(axis=0)
-            jacobian = np.concatenate([row_cross(placed - centre, outward), outward], axis=1)
-            step = _solve(jacobian, residual, weights)
+        first = self._from(points, normals, noise_mm, RigidTransform.identity() if start is None else start)
+        expected = _MEAN_OF_NORMAL * noise_mm
+        if _loss(first) <= _SUSPICIOUS * expected:
+            return first
+        some = slice(None, None, max(1, len(points) // _TRIED_POINTS))
+        about = points - points.mean(axis=0)
+        axes = np.linalg.eigh(about.T @ about)[1].T
+        centre = points.mean(axis=0)
+        best, least = first.transform, _loss(first)
+        trials = [(first.transform @ _turn(axis * np.radians(angle), centre), _TURNED_REACH_MM) for axis in axes[:1] for angle in _TURNS_DEG]
+        if first.off() > _LOST:
+            trials += [(RigidTransform(np.eye(3), step), _WIDEST_MM) for step in np.concatenate([axes, -axes]) * _BESIDE_MM]
+        for begin, reach in trials:
+            tried = self._from(points[some], normals[some], noise_mm, begin, reach, _ROUNDS_TRIED)
+            if (loss := _loss(tried)) < 0.95 * least:
+                best, least = tried.transform, loss
+        return first if best is first.transform else self._from(points, normals, noise_mm, best, _TURNED_REACH_MM)
+
+    def _from(
+        self,
+        points: Array,
+        normals: Array,
+        noise_mm: float,
+        transform: RigidTransform,
+        reach: float = _WIDEST_MM,
+        rounds: int = _ROUNDS,
+    ) -> PartFit:
+        least = _TUKEY * max(noise_mm, 2e-3)
+        for _ in range(rounds):
+            residual, jacobian, facing, centre = self._linear(points, normals, transform)
+            step = _solve(jacobian, residual, _tukey(residual, reach) * facing, turning=reach <= _SHIFT_FIRST_MM)
             turn = RigidTransform.from_vector(step[:3], np.zeros(3))
-            about = RigidTransform(turn.rotation, centre - turn.apply(centre) + step[3:])
-            transform = about @ transform
+            transform = RigidTransform(turn.rotation, centre - turn.apply(centre) + step[3:]) @ transform
             size = float(np.linalg.norm(step[3:]) + 4.0 * np.linalg.norm(step[:3]))
             if reach <= least and size < _SETTLED_MM:
                 break
             reach = max(least, 0.7 * reach) if size < 0.25 * reach else reach
+        residual, jacobian, facing, centre = self._linear(points, normals, transform)
+        return PartFit(transform, residual, _tukey(residual, least) * facing, jacobian, centre)
+
+    def loss(self, points: Array, transform: RigidTransform) -> tuple[float, float]:
+        """How badly a motion explains points (n, 3): mean capped distance, mm, and share beyond `OFF_MM`."""
+        placed = transform.apply(points)
+        far = self._walk.feet(placed, np.asarray(self._tree.query(placed)[1], np.int64)).distances_mm
+        return float(np.minimum(far, 2 * OFF_MM).mean()), float((far > OFF_MM).mean())
+
+    def _linear(self, points: Array, normals: Array, transform: RigidTransform) -> tuple[Array, Array, Array, Array]:
+        """Residuals (n,), their jacobian (n, 6) about the centre (3,) of the placed points, whether the sides agree (n,), that centre."""
         placed = transform.apply(points)
         residual, outward, facing = self._residuals(placed, transform.rotate(normals))
         centre = placed.mean(axis=0)
-        jacobian = np.concatenate([row_cross(placed - centre, outward), outward], axis=1)
-        return PartFit(transform, residual, _tukey(residual, least) * facing, jacobian, centre)
+        return residual, np.concatenate([row_cross(placed - centre, outward), outward], axis=1), facing, centre
 
     def _residuals(self, placed: Array, normals: Array) -> tuple[Array, Array, Array]:
         """Signed distances (n,) from the before surface, its normals there (n, 3) and whether the sides agree (n,)."""
@@ -93,14 +143,36 @@ class PartFitter:
         return row_dot(placed - feet.points, outward), outward, facing.astype(np.float64)
 
 
+def _turn(rotation_vector: Array, centre: Array) -> RigidTransform:
+    """A rotation about a place (3,)."""
+    turn = RigidTransform.from_vector(rotation_vector, np.zeros(3))
+    return RigidTransform(turn.rotation, centre - turn.apply(centre))
+
+
+def _loss(fit: PartFit) -> float:
+    """Mean capped residual: what is far off counts, how far does not."""
+    return float(np.minimum(np.abs(fit.residual_mm), 2 * OFF_MM).mean())
+
+
 def _tukey(residual: Array, reach: float) -> Array:
     inside = np.clip(1 - (residual / reach) ** 2, 0.0, None)
     return np.asarray(inside * inside)
 
 
-def _solve(jacobian: Array, residual: Array, weights: Array) -> Array:
-    """The step (6,) that takes the weighted residuals away; directions that nothing holds stay where they are."""
+def _solve(jacobian: Array, residual: Array, weights: Array, turning: bool) -> Array:
+    """The step (6,) that takes the weighted residuals away; directions that nothing holds stay where they are.
+
+    Without `turning` it is a translation.
+    """
+    if not turning:
+        step = np.zeros(6)
+        step[3:] = _solve_any(jacobian[:, 3:], residual, weights)
+        return step
+    return _solve_any(jacobian, residual, weights)
+
+
+def _solve_any(jacobian: Array, residual: Array, weights: Array) -> Array:
     weighted = jacobian * weights[:, None]
     normal = weighted.T @ jacobian
-    damping = 1e-6 * np.trace(normal) / 6 * np.eye(6) + 1e-12 * np.eye(6)
+    damping = (1e-6 * np.trace(normal) / len(normal) + 1e-12) * np.eye(len(normal))
     return np.asarray(np.linalg.solve(normal + damping, -weighted.T @ residual))

@@ -6,46 +6,56 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.comparison.alignment import Alignment
+from scanner_core.comparison.arch_frame import arch_frame
 from scanner_core.comparison.area import PartMotion
+from scanner_core.comparison.concavity import Concavity
 from scanner_core.comparison.part_fit import PartFit, PartFitter
 from scanner_core.comparison.surface import ComparedSurface
+from scanner_core.comparison.surface_smoothing import SurfaceSmoother
 from scanner_core.errors import ComparisonError
+from scanner_core.geometry.edges import EdgeTable
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.rigid import RigidTransform
 
 Array = NDArray[np.float64]
 LEAST_VERTICES = 30
 """Five for each of the six unknowns."""
+CENTRE_BELOW_MM = 2.5
+"""From the middle of a crown's free part down to the middle of the whole crown, half of which the gum and the neighbours hide: there
+a tooth that only tips has moved little."""
 _LEAST_NOISE_UM = 0.5
 
 
-def part_motion(
-    before: ComparedSurface, after: ComparedSurface, alignment: Alignment, part: NDArray[np.bool_], fitter: PartFitter | None = None
-) -> PartMotion:
+def part_motion(before: ComparedSurface, after: ComparedSurface, alignment: Alignment, part: NDArray[np.bool_]) -> PartMotion:
     """Rigid motion of the marked vertices `part` (v_after,) from before to after.
 
-    The part is fitted back onto the before surface from where it lies, with robust weights: gum that was marked along, and what is
-    not to be seen on both surfaces, falls out.  `fitter` is of ``before.mesh``, made if None.
+    The part, without the rims where furrows bound it and the gum bends it, is fitted back onto the before surface from where it
+    lies, with robust weights: gum that was marked along, and what is not to be seen on both surfaces, falls out.
 
     Raises
     ------
     ComparisonError
         ``E-CMP-10`` when fewer than `LEAST_VERTICES` vertices that are a measurement are marked.
     """
-    which = np.flatnonzero(part & after.supported)
-    if len(which) < LEAST_VERTICES:
-        raise ComparisonError("E-CMP-10", marked=len(which), least=LEAST_VERTICES)
-    moved = TriangleMesh(alignment.transform.apply(after.mesh.vertices), after.mesh.triangles)
-    fitter = PartFitter(before.mesh) if fitter is None else fitter
-    normals = moved.vertex_normals()[which]
-    points = moved.vertices[which]
-    fit = fitter.fit(points, normals, alignment.noise_um / 1e3)
-    area = float(np.bincount(moved.triangles.ravel(), np.repeat(moved.areas() / 3, 3), minlength=len(part))[which].sum())
-    return motion_of_fit(fit, points, area, alignment)
+    marked = part & after.supported
+    if marked.sum() < LEAST_VERTICES:
+        raise ComparisonError("E-CMP-10", marked=int(marked.sum()), least=LEAST_VERTICES)
+    mesh = TriangleMesh(alignment.transform.apply(after.mesh.vertices), after.mesh.triangles)
+    table = EdgeTable.of(mesh.triangles)
+    smoother = SurfaceSmoother(mesh, table)
+    core = marked & Concavity(mesh, smoother, table).core(marked.astype(np.int64), marked)
+    which = np.flatnonzero(core if core.sum() >= LEAST_VERTICES else marked)
+    frame = arch_frame(before.mesh, before.supported)
+    middle = mesh.vertices[marked].mean(axis=0)
+    fit = PartFitter(before.mesh).fit(mesh.vertices[which], mesh.vertex_normals()[which], alignment.noise_um / 1e3)
+    area = float(smoother.area_mm2[which].sum())
+    return motion_of_fit(fit, middle, area, alignment, None if frame is None else frame.up)
 
 
-def motion_of_fit(fit: PartFit, points: Array, area_mm2: float, alignment: Alignment) -> PartMotion:
-    """The motion that a fit of points (n, 3) mm, aligned after surface, over `area_mm2` tells.
+def motion_of_fit(fit: PartFit, middle: Array, area_mm2: float, alignment: Alignment, up: Array | None) -> PartMotion:
+    """The motion that a fit of points over `area_mm2` tells, of a part with its `middle` (3,) on the aligned after surface.
+
+    `up` (3,) is the way out of the gum on an arch, None elsewhere.
 
     The covariance is s^2 (J^T W J)^-1, times the number of points that share one error: with noise correlated as
     ``exp(-d^2 / 2 L^2)``, 1 + 2 pi L^2 per area of a point.  The alignment's own covariance at the part's place is added.  The
@@ -54,14 +64,14 @@ def motion_of_fit(fit: PartFit, points: Array, area_mm2: float, alignment: Align
     weights = fit.weights
     back = fit.transform
     motion = back.inverse()
-    centre = np.average(back.apply(points), axis=0, weights=weights) if weights.sum() > 0 else fit.centre
+    centre = back.apply(middle if up is None else middle - CENTRE_BELOW_MM * up)
     displacement = motion.apply(centre) - centre
     jacobian = fit.jacobian.copy()
     jacobian[:, :3] += np.cross(fit.centre - centre, jacobian[:, 3:])
     rms = float(np.sqrt(np.average(fit.residual_mm**2, weights=weights))) if weights.sum() > 0 else float("nan")
     # the weights themselves cut the tails off the residuals: the alignment's noise, which did not, is the least
     noise = max(rms, alignment.noise_um / 1e3 if weights.mean() > 0.5 else 0.0, _LEAST_NOISE_UM / 1e3)
-    shared = 1 + 2 * np.pi * alignment.correlation_length_mm**2 * len(points) / max(area_mm2, 1e-9)
+    shared = 1 + 2 * np.pi * alignment.correlation_length_mm**2 * len(weights) / max(area_mm2, 1e-9)
     information = (jacobian * weights[:, None]).T @ jacobian
     own = noise**2 * shared * np.linalg.pinv(information, rcond=1e-12, hermitian=True)
     placed = _at(alignment, centre)

@@ -23,7 +23,7 @@ class Shells:
     largest_share : of the area, of the largest
     border_edges, borders : edges of one triangle only, and the closed lines that they form
     border_mm : their length
-    consistent : neighbours wind the same way across every edge of two triangles
+    turned_share : of the area, of the triangles that lie in no shell's largest patch of neighbours that wind the same way
     fullness : signed volume of the largest shell, its borders closed by fans of triangles to their middles, over the 1.5th
         power of its area: 0.094 for a sphere, negative when the shell faces inwards, near 0 for a sheet
     closed : the largest shell has no border
@@ -34,7 +34,7 @@ class Shells:
     border_edges: int
     borders: int
     border_mm: float
-    consistent: bool
+    turned_share: float
     fullness: float
     closed: bool
 
@@ -49,24 +49,39 @@ def shells_of(mesh: TriangleMesh) -> Shells:
     uses = np.diff(np.append(first, len(order)))
     border = order[first[uses == 1]]
     pairs = first[uses == 2]
-    consistent = bool((start[order[pairs]] != start[order[pairs + 1]]).all())
+    agreeing = pairs[start[order[pairs]] != start[order[pairs + 1]]]
     joined = np.flatnonzero(np.diff(key[order]) == 0)
-    count, label = _labels(order[joined] // 3, order[joined + 1] // 3, len(triangles))
+    count, label = _labels(_triangles(order[joined]), _triangles(order[joined + 1]), len(triangles))
     area = np.bincount(label, mesh.areas(), minlength=count)
     largest = int(np.argmax(area))
     loops, loop = _labels(start[border], end[border], len(mesh.vertices)) if len(border) else (0, np.empty(0, np.int32))
     loops = len(np.unique(loop[start[border]]))
-    own = label[border // 3] == largest
+    own = label[_triangles(border)] == largest
     return Shells(
         count=count,
         largest_share=float(area[largest] / max(area.sum(), 1e-300)),
         border_edges=len(border),
         borders=loops,
         border_mm=float(np.linalg.norm(mesh.vertices[start[border]] - mesh.vertices[end[border]], axis=1).sum()),
-        consistent=consistent,
+        turned_share=_turned_share(mesh, label, *(_triangles(order[agreeing + side]) for side in (0, 1))),
         fullness=_capped_volume(mesh, label == largest, start[border][own], end[border][own], loop) / max(area[largest], 1e-300) ** 1.5,
         closed=not own.any(),
     )
+
+
+def _triangles(half_edges: NDArray[np.int64]) -> NDArray[np.int64]:
+    return half_edges // 3
+
+
+def _turned_share(mesh: TriangleMesh, shell: NDArray[np.int32], a: NDArray[np.int64], b: NDArray[np.int64]) -> float:
+    """Share of the area outside of the largest patch of each shell; patches hang together over the neighbours a - b."""
+    count, patch = _labels(a, b, len(mesh.triangles))
+    area = np.bincount(patch, mesh.areas(), minlength=count)
+    of_shell = np.zeros(count, np.int64)
+    of_shell[patch] = shell
+    largest = np.zeros(int(shell.max()) + 1)
+    np.maximum.at(largest, of_shell, area)
+    return float(1 - largest.sum() / max(area.sum(), 1e-300))
 
 
 def _labels(a: NDArray[np.int64], b: NDArray[np.int64], count: int) -> tuple[int, NDArray[np.int32]]:

@@ -40,6 +40,10 @@ class SurfaceSmoother:
             return result
         return _flow(stiffness, area, values, sigma_mm)
 
+    def bending(self, places: Array, normals: Array) -> Array:
+        """Sum of the principal curvatures, 1/mm, of the mesh with its vertices at `places` (v, 3); + where it bulges along `normals`."""
+        return np.asarray(np.einsum("ni,ni->n", self._stiffness @ places, normals) / self.area_mm2)
+
 
 def _flow(stiffness: sparse.csr_array, area: Array, values: Array, sigma_mm: float) -> Array:
     matrix = sparse.csr_array(sparse.diags_array(area) + (sigma_mm**2 / 2 / _STEPS) * stiffness)

@@ -12,7 +12,10 @@ LEAST_TRIANGLES = 50
 LEAST_FULLNESS = 0.01
 """An open surface that encloses less, for its area, is a sheet: nobody can tell which of its sides is the outer one.
 A spherical cap of this fullness is as high as a twenty-eighth of its width."""
+MOST_TURNED = 0.01
+"""Share of the area that may face the other way: triangles at faults of a scan do, and change no number that is told."""
 LARGEST_MM, SMALLEST_MM = 400.0, 5.0
+_ROUNDING = 1e-9
 
 
 def vet(mesh: TriangleMesh) -> tuple[Doubt, ...]:
@@ -23,9 +26,20 @@ def vet(mesh: TriangleMesh) -> tuple[Doubt, ...]:
 
 
 def _facing(shells: Shells) -> list[Doubt]:
-    if not shells.consistent:
-        words = "Some of its triangles face the other way than their neighbours, so + and - cannot be told apart there; let its program orient it."
+    if shells.turned_share > MOST_TURNED:
+        words = (
+            f"{_percent(shells.turned_share)} of its area faces the other way than its neighbours, so + and - cannot be told apart; "
+            "let the program that wrote it orient it."
+        )
         return [Doubt("winding-inconsistent", words, serious=True)]
+    faults = []
+    if shells.turned_share > _ROUNDING:
+        words = f"Some triangles ({_percent(shells.turned_share)} of its area) face the other way than their neighbours; + and - are exchanged there."
+        faults.append(Doubt("winding-faults", words, serious=False))
+    return faults + _inverted(shells)
+
+
+def _inverted(shells: Shells) -> list[Doubt]:
     if shells.closed and shells.fullness < 0:
         words = "Its normals point inwards: + and - would be exchanged; turn them round in the program that wrote it."
         return [Doubt("normals-inverted", words, serious=True)]
@@ -53,7 +67,7 @@ def _parts(shells: Shells, mesh: TriangleMesh) -> list[Doubt]:
 
 
 def _percent(share: float) -> str:
-    return f"{100 * share:.1f} %" if share < 0.9995 else "more than 99.9 %"
+    return "more than 99.9 %" if share >= 0.9995 else "less than 0.1 %" if share < 0.0005 else f"{100 * share:.1f} %"
 
 
 def _faults(checks: MeshChecks) -> list[Doubt]:

@@ -201,8 +201,13 @@ def text_width_mm(words: str, size: float) -> float:
 
 def _printable(words: str) -> str:
     """The text with a box for every character that the font does not have; a file may be named in any script."""
-    known = _font().get_charmap()
+    known = _letters()
     return "".join(letter if ord(letter) in known else "□" for letter in words)
+
+
+@cache
+def _letters() -> frozenset[int]:
+    return frozenset(_font().get_charmap())
 
 
 @cache

@@ -18,6 +18,7 @@ from scanner_core.acquisition.plan import Row, ScanPlan, ViewPlan
 from scanner_core.acquisition.status import FinishReason, ScanCounts
 from scanner_core.case.observation import MEASURED, StereoObservation
 from scanner_core.case.store import SUFFIX, CaseStore, Order
+from scanner_core.devices.null_level import NullLevel
 from scanner_core.devices.rig import dump_rig, load_preset
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
@@ -106,7 +107,8 @@ def _vtp() -> list[bytes]:
 def _rig() -> list[bytes]:
     bare = load_preset("bench").with_calibration(None)
     changed = replace(bare, image_model={"f_number": 2.8, "without": ["speckle"]})
-    return [dump_rig(rig).encode() for rig in (bare, changed, bare.with_calibration(known_rig()))]
+    levelled = replace(bare, null_levels=(NullLevel("wax", "2026-05-01", ("abc",), 9, 4.0, 2.0, -1.0, 6.0, 9.0, 1.5, 0.0, "0", "1"),))
+    return [dump_rig(rig).encode() for rig in (bare, changed, levelled, bare.with_calibration(known_rig()))]
 
 
 def _plan() -> list[bytes]:

@@ -17,7 +17,7 @@ TITLE = "Comparison of two surfaces"
 PROGRAM = f"Impronta {__version__}"
 VERSIONS = f"{PROGRAM}, Python {platform.python_version()}, numpy {np.__version__}, vtk {vtkVersion.GetVTKVersion()}"
 DIRECTION = "Deviations are those of AFTER against BEFORE: + where AFTER lies outside of BEFORE, − where it lies inside."
-AREA_HEADER = ("", "Area of difference", "max / mm", "P95 / mm", "area / mm²", "volume / mm³", "motion / mm", "rotation / °", "> null")
+AREA_HEADER = ("", "what was found", "max / mm", "P95 / mm", "area / mm²", "volume / mm³", "motion / mm", "rotation / °", "> null")
 _FRAMES = {
     Frame.AUTO: "stable region, found automatically",
     Frame.WHOLE: "best fit of the whole surfaces",
@@ -30,7 +30,7 @@ _SHIFT_WORDS = {
     Frame.MASK: "The painted region",
     Frame.GIVEN: "Taking the files as they lie",
 }
-_CONCERN = {"Order": ("order",), "Kind": ("side", "type"), "Date": ("date",), "Measured": ("rig", "calibration_id", "calibration_date")}
+_CONCERN = {"Order": ("order", "side", "type"), "Date": ("date",), "Measured": ("rig", "calibration_id", "calibration_date")}
 """What of a surface's origin is told.  Never its path, which often holds a patient's name."""
 
 Facts = tuple[tuple[str, str], ...]
@@ -58,14 +58,9 @@ def subject(comparison: Comparison) -> str:
     return f"{comparison.before.name} and {comparison.after.name}"
 
 
-def reliable(comparison: Comparison) -> bool:
-    """Nothing serious is in doubt."""
-    return not any(doubt.serious for doubt in comparison.doubts)
-
-
 def verdict(comparison: Comparison) -> str:
     """One sentence: the verdict, and why when it is bad."""
-    serious = [doubt.words for doubt in comparison.doubts if doubt.serious]
+    serious = _sentences(comparison, serious=True)
     if not serious:
         return "Reliable: nothing was found that speaks against this result."
     more = f" ({len(serious) - 1} more below.)" if len(serious) > 1 else ""
@@ -74,9 +69,13 @@ def verdict(comparison: Comparison) -> str:
 
 def remarks(comparison: Comparison) -> tuple[str, ...]:
     """Every doubt that the verdict does not tell, the serious ones first, each once."""
-    serious = [doubt.words for doubt in comparison.doubts if doubt.serious]
-    others = [doubt.words for doubt in comparison.doubts if not doubt.serious]
-    return tuple(dict.fromkeys([*serious[1:], *others]))
+    return tuple(dict.fromkeys([*_sentences(comparison, serious=True)[1:], *_sentences(comparison, serious=False)]))
+
+
+def _sentences(comparison: Comparison, *, serious: bool) -> list[str]:
+    """The doubts of one weight; those of a single surface say of which."""
+    sources = (("BEFORE: ", comparison.before.doubts), ("AFTER: ", comparison.after.doubts), ("", comparison.pair), ("", comparison.alignment.doubts))
+    return [prefix + doubt.words for prefix, doubts in sources for doubt in doubts if doubt.serious is serious]
 
 
 def findings(comparison: Comparison) -> str:
@@ -87,7 +86,7 @@ def findings(comparison: Comparison) -> str:
         return f"No area differs by more than the level of detection of {number(level, 2)} mm."
     first = areas[0]
     count = "One area differs" if len(areas) == 1 else f"{len(areas)} areas differ"
-    return f"{count}; the greatest difference: {first.words}, {signed(first.max_um / 1000, 2)} mm."
+    return f"{count}; the greatest difference: {first.words} (on the map {signed(first.max_um / 1000, 2)} mm at most)."
 
 
 def surface_facts(surface: ComparedSurface) -> Facts:

@@ -9,6 +9,7 @@ from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.report import content
 from scanner_core.comparison.report.legend import line
 from scanner_core.comparison.report.plates import Plates
+from scanner_core.jobs.progress import IsCancelled
 from scanner_core.metrology.certificate_page import COLOURS, GREY, HEIGHT_MM, INK, MARGIN_MM, WIDTH_MM, Page, shortened, text_width_mm, wrapped
 from scanner_core.metrology.decision import Verdict
 
@@ -26,7 +27,7 @@ _REMARK_LINES = 5
 """More lines of doubts go to the second page."""
 
 
-def write_pdf(comparison: Comparison, path: Path, made: str) -> None:
+def write_pdf(comparison: Comparison, path: Path, made: str, cancelled: IsCancelled = lambda: False) -> None:
     """Write the pages as a PDF; the same comparison and `made` (a time stamp) give the same bytes."""
     from matplotlib.backends.backend_pdf import PdfPages
 
@@ -34,13 +35,13 @@ def write_pdf(comparison: Comparison, path: Path, made: str) -> None:
 
     facts = {"Title": content.TITLE, "Creator": "Impronta", "CreationDate": None}
     with page_style(), PdfPages(path, metadata=facts) as document:
-        for page in report_pages(comparison, made):
+        for page in report_pages(comparison, made, cancelled):
             document.savefig(page.figure, dpi=200)
 
 
-def report_pages(comparison: Comparison, made: str) -> list[Page]:
+def report_pages(comparison: Comparison, made: str, cancelled: IsCancelled = lambda: False) -> list[Page]:
     """One page, and another when the table or the doubts are long."""
-    plates = Plates(comparison)
+    plates = Plates(comparison, cancelled)
     first = Page()
     left_remarks = _head(first, comparison)
     rows = [content.area_cells(area, comparison) for area in comparison.areas]
@@ -50,18 +51,19 @@ def report_pages(comparison: Comparison, made: str) -> list[Page]:
         if shown == len(rows):
             break
     plates.draw(first, tall)
-    _table(first, comparison, rows[:shown], len(rows))
+    _table(first, comparison, rows[:shown], goes_on=shown < len(rows))
     _numbers(first, comparison)
     pages = [first]
     while shown < len(rows) or left_remarks:
         page = Page()
+        page.y_mm = _TOP
         page.heading(content.TITLE, f"continued: {content.subject(comparison)}", None)
         for remark in left_remarks:
             page.paragraph(remark)
         left_remarks = ()
         if shown < len(rows):
             more = shown + max(_rows_within(rows[shown:], _BOTTOM - page.y_mm), 1)
-            _table(page, comparison, rows[shown:more], len(rows))
+            _table(page, comparison, rows[shown:more], goes_on=more < len(rows))
             shown = more
         pages.append(page)
     for number, page in enumerate(pages, 1):
@@ -71,7 +73,7 @@ def report_pages(comparison: Comparison, made: str) -> list[Page]:
 
 def _head(page: Page, comparison: Comparison) -> tuple[str, ...]:
     """Title, verdict, doubts and both inputs; returns the doubts for which there is no room."""
-    good = content.reliable(comparison)
+    good = comparison.reliable
     page.y_mm = _TOP
     page.heading(content.TITLE, content.subject(comparison), None)
     colour = COLOURS[Verdict.PASS if good else Verdict.FAIL]
@@ -109,10 +111,10 @@ def _inputs(page: Page, comparison: Comparison) -> None:
     page.y_mm = lowest + 2.0
 
 
-def _table(page: Page, comparison: Comparison, rows: Sequence[tuple[str, ...]], count: int) -> None:
+def _table(page: Page, comparison: Comparison, rows: Sequence[tuple[str, ...]], *, goes_on: bool) -> None:
     page.section("Areas of difference")
     if not rows:
-        page.paragraph(content.findings(comparison) if count == 0 else f"The table of all {count} areas follows.")
+        page.paragraph("The table follows on the next page." if goes_on else content.findings(comparison))
         return
     rights = [MARGIN_MM + sum(_COLUMNS[: i + 1]) for i in range(len(_COLUMNS))]
 
@@ -131,8 +133,8 @@ def _table(page: Page, comparison: Comparison, rows: Sequence[tuple[str, ...]], 
     for cells in rows:
         row(cells, INK)
         page.y_mm += _BETWEEN
-    if len(rows) < count:
-        page.text(MARGIN_MM, page.y_mm, f"{count} areas in all; the table goes on over several pages.", 7, colour=GREY)
+    if goes_on:
+        page.text(MARGIN_MM, page.y_mm, f"The table of {len(comparison.areas)} areas goes on on the next page.", 7, colour=GREY)
         page.y_mm += _LINE
     page.paragraph(content.area_note(comparison), 6.5, GREY)
 

@@ -10,6 +10,7 @@ from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.report.legend import SWATCHES_MM, draw_bar, draw_swatches, line
 from scanner_core.comparison.report.picture import Painter, Picture, fitted_scale
 from scanner_core.comparison.report.viewpoint import Viewpoint, viewpoints
+from scanner_core.jobs.progress import IsCancelled
 from scanner_core.metrology.certificate_page import GREY, HEIGHT_MM, INK, MARGIN_MM, WIDTH_MM, Page
 
 _PER_MM = 8.0
@@ -17,6 +18,7 @@ _PER_MM = 8.0
 _LEGEND, _GAP = 38.0, 4.0
 _SHORTEST_BAR = 24.0
 _SECOND_TALL = 30.0
+_LONGEST_BAR = 12.0
 _WIDE = WIDTH_MM - 2 * MARGIN_MM
 _MARGIN = 1.04
 """A picture is so much larger than what it shows."""
@@ -25,9 +27,9 @@ _MARGIN = 1.04
 class Plates:
     """All pictures of one comparison, as large as the page's width and a given height allow."""
 
-    def __init__(self, comparison: Comparison) -> None:
+    def __init__(self, comparison: Comparison, cancelled: IsCancelled = lambda: False) -> None:
         self._scale = fitted_scale(comparison)
-        self._painter = Painter(comparison, self._scale)
+        self._painter = Painter(comparison, self._scale, cancelled)
         self._points = viewpoints(comparison)
         self._wide = 0.5 * (_WIDE - _LEGEND - 2 * _GAP)
         others = len(self._points) - 1
@@ -36,7 +38,7 @@ class Plates:
 
     def height_mm(self, tall_mm: float) -> float:
         """On paper, when the first pictures are at most `tall_mm` tall."""
-        return self._first_row(tall_mm)[2] + self._fitting(self._points[1:], self._narrow, _SECOND_TALL)[1] + 19.5
+        return self._first_row(tall_mm)[2] + self._fitting(self._points[1:], self._narrow, _SECOND_TALL)[1] + 16.0
 
     def draw(self, page: Page, tall_mm: float) -> None:
         """Put them where the page stands."""
@@ -48,19 +50,19 @@ class Plates:
         size = (round(self._wide * _PER_MM), round(high * _PER_MM))
         self._put(page, self._painter.deviation(first, per_mm / _PER_MM, *size), left, top, self._wide, high)
         self._put(page, self._painter.stable(first, per_mm / _PER_MM, *size), right, top, self._wide, high)
-        _ten_mm(page, left, top + high + 1.2, per_mm)
+        _scale_bar(page, left + self._wide, top - 2.0, per_mm)
         legend, bar = WIDTH_MM - MARGIN_MM - _LEGEND + 1.0, row - SWATCHES_MM
         draw_bar(page, self._scale, legend, top, bar)
         draw_swatches(page, self._scale, legend, top + bar + 9.0)
-        top += row + 6.5
+        top += row + 5.0
         per_mm, high = self._fitting(self._points[1:], self._narrow, _SECOND_TALL)
         for i, viewpoint in enumerate(self._points[1:]):
             x = MARGIN_MM + i * (self._narrow + _GAP)
             page.text(x, top, viewpoint.name, 7.5, bold=True)
             picture = self._painter.deviation(viewpoint, per_mm / _PER_MM, round(self._narrow * _PER_MM), round(high * _PER_MM))
             self._put(page, picture, x, top + 1.6, self._narrow, high)
-        _ten_mm(page, MARGIN_MM, top + high + 2.8, per_mm)
-        page.y_mm = top + high + 8.0
+        _scale_bar(page, MARGIN_MM + self._narrow, top, per_mm)
+        page.y_mm = top + high + 6.0
 
     def _first_row(self, tall_mm: float) -> tuple[float, float, float]:
         """Millimetres of the surface for one of paper, height of the pictures, and of the row with the legend."""
@@ -94,10 +96,13 @@ class Plates:
                 )
 
 
-def _ten_mm(page: Page, x_mm: float, y_mm: float, per_mm: float) -> None:
-    """A bar as long as ten millimetres of the surface."""
-    long = 10.0 / per_mm
-    line(page, x_mm, y_mm, x_mm + long, y_mm, INK, 1.0)
-    for end in (x_mm, x_mm + long):
-        line(page, end, y_mm - 0.7, end, y_mm + 0.7, INK, 0.6)
-    page.text(x_mm + long + 1.5, y_mm + 0.8, "10 mm", 6.5, colour=GREY)
+def _scale_bar(page: Page, right_mm: float, y_mm: float, per_mm: float) -> None:
+    """A bar as long as a round length on the surface, right aligned on a line of text."""
+    longest = _LONGEST_BAR * per_mm
+    power = 10.0 ** np.floor(np.log10(longest))
+    length = power * max(factor for factor in (1, 2, 5) if factor * power <= longest)
+    left = right_mm - length / per_mm
+    line(page, left, y_mm - 0.9, right_mm, y_mm - 0.9, INK, 1.0)
+    for end in (left, right_mm):
+        line(page, end, y_mm - 1.6, end, y_mm - 0.2, INK, 0.6)
+    page.text(left - 1.0, y_mm, f"{length:g} mm", 6.5, colour=GREY, align="right")

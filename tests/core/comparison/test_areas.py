@@ -10,7 +10,7 @@ from scanner_core.comparison.measuring import measure_deviation
 from scanner_core.comparison.parameters import ComparisonParameters
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.jobs.progress import Cancelled
-from scanner_core.virtual.specimens.arch import arch
+from scanner_core.virtual.specimens.arch import TREATMENT, arch, foot
 from tests.core.comparison.aligned import given, plane, pose, surface
 
 PARAMETERS = ComparisonParameters()
@@ -40,6 +40,25 @@ def compared(before: TriangleMesh, after: TriangleMesh, noise_um: float = 1e3 * 
     alignment = given(posed, motion, noise_um=noise_um)
     deviation = measure_deviation(surface(before), surface(posed), alignment, PARAMETERS)
     return find_areas(surface(before), surface(posed), alignment, deviation, PARAMETERS), deviation
+
+
+def test_each_moved_tooth_of_an_arch_is_one_entry_and_nothing_else(treated: tuple[TriangleMesh, TriangleMesh]) -> None:
+    areas, deviation = compared(*treated)
+    assert [area.rank for area in areas] == list(range(1, len(TREATMENT) + 1))
+    teeth = []
+    for area in areas:
+        assert area.motion is not None
+        teeth.append(min(range(14), key=lambda tooth: float(np.linalg.norm((area.motion.centre - foot(tooth))[:2]))))
+    assert sorted(teeth) == sorted(TREATMENT)
+    for tooth, area in zip(teeth, areas, strict=True):
+        truth, centre = TREATMENT[tooth], area.motion.centre
+        there = truth.apply(centre - foot(tooth)) + foot(tooth)
+        assert np.linalg.norm(area.motion.transform.apply(centre) - there) < 0.04
+        assert (area.motion.transform @ truth.inverse()).angle_deg() < 1.5
+        assert np.abs(deviation.signed_um[area.vertices]).mean() > 200
+    moved = [np.linalg.norm(area.motion.displacement_mm) for area in areas]
+    assert moved[0] > 1.5
+    assert moved[-1] < 0.8
 
 
 def test_two_scans_of_the_same_arch_have_no_areas(treated: tuple[TriangleMesh, TriangleMesh]) -> None:

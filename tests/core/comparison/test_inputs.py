@@ -89,6 +89,7 @@ def test_what_is_odd_is_named_and_left(tmp_path: Path) -> None:
         "self-touching": (joined(whole, moved(whole, (20, 0, 0))), False),
     }
     bodies["non-manifold"] = (TriangleMesh(whole.vertices, np.concatenate([whole.triangles, [[0, 5, 100]]])), False)
+    bodies["winding-faults"] = (TriangleMesh(whole.vertices, np.concatenate([whole.triangles[:2, ::-1], whole.triangles[2:]])), False)
     for code, (mesh, serious) in bodies.items():
         surface = read(tmp_path, mesh, ".ply")
         (tmp_path / "a.ply").unlink()

@@ -31,11 +31,21 @@ def test_identical_files_are_named() -> None:
 
 @pytest.mark.parametrize(
     ("key", "first", "second", "code"),
-    [("side", "left", "right", "sides-differ"), ("type", "arch", "ear", "types-differ"), ("patient_digest", "a1", "b2", "patients-differ")],
+    [
+        ("type", "upper arch", "lower arch", "types-differ"),
+        ("side", "left", "right", "sides-differ"),
+        ("type", "arch", "ear", "types-differ"),
+        ("patient_digest", "a1", "b2", "patients-differ"),
+    ],
 )
 def test_orders_that_contradict_each_other(key: str, first: str, second: str, code: str) -> None:
     before, after = named(egg(), "a"), named(egg(61.0), "b")
     assert codes(replace(before, origin={key: first}), replace(after, origin={key: second})) == [(code, True)]
+
+
+def test_orders_that_say_more_or_less_agree() -> None:
+    before = named(egg(), "a", type="arch", side="left")
+    assert codes(before, named(egg(61.0), "b", type="Arch-treated", side="left ear")) == []
 
 
 @pytest.mark.parametrize(("factor", "unit"), [(25.4, "inches"), (0.1, "centimetres"), (1 / 2.54, "inches"), (4.0, "")])

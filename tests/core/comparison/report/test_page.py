@@ -62,7 +62,7 @@ def test_it_tells_what_a_record_needs() -> None:
 def test_an_unreliable_result_says_so_first_and_why() -> None:
     words = _words(made(doubts=(REMARK, SERIOUS)))
     assert "Reliable: " not in words
-    assert f"Not reliable: {SERIOUS.words}" in words
+    assert f"Not reliable: AFTER: {SERIOUS.words}" in words
     assert words.index("Not reliable") < words.index(REMARK.words)
 
 
