@@ -38,7 +38,7 @@ class Verdict(QWidget):
             held, share = frame_words(comparison.alignment.frame), fmt.percent(comparison.alignment.stable_area_fraction)
             why = self.tr("Held fixed: {frame} ({share} %).").format(frame=held, share=share)
             if comparison.doubts:
-                why += " " + self.tr("Remarks: {n}.").format(n=len(comparison.doubts))
+                why += "\n" + self.tr("Remarks, under Surfaces and Alignment: {n}").format(n=len(comparison.doubts))
             word, role = self.tr("Reliable"), "good"
         self._word.setText(word)
         give_role(self._word, role)
