@@ -45,18 +45,17 @@ def compared(before: TriangleMesh, after: TriangleMesh, noise_um: float = 1e3 * 
 def test_each_moved_tooth_of_an_arch_is_one_entry_and_nothing_else(treated: tuple[TriangleMesh, TriangleMesh]) -> None:
     areas, deviation = compared(*treated)
     assert [area.rank for area in areas] == list(range(1, len(TREATMENT) + 1))
-    teeth = []
-    for area in areas:
-        assert area.motion is not None
-        teeth.append(min(range(14), key=lambda tooth: float(np.linalg.norm((area.motion.centre - foot(tooth))[:2]))))
+    motions = [area.motion for area in areas if area.motion is not None]
+    teeth = [min(range(14), key=lambda tooth: float(np.linalg.norm((motion.centre - foot(tooth))[:2]))) for motion in motions]
     assert sorted(teeth) == sorted(TREATMENT)
-    for tooth, area in zip(teeth, areas, strict=True):
-        truth, centre = TREATMENT[tooth], area.motion.centre
-        there = truth.apply(centre - foot(tooth)) + foot(tooth)
-        assert np.linalg.norm(area.motion.transform.apply(centre) - there) < 0.04
-        assert (area.motion.transform @ truth.inverse()).angle_deg() < 1.5
+    for tooth, motion, area in zip(teeth, motions, areas, strict=True):
+        truth = TREATMENT[tooth]
+        there = truth.apply(motion.centre - foot(tooth)) + foot(tooth)
+        assert np.linalg.norm(motion.transform.apply(motion.centre) - there) < 0.04
+        assert (motion.transform @ truth.inverse()).angle_deg() < 1.5
         assert np.abs(deviation.signed_um[area.vertices]).mean() > 200
-    moved = [np.linalg.norm(area.motion.displacement_mm) for area in areas]
+    moved = [np.linalg.norm(motion.displacement_mm) for motion in motions]
+    assert moved == sorted(moved, reverse=True)
     assert moved[0] > 1.5
     assert moved[-1] < 0.8
 
