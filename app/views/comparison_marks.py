@@ -18,6 +18,8 @@ from scanner_core.comparison.area import Area
 from scanner_core.comparison.colour_scale import THRESHOLD_LINE
 
 Array = NDArray[np.float64]
+Landmark = tuple[str, Sequence[float]] | tuple[str, Sequence[float], str]
+"""Name, place (mm, frame of BEFORE), and the surface in whose picture it stands: ``after`` unless ``before`` is said."""
 _PART = "#a45cff"
 _AWAY_PX = 34.0
 """From the middle of an area to its rank, so that the rank covers nothing of it."""
@@ -34,7 +36,7 @@ class ComparisonMarks:
         self.lines = (self._threshold, *self._chosen_outline, self._outlines, self._part_outline)
         self._areas: tuple[Area, ...] = ()
         self._chosen: int | None = None
-        self._landmarks: list[tuple[str, Array]] = []
+        self._landmarks: list[tuple[str, Array, str]] = []
         self._landmark_lines: list[tuple[int, int]] = []
 
     def clear(self) -> None:
@@ -54,8 +56,8 @@ class ComparisonMarks:
     def show_part(self, vertices: NDArray[np.int64] | None) -> None:
         self._draw((self._part_outline,), [] if vertices is None else [vertices])
 
-    def show_landmarks(self, points: Sequence[tuple[str, Sequence[float]]], lines: Sequence[tuple[int, int]]) -> None:
-        self._landmarks = [(name, np.asarray(point, np.float64)) for name, point in points]
+    def show_landmarks(self, points: Sequence[Landmark], lines: Sequence[tuple[int, int]]) -> None:
+        self._landmarks = [(mark[0], np.asarray(mark[1], np.float64), mark[2] if len(mark) > 2 else "after") for mark in points]
         self._landmark_lines = list(lines)
 
     def set_seen(self, after: bool, coloured: bool) -> None:
@@ -74,8 +76,8 @@ class ComparisonMarks:
         """Something has a word in the picture."""
         return bool(self._areas or self._landmarks)
 
-    def place(self, view: Viewpoint, picker: SurfacePicker | None) -> None:
-        """The words where the camera has their points now; what is hidden is faint."""
+    def place(self, first: Viewpoint, view: Viewpoint, picker: SurfacePicker | None) -> None:
+        """The words where the camera has their points now, before in the `first` picture; what is hidden is faint."""
         tags: list[Tag] = []
         middle = np.zeros(2) if self._after.mesh is None else view.project(0.5 * np.sum(self._after.mesh.bounds(), axis=0)[None])[0]
         for area in self._areas:
@@ -85,8 +87,8 @@ class ComparisonMarks:
             above = np.asarray(area.centroid_mm) + 0.8 * np.asarray(area.normal)
             faint = picker is not None and not picker.visible(above, view)
             tags.append(Tag(str(area.rank), at, _free(spot, tags), faint, area.rank == self._chosen, area.rank))
-        places = [QPointF(*view.project(point[None])[0]) for _, point in self._landmarks]
-        tags += [Tag(name, place, place + QPointF(0, -18)) for (name, _), place in zip(self._landmarks, places, strict=True) if name]
+        places = [QPointF(*(first if surface == "before" else view).project(point[None])[0]) for _, point, surface in self._landmarks]
+        tags += [Tag(name, place, place + QPointF(0, -18)) for (name, *_), place in zip(self._landmarks, places, strict=True) if name]
         self._overlay.points, self._overlay.lines = places, [(places[a], places[b]) for a, b in self._landmark_lines]
         self._overlay.tags = tags
         self._overlay.update()

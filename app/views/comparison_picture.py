@@ -19,6 +19,7 @@ from scanner_core.comparison.parameters import Frame
 from scanner_core.geometry.mesh import TriangleMesh
 
 if TYPE_CHECKING:
+    from app.views.comparison_marks import Landmark
     from app.views.comparison_scene import ComparisonScene
     from app.views.pointed import Pointed
 
@@ -113,7 +114,7 @@ class ComparisonPicture(QObject):
             scene.set_mode("side_by_side")
             scene.fit()
             scene.set_tool("pick")
-        marks = [(str(number), point) for number, point in enumerate(choice.picks[0], 1)]
+        marks: list[Landmark] = [(str(number), point, "before") for number, point in enumerate(choice.picks[0], 1)]
         marks += [(f"{number}\u2032", tuple(np.asarray(point) + self._between)) for number, point in enumerate(choice.picks[1], 1)]
         scene.show_landmarks(marks)
 

@@ -11,7 +11,7 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QWidget
 from vtkmodules.vtkRenderingCore import vtkRenderer
@@ -19,11 +19,12 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 from app.theme import PANEL
 from app.views.compared_actor import ComparedActor
 from app.views.comparison_camera import ComparisonCamera
-from app.views.comparison_marks import ComparisonMarks
+from app.views.comparison_captions import ComparisonCaptions
+from app.views.comparison_marks import ComparisonMarks, Landmark
 from app.views.comparison_overlay import ComparisonOverlay
 from app.views.comparison_tools import ComparisonTools
 from app.views.interactor import InteractorView
-from app.views.section_cut import AFTER_LINE, BEFORE_LINE, SectionCut
+from app.views.section_cut import SectionCut
 from app.views.surface_picker import SurfacePicker
 from app.views.viewpoint import Viewpoint
 from scanner_core.comparison.area import Area
@@ -86,6 +87,7 @@ class ComparisonScene(InteractorView):
         self._signed = self._level = np.zeros(0)
         self._camera = ComparisonCamera(engine.camera)
         self._coarse = False
+        self._captions = ComparisonCaptions(self._overlay)
         self._tools = ComparisonTools(self, engine, self._overlay)
         self._arrange()
 
@@ -120,11 +122,11 @@ class ComparisonScene(InteractorView):
     ) -> None:
         """Colour the after surface: (v_after,) deviation um (NaN without counterpart), level of detection um, stable, counterpart."""
         self._open()
-        self._signed, self._level, self._scale = signed_um, level_um, scale
+        self._signed, self._level, self._scale = np.where(counterpart, signed_um, np.nan), level_um, scale
         self._threshold_um = scale.threshold_um if scale is not None else self._threshold_um
         self._after.show_values(signed_um, level_um, counterpart & np.isfinite(signed_um))
         self._after.show_stable(stable)
-        self._marks.show_threshold(signed_um, self._threshold_um)
+        self._marks.show_threshold(self._signed, self._threshold_um)
         self._arrange()
 
     def show_feet(self, feet_mm: Array) -> None:
@@ -160,8 +162,8 @@ class ComparisonScene(InteractorView):
         self._marks.choose(rank)
         self._dirty = True
 
-    def show_landmarks(self, points: Sequence[tuple[str, Sequence[float]]], lines: Sequence[tuple[int, int]] = ()) -> None:
-        """Named points (mm, frame of BEFORE) and lines between them by their numbers."""
+    def show_landmarks(self, points: Sequence[Landmark], lines: Sequence[tuple[int, int]] = ()) -> None:
+        """Named points and lines between them by their numbers."""
         self._marks.show_landmarks(points, lines)
         self._dirty = True
 
@@ -335,9 +337,10 @@ class ComparisonScene(InteractorView):
             line.set_cut(normal, offset)
         for line in (*self._marks.lines, *self._section.lines):
             line.set_pixel_ratio(ratio)
-        view = self._viewpoints()[1]
-        self._marks.place(view, self.picker("after") if self._marks.worded else None)
-        self._measure(view, points)
+        first, second = self._viewpoints()
+        self._marks.place(first, second, self.picker("after") if self._marks.worded else None)
+        views = (first, second) if self._mode == "side_by_side" else (second,)
+        self._captions.measure(views, points, self._camera.right, bool(camera.GetParallelProjection()))
 
     def _coarsen(self, moving: bool) -> None:
         """Fewer triangles while something moves, if a picture takes long here."""
@@ -349,8 +352,7 @@ class ComparisonScene(InteractorView):
 
     def _arrange(self) -> None:
         """Everything that mode and amount decide."""
-        mode, amount = self._mode, self._amount
-        pair = self._after.mesh is not None
+        mode, amount, pair = self._mode, self._amount, self._after.mesh is not None
         before = pair and (mode in ("side_by_side", "curtain", "blend", "before") or self._other)
         after = pair and mode != "before" and not self._other
         halves = mode == "side_by_side"
@@ -375,42 +377,8 @@ class ComparisonScene(InteractorView):
                 self._under.AddActor(line.actor)
             else:
                 self._under.RemoveActor(line.actor)
-        self._caption(pair)
+        self._captions.name(mode if pair else None, other=self._other, curtain_x=self.curtain_x, section=self._section.active)
         self._dirty = True
-
-    def _caption(self, pair: bool) -> None:
-        overlay, left, right = self._overlay, Qt.AlignmentFlag.AlignLeft, Qt.AlignmentFlag.AlignRight
-        whole, half = QRectF(self.rect()), 0.5 * self.width()
-        first, second = self.tr("Before"), self.tr("After")
-        overlay.seam_x = half if pair and self._mode == "side_by_side" else None
-        overlay.curtain_x = self.curtain_x if pair and self._mode == "curtain" else None
-        if not pair:
-            overlay.captions = []
-        elif self._mode == "side_by_side":
-            overlay.captions = [(QRectF(0, 0, half, self.height()), first, left), (QRectF(half, 0, half, self.height()), second, left)]
-        elif self._mode in ("curtain", "blend", "morph"):
-            overlay.captions = [(whole, first, left), (whole, second, right)]
-        else:
-            overlay.captions = [(whole, first if self._mode == "before" or self._other else second, left)]
-        overlay.keys = [(BEFORE_LINE, first), (AFTER_LINE, second)] if pair and self._section.active else []
-        overlay.update()
-
-    def _measure(self, view: Viewpoint, points: Array | None) -> None:
-        """The patient's sides, and a length where there is no perspective."""
-        right = self._camera.right
-        self._overlay.sides, self._overlay.bar = [], None
-        if points is None:
-            return
-        middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
-        if right is not None:
-            reach = float(np.abs((points - middle) @ right).max()) + 4.0
-            ends = view.project(np.array([middle + reach * right, middle - reach * right]))
-            if abs(ends[0, 0] - ends[1, 0]) > 80:
-                self._overlay.sides = [(QPointF(*ends[0]), self.tr("R")), (QPointF(*ends[1]), self.tr("L"))]
-        if self._open().camera.GetParallelProjection():
-            pixels = view.pixels_per_mm(middle)
-            length_mm = next(mm for mm in (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0) if mm * pixels >= 60 or mm == 50.0)
-            self._overlay.bar = (length_mm * pixels, self.tr("{mm:g} mm").format(mm=length_mm))
 
     def _viewpoints(self) -> tuple[Viewpoint, Viewpoint]:
         camera = self._open().camera

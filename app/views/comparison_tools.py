@@ -140,9 +140,10 @@ class ComparisonTools(QObject):
         pressed, self._pressed = self._pressed, None
         if drag in ("paint", "erase"):
             self._scene.stroke_ended.emit()
-        elif drag == "lasso":
-            self._close_lasso()
-        elif drag is None and pressed is not None and (event.position() - pressed).manhattanLength() <= _CLICK_PX:
+        clicked = pressed is not None and (event.position() - pressed).manhattanLength() <= _CLICK_PX
+        if drag == "lasso":
+            self._close_lasso(clicked)
+        if drag in (None, "lasso") and clicked:
             pointed = self.pointed(event.position())
             if pointed is not None:
                 self._scene.picked.emit(pointed)
@@ -224,9 +225,12 @@ class ComparisonTools(QObject):
             self._overlay.twin = twin
             self._overlay.update()
 
-    def _close_lasso(self) -> None:
+    def _close_lasso(self, clicked: bool) -> None:
+        """What is within; a mere click picks a point instead."""
         path, self._overlay.lasso = self._overlay.lasso, []
         self._overlay.update()
+        if clicked:
+            return
         middle = path[len(path) // 2]
         seen = self._scene.viewpoint(middle.x(), middle.y())
         picker = self._scene.picker("after")

@@ -14,6 +14,7 @@ from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtTest import QSignalSpy, QTest
 from PySide6.QtWidgets import QApplication
 
+from app.views.comparison_overlay import ComparisonOverlay
 from app.views.comparison_scene import BEFORE_COLOUR, ComparisonScene
 from app.views.pointed import Pointed
 from app.views.section_cut import AFTER_LINE, BEFORE_LINE
@@ -21,7 +22,7 @@ from scanner_core.comparison.area import Area
 from scanner_core.comparison.colour_scale import HATCH, NO_COUNTERPART, DeviationScale
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.virtual.specimens.arch import arch
-from tests.gui.pictures import coloured, near
+from tests.gui.pictures import coloured, near, pixels_of
 from tests.gui.waiting import until, wait_ms
 
 Array = NDArray[np.float64]
@@ -69,6 +70,12 @@ def _pixel(scene: ComparisonScene, point: Array) -> QPoint:
     seen = scene.viewpoint(scene.width() - 1.0, 1.0)
     assert seen is not None
     return QPointF(*seen[1].project(point[None])[0]).toPoint()
+
+
+def _overlay(scene: ComparisonScene) -> ComparisonOverlay:
+    overlay = scene.findChild(ComparisonOverlay)
+    assert isinstance(overlay, ComparisonOverlay)
+    return overlay
 
 
 def _surface(picture: Picture) -> NDArray[np.bool_]:
@@ -360,6 +367,32 @@ def test_the_lasso_takes_only_what_is_visible(view: ComparisonScene) -> None:
     assert (mesh.vertex_normals()[taken, 2] > -0.3).all()
     top = np.nonzero((mesh.vertices[:, 2] > 9.0) & (mesh.vertices[:, 0] < -5) & (mesh.vertex_normals()[:, 2] > 0.5))[0]
     assert np.isin(top, taken).mean() > 0.98
+
+
+def test_a_click_with_the_lasso_picks_the_point(view: ComparisonScene) -> None:
+    view.set_tool("lasso")
+    view.grab_picture()
+    picks, spy = QSignalSpy(view.picked), QSignalSpy(view.lassoed)
+    QTest.mouseClick(_pane(view), Qt.MouseButton.LeftButton, pos=QPoint(150, 250))
+    assert (picks.count(), spy.count()) == (1, 0)
+
+
+def test_landmarks_stand_in_the_picture_of_their_surface(view: ComparisonScene) -> None:
+    view.set_mode("side_by_side")
+    view.set_tool("pick")
+    view.grab_picture()
+    picks = QSignalSpy(view.picked)
+    place = QPoint(80, 220)
+    QTest.mouseClick(_pane(view), Qt.MouseButton.LeftButton, pos=place)
+    met = picks.at(0)[0]
+    assert met.surface == "before"
+    plain = pixels_of(_overlay(view))
+    for surface, x in (("before", 80), ("after", 290)):
+        view.show_landmarks([("", met.point_mm, surface)])
+        view.grab_picture()
+        rows, columns = np.nonzero((pixels_of(_overlay(view)) != plain).any(axis=2))
+        assert (columns.mean(), rows.mean()) == pytest.approx((x, 220), abs=2)
+    view.show_landmarks([])
 
 
 # ------------------------------------------------------------------------------------ areas and sections

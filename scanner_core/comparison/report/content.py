@@ -86,7 +86,7 @@ def findings(comparison: Comparison) -> str:
         return f"No area differs by more than the level of detection of {number(level, 2)} mm."
     first = areas[0]
     count = "One area differs" if len(areas) == 1 else f"{len(areas)} areas differ"
-    return f"{count}; the greatest difference: {first.words}, {signed(first.max_um / 1000, 2)} mm."
+    return f"{count}; the greatest difference: {first.words} (on the map {signed(first.max_um / 1000, 2)} mm at most)."
 
 
 def surface_facts(surface: ComparedSurface) -> Facts:

@@ -16,6 +16,7 @@ from scanner_core.comparison.report import content
 from scanner_core.comparison.report.legend import bands, css
 from scanner_core.comparison.report.picture import STABLE, Painter, Picture, fitted_scale
 from scanner_core.comparison.report.viewpoint import Viewpoint, viewpoints
+from scanner_core.jobs.progress import IsCancelled
 
 _WIDTH = 600
 """Pixels of a picture."""
@@ -30,16 +31,22 @@ h1 { margin: 0; } h2 { margin: 1.6rem 0 0.5rem; font-size: 1.1rem; }
 .verdict { margin: 1rem 0; padding-left: 0.8rem; border-left: 0.4rem solid var(--good); color: var(--good); font-size: 1.15rem; font-weight: bold; }
 .verdict.bad { border-color: var(--bad); color: var(--bad); }
 .columns { display: grid; grid-template-columns: repeat(auto-fit, minmax(20rem, 1fr)); gap: 0 2rem; }
-.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(15rem, 1fr)); gap: 1rem; }
+.first { display: grid; grid-template-columns: 5fr 5fr 4fr; gap: 1.2rem; align-items: start; }
+.others { display: grid; grid-template-columns: repeat(4, 1fr); gap: 1.2rem; margin-top: 1rem; align-items: end; }
+@media (max-width: 44rem) { .first, .others { grid-template-columns: 1fr 1fr; } }
 figure { margin: 0; } figure div { position: relative; } img { display: block; width: 100%; }
 .number { position: absolute; transform: translate(-50%, -50%); min-width: 1.3em; border: 1px solid #1b1f24; border-radius: 1em; background: #fff;
   color: #1b1f24; font-size: 0.75rem; font-weight: bold; line-height: 1.3em; text-align: center; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: 0.15rem 1rem; margin: 0; } dd { margin: 0; overflow-wrap: anywhere; }
 table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; }
+.wide { overflow-x: auto; } th, td { white-space: nowrap; } td.words { white-space: normal; }
 th { border-bottom: 1px solid var(--line); } th, td { padding: 0.2rem 0.4rem; text-align: right; vertical-align: top; }
 th.words, td.words { text-align: left; } th button { all: unset; cursor: pointer; } th button:focus-visible { outline: 2px solid; }
 .legend svg text { fill: var(--ink); font-size: 11px; }
-@media print { body { margin: 0; max-width: none; font-size: 9pt; } figure, tr { break-inside: avoid; } }
+@media print {
+  body { margin: 0; padding: 0; max-width: none; font-size: 8.5pt; line-height: 1.3; print-color-adjust: exact; }
+  h2 { margin-top: 0.8rem; break-after: avoid; } p { margin: 0.4rem 0; } .wide { overflow: visible; } figure, tr, dl { break-inside: avoid; }
+}
 """
 _SCRIPT = """
 for (const button of document.querySelectorAll("th button")) button.addEventListener("click", () => {
@@ -54,12 +61,12 @@ for (const button of document.querySelectorAll("th button")) button.addEventList
 """
 
 
-def write_html(comparison: Comparison, path: Path, made: str) -> None:
+def write_html(comparison: Comparison, path: Path, made: str, cancelled: IsCancelled = lambda: False) -> None:
     """Write the report; the same comparison and `made` (a time stamp) give the same bytes."""
-    path.write_text(report_html(comparison, made), encoding="utf-8", newline="\n")
+    path.write_text(report_html(comparison, made, cancelled), encoding="utf-8", newline="\n")
 
 
-def report_html(comparison: Comparison, made: str) -> str:
+def report_html(comparison: Comparison, made: str, cancelled: IsCancelled = lambda: False) -> str:
     """The whole file."""
     scale = fitted_scale(comparison)
     state = "verdict" if comparison.reliable else "verdict bad"
@@ -78,7 +85,7 @@ def report_html(comparison: Comparison, made: str) -> str:
             for title, surface in (("Before", comparison.before), ("After", comparison.after))
         ),
         f"</div><h2>Map of the deviations</h2><p>{escape(content.DIRECTION)}</p>",
-        f'<div class="pictures">{_pictures(comparison, scale)}{_legend(scale)}</div>',
+        _pictures(comparison, scale, cancelled),
         f"<h2>Areas of difference</h2>{_areas(comparison)}",
         f'<div class="columns"><section><h2>Statistics</h2>{_statistics(comparison)}{_facts(content.detection(comparison))}</section>',
         f"<section><h2>Alignment</h2>{_facts(content.alignment_card(comparison))}{shifts}</section></div>",
@@ -110,7 +117,8 @@ def _areas(comparison: Comparison) -> str:
         cells = content.area_cells(area, comparison)
         rows.append("<tr>" + "".join(f'<td{_words(i)} data-value="{escape(_sortable(cell, i))}">{escape(cell)}</td>' for i, cell in enumerate(cells)))
     body = "</tr>\n".join(rows) + "</tr>"
-    return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table><p><small>{escape(content.area_note(comparison))}</small></p>"
+    table = f'<div class="wide"><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>'
+    return f"{table}<p><small>{escape(content.area_note(comparison))}</small></p>"
 
 
 def _words(column: int) -> str:
@@ -122,17 +130,18 @@ def _sortable(cell: str, column: int) -> str:
     return cell if column == 1 else cell.partition(" ±")[0].replace("−", "-").replace(",", "").replace("–", "-1")
 
 
-def _pictures(comparison: Comparison, scale: DeviationScale) -> str:
+def _pictures(comparison: Comparison, scale: DeviationScale, cancelled: IsCancelled) -> str:
+    """The map from the first viewpoint, the stable region and the legend in one row, the other viewpoints in another."""
     points = viewpoints(comparison)
-    painter = Painter(comparison, scale)
+    painter = Painter(comparison, scale, cancelled)
     told: set[int] = set()
-    figures = []
+    maps = []
     for viewpoint in points:
         picture = painter.deviation(viewpoint, *_size(painter, viewpoint))
-        figures.append(_figure(picture, f"Deviation, {viewpoint.name[0].lower()}{viewpoint.name[1:]}", told))
+        maps.append(_figure(picture, viewpoint.name, told))
         told |= {rank for rank, _, _ in picture.numbers}
-    figures.append(_figure(painter.stable(points[0], *_size(painter, points[0])), "What was held fixed (green)", told))
-    return "".join(figures)
+    stable = _figure(painter.stable(points[0], *_size(painter, points[0])), "What was held fixed", told)
+    return f'<div class="first">{maps[0]}{stable}{_legend(scale)}</div><div class="others">{"".join(maps[1:])}</div>'
 
 
 def _size(painter: Painter, viewpoint: Viewpoint) -> tuple[float, int, int]:
@@ -155,7 +164,7 @@ def _figure(picture: Picture, caption: str, told: set[int]) -> str:
 
 
 def _legend(scale: DeviationScale) -> str:
-    tall, top = 220.0, 20.0
+    tall, top = 200.0, 22.0
     middle, per_um = top + 0.5 * tall, 0.5 * tall / scale.limit_um
     shapes = [
         f'<rect x="14" y="{middle - high * per_um:.2f}" width="26" height="{(high - low) * per_um:.2f}" fill="{colour}"/>'
@@ -163,8 +172,8 @@ def _legend(scale: DeviationScale) -> str:
     ]
     shapes += [f'<text x="50" y="{middle - value * per_um + 4:.2f}">{label} mm</text>' for value, label in scale.ticks()]
     shapes += [_line(8, 46, middle - sign * scale.threshold_um * per_um) for sign in (-1, 1)]
-    shapes += [f'<text x="14" y="12">AFTER outside of BEFORE</text><text x="14" y="{top + tall + 15:.0f}">AFTER inside of BEFORE</text>']
-    y = top + tall + 34
+    shapes += [f'<text x="14" y="10">AFTER outside of BEFORE</text><text x="14" y="{top + tall + 20:.0f}">AFTER inside of BEFORE</text>']
+    y = top + tall + 42
     meanings: Sequence[tuple[str, str]] = (
         (css(WITHIN_LEVEL), f"undetectable, within about {scale.level_um / 1000:.2f} mm"),
         (css(NO_COUNTERPART), "no counterpart, left out"),

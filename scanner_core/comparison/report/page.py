@@ -9,6 +9,7 @@ from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.report import content
 from scanner_core.comparison.report.legend import line
 from scanner_core.comparison.report.plates import Plates
+from scanner_core.jobs.progress import IsCancelled
 from scanner_core.metrology.certificate_page import COLOURS, GREY, HEIGHT_MM, INK, MARGIN_MM, WIDTH_MM, Page, shortened, text_width_mm, wrapped
 from scanner_core.metrology.decision import Verdict
 
@@ -26,7 +27,7 @@ _REMARK_LINES = 5
 """More lines of doubts go to the second page."""
 
 
-def write_pdf(comparison: Comparison, path: Path, made: str) -> None:
+def write_pdf(comparison: Comparison, path: Path, made: str, cancelled: IsCancelled = lambda: False) -> None:
     """Write the pages as a PDF; the same comparison and `made` (a time stamp) give the same bytes."""
     from matplotlib.backends.backend_pdf import PdfPages
 
@@ -34,13 +35,13 @@ def write_pdf(comparison: Comparison, path: Path, made: str) -> None:
 
     facts = {"Title": content.TITLE, "Creator": "Impronta", "CreationDate": None}
     with page_style(), PdfPages(path, metadata=facts) as document:
-        for page in report_pages(comparison, made):
+        for page in report_pages(comparison, made, cancelled):
             document.savefig(page.figure, dpi=200)
 
 
-def report_pages(comparison: Comparison, made: str) -> list[Page]:
+def report_pages(comparison: Comparison, made: str, cancelled: IsCancelled = lambda: False) -> list[Page]:
     """One page, and another when the table or the doubts are long."""
-    plates = Plates(comparison)
+    plates = Plates(comparison, cancelled)
     first = Page()
     left_remarks = _head(first, comparison)
     rows = [content.area_cells(area, comparison) for area in comparison.areas]

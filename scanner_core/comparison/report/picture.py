@@ -11,6 +11,7 @@ from scanner_core.comparison.colour_scale import HATCH, NO_COUNTERPART, THRESHOL
 from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.report.raster import Raster, rasterized
 from scanner_core.comparison.report.viewpoint import Viewpoint
+from scanner_core.jobs.progress import Cancelled, IsCancelled
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -52,10 +53,11 @@ class Painter:
     ----------
     comparison : whose after surface is shown, in the frame of BEFORE
     scale : of the colours
+    cancelled : asked before every picture, which then raises `Cancelled`
     """
 
-    def __init__(self, comparison: Comparison, scale: DeviationScale) -> None:
-        self._comparison, self._scale = comparison, scale
+    def __init__(self, comparison: Comparison, scale: DeviationScale, cancelled: IsCancelled = lambda: False) -> None:
+        self._comparison, self._scale, self._cancelled = comparison, scale, cancelled
         mesh = comparison.after.mesh
         self._triangles = mesh.triangles
         self._points = comparison.alignment.transform.apply(mesh.vertices)
@@ -99,6 +101,8 @@ class Painter:
 
     def _raster(self, viewpoint: Viewpoint, pixel_mm: float, width: int, height: int) -> tuple[Raster, Array]:
         """The raster, and the vertices as seen from there relative to the picture's middle, mm."""
+        if self._cancelled():
+            raise Cancelled
         points = self._points @ viewpoint.axes.T
         centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
         points = points - centre

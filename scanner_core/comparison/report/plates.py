@@ -10,6 +10,7 @@ from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.report.legend import SWATCHES_MM, draw_bar, draw_swatches, line
 from scanner_core.comparison.report.picture import Painter, Picture, fitted_scale
 from scanner_core.comparison.report.viewpoint import Viewpoint, viewpoints
+from scanner_core.jobs.progress import IsCancelled
 from scanner_core.metrology.certificate_page import GREY, HEIGHT_MM, INK, MARGIN_MM, WIDTH_MM, Page
 
 _PER_MM = 8.0
@@ -26,9 +27,9 @@ _MARGIN = 1.04
 class Plates:
     """All pictures of one comparison, as large as the page's width and a given height allow."""
 
-    def __init__(self, comparison: Comparison) -> None:
+    def __init__(self, comparison: Comparison, cancelled: IsCancelled = lambda: False) -> None:
         self._scale = fitted_scale(comparison)
-        self._painter = Painter(comparison, self._scale)
+        self._painter = Painter(comparison, self._scale, cancelled)
         self._points = viewpoints(comparison)
         self._wide = 0.5 * (_WIDE - _LEGEND - 2 * _GAP)
         others = len(self._points) - 1

@@ -48,12 +48,12 @@ def write_report(
     StorageError
         E-DISK-01 no space, E-DISK-02 not allowed, E-DISK-03 a file exists and not `force`.
     Cancelled
-        Between two files.
+        Before a file or a picture; the folder is then as it was.
     """
     check_report_free(folder, force)
     writers: tuple[Callable[[Path], None], ...] = (
-        lambda path: write_pdf(comparison, path, made),
-        lambda path: write_html(comparison, path, made),
+        lambda path: write_pdf(comparison, path, made, cancelled),
+        lambda path: write_html(comparison, path, made, cancelled),
         lambda path: write_deviation(comparison, path),
         lambda path: write_table(comparison, path),
     )

@@ -14,7 +14,7 @@ from pydicom import dcmread
 
 from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.report import dicom as report_dicom
-from scanner_core.comparison.report import html, writer
+from scanner_core.comparison.report import html, plates, writer
 from scanner_core.comparison.report.dicom import write_dicom
 from scanner_core.comparison.report.html import report_html
 from scanner_core.comparison.report.picture import Painter, fitted_scale
@@ -23,6 +23,7 @@ from scanner_core.comparison.report.table import COLUMNS, write_table
 from scanner_core.comparison.report.viewpoint import viewpoints
 from scanner_core.comparison.report.writer import NAMES, write_report
 from scanner_core.errors import StorageError
+from scanner_core.jobs.progress import Cancelled
 from scanner_core.mesh_io.ply import parse_ply
 from scanner_core.mesh_io.stl import parse_stl
 from tests.core.comparison.made import POSE, REMARK, SERIOUS, made
@@ -129,8 +130,8 @@ def test_the_map_shows_both_signs_the_hatch_and_the_threshold() -> None:
 
 
 def test_all_files_or_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(writer, "write_pdf", lambda comparison, path, made: path.write_text(made))
-    monkeypatch.setattr(writer, "write_html", lambda comparison, path, made: path.write_text(comparison.areas[0].words))
+    monkeypatch.setattr(writer, "write_pdf", lambda comparison, path, made, cancelled: path.write_text(made))
+    monkeypatch.setattr(writer, "write_html", lambda comparison, path, made, cancelled: path.write_text(comparison.areas[0].words))
     comparison = made()
     assert [path.name for path in write_report(comparison, tmp_path, made=MADE)] == list(NAMES)
     before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
@@ -166,3 +167,19 @@ def test_the_archive_gets_page_and_surface_in_the_frame_of_before(tmp_path: Path
     assert page.StudyInstanceUID == surface.StudyInstanceUID
     with pytest.raises(StorageError, match="E-DISK-03"):
         write_dicom(comparison, tmp_path, made=MADE)
+
+
+@pytest.mark.parametrize("after", [0, 1, 5, 9])
+def test_a_cancelled_report_leaves_nothing(after: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(plates, "_PER_MM", 1.0)
+    monkeypatch.setattr(html, "_WIDTH", 90)
+    asked: list[int] = []
+
+    def cancelled() -> bool:
+        asked.append(0)
+        return len(asked) > after
+
+    with pytest.raises(Cancelled):
+        write_report(made(), tmp_path, made=MADE, cancelled=cancelled)
+    assert list(tmp_path.iterdir()) == []
+    assert len(asked) == after + 1
