@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,9 @@ from app.translation import QT_TRANSLATE_NOOP
 from scanner_core.comparison.parameters import ComparisonParameters, Frame, Jaw
 from scanner_core.comparison.surface import ComparedSurface
 from scanner_core.geometry.rigid import RigidTransform
+
+if TYPE_CHECKING:
+    from scanner_core.comparison.arch_frame import ArchFrame
 
 Mask = NDArray[np.bool_]
 Point = tuple[float, float, float]
@@ -29,11 +32,13 @@ class LoadedSurface:
     ----------
     path : of its file; None for the mesh of the open case, which was in the window already
     unit : what a person has said; None while the unit is the guess
+    arch : its directions, when it is a dental arch
     """
 
     surface: ComparedSurface
     path: Path | None
     unit: str | None = None
+    arch: ArchFrame | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

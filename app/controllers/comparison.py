@@ -178,7 +178,7 @@ class ComparisonController(QObject):
             case JobProgress(progress):
                 self._progress.put(progress)
             case JobDone(result):
-                self._background.post(partial(self._done, choice, cast("Comparison", result)))
+                self._background.post(partial(self._done, choice, _with_null_level(cast("Comparison", result))))
             case JobCancelled():
                 self._background.post(partial(self._failed, choice, Cancelled()))
             case JobFailed(error):
@@ -202,3 +202,18 @@ class ComparisonController(QObject):
             self._tell(fault)
         self._ask()
         self.changed.emit()
+
+
+def _with_null_level(comparison: Comparison) -> Comparison:
+    """With the level that two scans of one model have reached on the rig of these cases, when that was measured."""
+    from scanner_core.comparison.null_comparison import carried_levels, with_null_level
+
+    surfaces = (comparison.after, comparison.before)
+    told = next((surface.origin for surface in surfaces if surface.origin.get("null_levels")), {})
+    date, rig = told.get("calibration_date"), told.get("rig")
+    return with_null_level(
+        comparison,
+        carried_levels(*surfaces),
+        calibration_date=date if isinstance(date, str) else None,
+        rig=rig if isinstance(rig, str) else None,
+    )

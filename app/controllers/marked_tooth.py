@@ -1,4 +1,4 @@
-"""The tooth that a person marks with a lasso, and its motion."""
+"""The tooth that a person marks: it grows from a click to its edge, is corrected by a lasso, and its motion is told."""
 
 from __future__ import annotations
 
@@ -9,12 +9,13 @@ import numpy as np
 from PySide6.QtCore import QCoreApplication, QObject, Signal
 
 from app.background import Background
-from app.comparison_draft import ComparisonDraft, Mask
+from app.comparison_draft import ComparisonDraft, LoadedSurface, Mask
 from app.controllers.comparison import ComparisonController
 from app.translation import QT_TRANSLATE_NOOP
 from scanner_core.comparison.area import PartMotion
 from scanner_core.comparison.comparison import Comparison
 
+_GROWING = QT_TRANSLATE_NOOP("comparison", "Looking for its edge…")
 _MEASURING = QT_TRANSLATE_NOOP("comparison", "Measuring its motion…")
 
 
@@ -41,14 +42,26 @@ class MarkedTooth(QObject):
         answers.answered.connect(self._follow)
 
     # -------------------------------------------------------------------------------- commands
-    def correct(self, vertices: np.ndarray[tuple[int], np.dtype[np.int64]], *, add: bool) -> None:
-        """Add vertices of the surface after to the mark, or take them off; the first ones make it."""
-        after, tooth = self._draft.choice.after, self._draft.choice.tooth
+    def mark(self, vertex: int) -> None:
+        """Grow a mark from a vertex of the surface after."""
+        after = self._draft.choice.after
         if after is None:
             return
-        mask = np.zeros(len(after.surface.mesh.vertices), np.bool_) if tooth is None else tooth.copy()
-        mask[vertices] = add
-        self._draft.edit("tooth" if tooth is None else "lasso", tooth=mask)
+        self._say(_GROWING)
+
+        def done(mask: Mask) -> None:
+            if after is self._draft.choice.after:
+                self._draft.edit("tooth", tooth=mask)
+
+        self._background.run("grow-tooth", partial(_grow, after, vertex), done, self._failed)
+
+    def correct(self, vertices: np.ndarray[tuple[int], np.dtype[np.int64]], *, add: bool) -> None:
+        """Add vertices of the surface after to the mark, or take them off."""
+        tooth = self._draft.choice.tooth
+        if tooth is not None:
+            mask = tooth.copy()
+            mask[vertices] = add
+            self._draft.edit("lasso", tooth=mask)
 
     def unmark(self) -> None:
         self._draft.edit("unmark", tooth=None)
@@ -75,12 +88,21 @@ class MarkedTooth(QObject):
 
     def _missed(self, tooth: Mask, fault: Exception) -> None:
         if self._of is not None and self._of[1] is tooth:
-            self._say("")
-            self._tell(fault)
+            self._failed(fault)
+
+    def _failed(self, fault: Exception) -> None:
+        self._say("")
+        self._tell(fault)
 
     def _say(self, words: str) -> None:
         self.words = QCoreApplication.translate("comparison", words) if words else ""
         self.changed.emit()
+
+
+def _grow(after: LoadedSurface, vertex: int) -> Mask:
+    from scanner_core.comparison.grow_part import grow_part
+
+    return grow_part(after.surface.mesh, vertex, after.surface.supported)
 
 
 def _motion(comparison: Comparison, tooth: Mask) -> PartMotion:

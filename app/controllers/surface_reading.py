@@ -61,7 +61,7 @@ class SurfaceReading(QObject):
             self.read(role, loaded.path, unit)
 
     # -------------------------------------------------------------------------------- inside
-    def _begin(self, role: Role, name: str, work: Callable[[], ComparedSurface], path: Path | None, unit: str | None) -> None:
+    def _begin(self, role: Role, name: str, read: Callable[[], ComparedSurface], path: Path | None, unit: str | None) -> None:
         self._turns[role] += 1
         turn = self._turns[role]
         self.reading[role] = name
@@ -74,11 +74,15 @@ class SurfaceReading(QObject):
             del self.reading[role]
             return True
 
-        def done(surface: ComparedSurface) -> None:
+        def work() -> LoadedSurface:
+            from scanner_core.comparison.arch_frame import arch_frame
+
+            surface = read()
+            return LoadedSurface(surface, path, unit, arch_frame(surface.mesh, surface.supported))
+
+        def done(loaded: LoadedSurface) -> None:
             if ended():
-                self._draft.edit(
-                    "unit" if unit is not None else role, **cleared(self._draft.choice, role), **{role: LoadedSurface(surface, path, unit)}
-                )
+                self._draft.edit("unit" if unit is not None else role, **cleared(self._draft.choice, role), **{role: loaded})
                 self.changed.emit()
 
         def failed(fault: Exception) -> None:

@@ -12,6 +12,7 @@ from app.views import format as fmt
 from app.views.comparison_words import FRAMES, METHODS, doubt_words, frame_words, millimetres, translated
 from app.views.facts import Fact, Facts
 from app.views.parts import button, column, label, row, seam
+from scanner_core.comparison.alignment import FrameShift
 from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.parameters import Frame
 
@@ -59,14 +60,18 @@ class AlignmentPanel(QWidget):
         for name, made in self._tools.items():
             made.setChecked(name == tool)
 
-    def show_comparison(self, comparison: Comparison | None) -> None:
-        """The choice as it is, and the numbers of the answer that is there."""
+    def show_choice(self) -> None:
+        """What a person has chosen to be held fixed."""
         choice = self._services.comparing.draft.choice
         self.frame.setCurrentIndex(self.frame.findData(choice.frame))
         self._about.setText(translated(FRAMES[choice.frame][1]))
+        self.points.setEnabled(choice.before is not None and choice.after is not None)
+
+    def show_comparison(self, comparison: Comparison | None) -> None:
+        """The numbers of the answer that is there."""
+        self.show_choice()
         for tool in (self.stable, *self._tools.values()):
             tool.setEnabled(comparison is not None)
-        self.points.setEnabled(choice.before is not None and choice.after is not None)
         for shown in (self._facts, self._shifts, self._doubts):
             shown.setVisible(comparison is not None)
         if comparison is None:
@@ -85,12 +90,7 @@ class AlignmentPanel(QWidget):
             (self.tr("Start found by"), translated(method) if method else alignment.method, ""),
         ]
         self._facts.show_facts(facts)
-        shifts = [
-            self.tr("{frame} instead would shift the result by {rms} mm on average, {most} mm at most.").format(
-                frame=frame_words(shift.frame), rms=millimetres(shift.rms_um), most=millimetres(shift.max_um)
-            )
-            for shift in alignment.shifts
-        ]
+        shifts = [self._shift_words(comparison, shift) for shift in alignment.shifts]
         self._shifts.setText("\n".join(shifts))
         self._doubts.setText("\n\n".join(doubt_words(doubt) for doubt in alignment.doubts))
         self._doubts.setVisible(bool(alignment.doubts))
@@ -98,6 +98,25 @@ class AlignmentPanel(QWidget):
     @property
     def texts(self) -> dict[str, str]:
         return self._facts.texts | {"shifts": self._shifts.text(), "doubts": self._doubts.text()}
+
+    def _shift_words(self, comparison: Comparison, shift: FrameShift) -> str:
+        """What another frame would have said."""
+        from scanner_core.comparison.shifted_region import shifted_region
+
+        before = self._services.comparing.draft.choice.before
+        arch = None if before is None else before.arch
+        points = comparison.alignment.transform.apply(comparison.after.mesh.vertices)
+        region = None if arch is None else shifted_region(shift, points, arch)
+        if region is None:
+            return self.tr("{frame} instead would shift everything by {rms} mm on average, {most} mm at most.").format(
+                frame=frame_words(shift.frame), rms=millimetres(shift.rms_um), most=millimetres(shift.max_um)
+            )
+        words = (
+            self.tr("{frame} instead would shift the molars by {n} mm.")
+            if region[0] == "molars"
+            else self.tr("{frame} instead would shift the front teeth by {n} mm.")
+        )
+        return words.format(frame=frame_words(shift.frame), n=millimetres(region[1]))
 
     def _choose_frame(self, frame: Frame) -> None:
         comparing = self._services.comparing

@@ -147,6 +147,7 @@ class ComparePage(Page):
         comparing.tooth.changed.connect(self._show_tooth)
         comparing.points.changed.connect(self._show_points)
         comparing.report.changed.connect(self.foot.show_state)
+        comparing.kept.connect(self.foot.show_state)
         self.services.case.opened.connect(self._show_cases)
         self.services.case.meshed.connect(self._show_cases)
         self.alignment.tool_wanted.connect(self.picture.take_tool)
@@ -163,6 +164,7 @@ class ComparePage(Page):
         for role in ROLES:
             self.targets[role].show_surface(loaded_of(choice, role), reading.get(role))
         self.surfaces.show_choice()
+        self.alignment.show_choice()
         self.findings.show_choice()
         self.picture.show_choice()
         if choice.before is not None or choice.after is not None:
@@ -173,7 +175,6 @@ class ComparePage(Page):
         """Progress, and what stands in the middle."""
         answers = self._comparing.answers
         self.verdict.show_comparison(answers.comparison, current=answers.current)
-        self.alignment.show_comparison(answers.comparison)
         self.foot.show_state()
         picking = self._comparing.points.active
         seen = answers.comparison is not None and not self._dragging and not picking
@@ -183,6 +184,7 @@ class ComparePage(Page):
     def _show_answer(self) -> None:
         comparison = self._comparing.answers.comparison
         self.findings.show_comparison(comparison)
+        self.alignment.show_comparison(comparison)
         self.picture.show_comparison(comparison)
         self.show_panel("surfaces" if comparison is None else "findings")
         self._show_state()

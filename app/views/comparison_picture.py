@@ -15,7 +15,7 @@ from app.views.compare_stage import VIEWS, CompareStage
 from scanner_core.comparison.area import Area
 from scanner_core.comparison.colour_scale import DeviationScale
 from scanner_core.comparison.comparison import Comparison
-from scanner_core.comparison.parameters import Frame
+from scanner_core.comparison.parameters import Frame, Jaw
 from scanner_core.geometry.mesh import TriangleMesh
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-_TOOLS = {"look": "look", "tooth": "lasso", "paint": "paint", "erase": "erase", "lasso_add": "lasso", "lasso_remove": "lasso"}
+_TOOLS = {"look": "look", "tooth": "pick", "paint": "paint", "erase": "erase", "lasso_add": "lasso", "lasso_remove": "lasso"}
 
 
 class ComparisonPicture(QObject):
@@ -42,6 +42,7 @@ class ComparisonPicture(QObject):
         self.tool = "look"
         self._chosen: Area | None = None
         self._axes = np.eye(3)
+        self._upper: bool | None = None
         self._half_mm = 0.0
         self._threshold_um = 0
         self._stroke: tuple[Mask, bool] | None = None
@@ -89,12 +90,28 @@ class ComparisonPicture(QObject):
         scene, choice, comparison = self._scene, self._comparing.draft.choice, self._shown
         if scene is None or comparison is None:
             return
+        self._turn_to_arch(scene)
         if self._threshold_um != choice.tolerance_um:
             self._threshold_um = choice.tolerance_um
             scene.set_threshold_um(float(choice.tolerance_um))
             self._stage.legend.set_threshold_um(float(choice.tolerance_um))
         scene.show_mask(choice.mask if choice.frame is Frame.MASK else None)
         scene.show_part(None if choice.tooth is None else np.flatnonzero(choice.tooth))
+
+    def _turn_to_arch(self, scene: ComparisonScene) -> None:
+        """What is occlusal, frontal, left and right: told by the arch, and by the jaw that a person has said."""
+        choice = self._comparing.draft.choice
+        arch = None if choice.before is None else choice.before.arch
+        upper = None if choice.jaw is None else choice.jaw is Jaw.UPPER
+        if arch is None or arch.forward is None:
+            axes = np.eye(3)
+        else:
+            right = np.cross(arch.forward, arch.up)
+            axes = np.stack([-right if upper else right, arch.forward, arch.up], axis=1)
+        if upper is not self._upper or not np.array_equal(axes, self._axes):
+            self._axes, self._upper = axes, upper
+            scene.set_axes(axes, upper)
+            scene.look("occlusal")
 
     def show_points(self) -> None:
         """Both surfaces as they lie, middle on middle, while points are picked on them; the answer again after that."""
@@ -175,6 +192,9 @@ class ComparisonPicture(QObject):
             x, y, z = found.point_mm
             dx, dy, dz = self._between.tolist() if found.surface == "after" else (0.0, 0.0, 0.0)
             self._comparing.points.pick("before" if found.surface == "before" else "after", (x - dx, y - dy, z - dz))
+        elif self.tool == "tooth" and found.surface == "after":
+            self._comparing.tooth.mark(found.vertex)
+            self.take_tool("look")
 
     def _paint(self, vertices: NDArray[np.int64], add: bool) -> None:
         """A stroke over the surface after goes on: over what was found, or painted before."""
@@ -195,9 +215,7 @@ class ComparisonPicture(QObject):
             self._comparing.draft.edit("paint" if stroke[1] else "erase", mask=stroke[0], frame=Frame.MASK)
 
     def _lasso(self, vertices: NDArray[np.int64]) -> None:
-        self._comparing.tooth.correct(vertices, add=self.tool != "lasso_remove")
-        if self.tool == "tooth":
-            self.take_tool("look")
+        self._comparing.tooth.correct(vertices, add=self.tool == "lasso_add")
 
     def _section(self, on: bool) -> None:
         """Across the surface, through the area that is spoken of or through the middle."""

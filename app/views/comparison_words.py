@@ -13,8 +13,8 @@ from scanner_core.comparison.parameters import Frame, Jaw
 
 FRAMES = {
     Frame.AUTO: (
-        QT_TRANSLATE_NOOP("comparison", "Stable region, found"),
-        QT_TRANSLATE_NOOP("comparison", "what did not move is found and held fixed"),
+        QT_TRANSLATE_NOOP("comparison", "What did not move"),
+        QT_TRANSLATE_NOOP("comparison", "the stable region is found and held fixed"),
     ),
     Frame.WHOLE: (QT_TRANSLATE_NOOP("comparison", "Whole surface"), QT_TRANSLATE_NOOP("comparison", "best fit of everything, also of what moved")),
     Frame.MASK: (QT_TRANSLATE_NOOP("comparison", "Painted region"), QT_TRANSLATE_NOOP("comparison", "what was painted is held fixed")),
@@ -58,19 +58,23 @@ def value_words(signed_um: float | None) -> str:
 def motion_words(motion: PartMotion) -> str:
     """Moved 1.05 ± 0.04 mm, turned 8.0 ± 0.3°; uncertainties expanded, k = 2."""
     length = float((motion.displacement_mm**2).sum() ** 0.5)
-    return translated(QT_TRANSLATE_NOOP("comparison", "moved {d} ± {u} mm, turned {a} ± {v}°")).format(
-        d=f"{length:.2f}",
-        u=f"{2e-3 * motion.displacement_uncertainty_um:.2f}",
-        a=f"{motion.angle_deg:.1f}",
-        v=f"{2 * motion.angle_uncertainty_deg:.1f}",
-    )
+    words = translated(QT_TRANSLATE_NOOP("comparison", "moved {d} ± {u} mm, turned {a} ± {v}°"))
+    return words.format(d=f"{length:.2f}", **_uncertain(motion))
 
 
 def area_words(area: Area) -> str:
-    """The second line of an entry: its motion, or how far and how wide."""
+    """The second line of an entry: what its first does not say of the motion, or how far and how wide."""
     if area.motion is not None:
-        return motion_words(area.motion)
+        return translated(QT_TRANSLATE_NOOP("comparison", "± {u} mm, turned {a} ± {v}°")).format(**_uncertain(area.motion))
     return translated(QT_TRANSLATE_NOOP("comparison", "95 % below {p} mm, on {a} mm²")).format(p=millimetres(area.p95_um), a=f"{area.area_mm2:.0f}")
+
+
+def _uncertain(motion: PartMotion) -> dict[str, str]:
+    return {
+        "u": f"{2e-3 * motion.displacement_uncertainty_um:.2f}",
+        "a": f"{motion.angle_deg:.1f}",
+        "v": f"{2 * motion.angle_uncertainty_deg:.1f}",
+    }
 
 
 def doubt_words(doubt: Doubt) -> str:

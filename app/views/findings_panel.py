@@ -58,7 +58,7 @@ class FindingsPanel(QWidget):
         self.threshold.valueChanged.connect(lambda value: services.comparing.draft.edit("threshold", tolerance_um=round(1000 * value)))
         self.tooth = button(self.tr("Mark a tooth"), "choice", self._mark)
         self.tooth.setCheckable(True)
-        self.tooth.setToolTip(self.tr("Draw a line round it: its motion is told"))
+        self.tooth.setToolTip(self.tr("Click it: the mark grows to its edge, and its motion is told"))
         self._lassos: dict[str, QPushButton] = {}
         for name, text in (("lasso_add", self.tr("Add")), ("lasso_remove", self.tr("Take off"))):
             made = button(text, "choice", partial(self._lasso, name))
@@ -120,9 +120,9 @@ class FindingsPanel(QWidget):
         marked = choice.tooth is not None
         for part in (*self._lassos.values(), self._unmark):
             part.setVisible(marked)
-        self._motion.setVisible(marked)
         motion = comparing.tooth.motion
         self._motion.setText(motion_words(motion) if motion is not None else comparing.tooth.words)
+        self._motion.setVisible(bool(self._motion.text()))
 
     def show_tool(self, tool: str) -> None:
         """The tool that is in hand."""

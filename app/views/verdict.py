@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
-from app.views.comparison_words import serious_doubts
+from app.views import format as fmt
+from app.views.comparison_words import frame_words, serious_doubts
 from app.views.parts import column, give_role, label
 from scanner_core.comparison.comparison import Comparison
 
@@ -31,12 +32,14 @@ class Verdict(QWidget):
         if not current:
             word, why, role = self.tr("Out of date"), self.tr("What is shown was computed before the last change."), "muted"
         elif reasons:
-            more = self.tr("And {n} more, under Alignment and Surfaces.").format(n=len(reasons) - 1) if len(reasons) > 1 else ""
+            more = self.tr("And {n} more, under Surfaces and Alignment.").format(n=len(reasons) - 1) if len(reasons) > 1 else ""
             word, why, role = self.tr("Not reliable"), f"{reasons[0]} {more}".strip(), "bad"
         else:
-            word, why, role = self.tr("Reliable"), "", "good"
-            if len(comparison.doubts):
-                why = self.tr("With {n} remarks, under Alignment and Surfaces.").format(n=len(comparison.doubts))
+            held, share = frame_words(comparison.alignment.frame), fmt.percent(comparison.alignment.stable_area_fraction)
+            why = self.tr("Held fixed: {frame} ({share} %).").format(frame=held, share=share)
+            if comparison.doubts:
+                why += " " + self.tr("Remarks: {n}.").format(n=len(comparison.doubts))
+            word, role = self.tr("Reliable"), "good"
         self._word.setText(word)
         give_role(self._word, role)
         self._why.setText(why)

@@ -11,13 +11,13 @@ from scanner_core.comparison.alignment import Alignment, FrameShift
 from scanner_core.comparison.alignment_doubts import frame_doubts, pose_doubts, region_doubts
 from scanner_core.comparison.coarse_fit import trimmed_fit
 from scanner_core.comparison.doubt import Doubt
-from scanner_core.comparison.fine_fit import LEAST_VERTICES, Fit, fit_best, fit_chosen, fit_stable, with_uncertainty
+from scanner_core.comparison.fine_fit import LEAST_VERTICES, Fit, fit_at, fit_best, fit_chosen, fit_stable, with_uncertainty
 from scanner_core.comparison.fit_rows import MutualPairing
 from scanner_core.comparison.global_start import FINE_CELLS, find_start, is_ambiguous, sample_both
 from scanner_core.comparison.parameters import ComparisonParameters, Frame
 from scanner_core.comparison.stable_region import find_stable
 from scanner_core.comparison.surface import ComparedSurface
-from scanner_core.comparison.surface_pairing import Mask, Pairs, SurfacePairing
+from scanner_core.comparison.surface_pairing import Mask, SurfacePairing
 from scanner_core.comparison.surface_sample import supported_triangles
 from scanner_core.errors import ComparisonError
 from scanner_core.geometry.rigid import RigidTransform
@@ -90,30 +90,30 @@ def align(
     others: dict[Frame, RigidTransform] = {}
     if frame is Frame.AUTO:
         chosen = auto.used if auto.used.sum() >= LEAST_VERTICES else auto.pairs.facing
-        fit = fit_best(pairing, auto.transform, chosen, rng, cancelled)
+        fit = fit_best(pairing, auto, chosen, rng, cancelled)
     else:
-        others[Frame.AUTO] = fit_chosen(pairing, auto.transform, auto.used, cancelled).transform
+        others[Frame.AUTO] = fit_chosen(pairing, auto, auto.used, cancelled).transform
         if painted is not None:
-            fit = fit_best(pairing, auto.transform, painted, rng, cancelled)
+            fit = fit_best(pairing, auto, painted, rng, cancelled)
             if fit.uncertainty is None:
                 raise ComparisonError("E-CMP-06", area_mm2=0.0, least_mm2=_LEAST_PAINTED_MM2)
         elif frame is Frame.WHOLE:
-            fit = fit_best(pairing, auto.transform, everything, rng, cancelled)
+            fit = fit_best(pairing, auto, everything, rng, cancelled)
         else:
-            fit = _as_given(pairing, transform, here, rng)
+            fit = _as_given(pairing, transform, rng)
     if frame is not Frame.WHOLE:
         tell("fit the whole for comparison", 0.85)
-        others[Frame.WHOLE] = fit_chosen(pairing, fit.transform, everything, cancelled).transform
+        others[Frame.WHOLE] = fit_chosen(pairing, fit, everything, cancelled).transform
     tell("judge", 0.95)
     return _assemble(pairing.forward, fit, others, frame, method, ambiguous)
 
 
-def _as_given(pairing: MutualPairing, transform: RigidTransform, pairs: Pairs, rng: np.random.Generator) -> Fit:
+def _as_given(pairing: MutualPairing, transform: RigidTransform, rng: np.random.Generator) -> Fit:
     """Nothing is fitted; noise, correlation and size are measured on what agrees, or on everything where hardly anything does."""
-    stable = find_stable(pairing.forward, pairs)
-    if stable.sum() < LEAST_VERTICES:
-        stable = pairs.facing
-    fit = with_uncertainty(pairing, Fit(transform, pairs, stable), stable, rng)
+    here = fit_at(pairing, transform, np.ones(len(pairing.forward.areas), np.bool_))
+    stable = find_stable(pairing.forward, here.pairs)
+    chosen = stable if stable.sum() >= LEAST_VERTICES else here.used
+    fit = with_uncertainty(pairing, replace(here, used=chosen), rng)
     # what was not estimated has no uncertainty of estimation
     return replace(fit, uncertainty=None if fit.uncertainty is None else replace(fit.uncertainty, covariance=np.zeros((6, 6)), stable_um=0.0))
 
@@ -136,7 +136,7 @@ def _assemble(pairing: SurfacePairing, fit: Fit, others: dict[Frame, RigidTransf
         stable_area_fraction=share,
         rms_um=1e3 * float(np.sqrt(np.average(pairs.distances[stable] ** 2, weights=areas[stable]))),
         noise_um=1e3 * 1.4826 * float(np.median(np.abs(pairs.distances[stable]))),
-        correlation_length_mm=uncertainty.correlation_length_mm,
+        correlation_length_mm=uncertainty.noise.length_mm,
         covariance=uncertainty.covariance,
         centre=uncertainty.centre,
         uncertainty_um=uncertainty.stable_um,

@@ -9,16 +9,11 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from scanner_core.comparison.surface import ComparedSurface
-from scanner_core.comparison.surface_pairing import Mask, MeshAverage, Pairs, SurfacePairing
+from scanner_core.comparison.surface_pairing import Mask, Pairs, SurfacePairing
 from scanner_core.geometry.edges import row_cross, row_dot
 from scanner_core.geometry.rigid import RigidTransform
 
 Array = NDArray[np.float64]
-
-_WHITENING_MM = 0.5
-_WHITENING_SHARE = 0.9
-"""Of the average over that length taken off every equation: enough to make noise that is alike over a millimetre nearly
-white, and not all, so that smooth surfaces still hold the pose."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -49,8 +44,12 @@ class FitRows:
         values, vectors = np.linalg.eigh(weighted.T @ jacobian)
         kept = values > 1e-9 * max(float(values[-1]), 1e-300)
         solution = -(vectors[:, kept] / values[kept]) @ (vectors[:, kept].T @ (weighted.T @ self.distances))
+        return self.motion(solution)
+
+    def motion(self, solution: Array) -> RigidTransform:
+        """Of the six unknowns, in units of the jacobian."""
         turn = Rotation.from_rotvec(solution[:3] / self.radius).as_matrix()
-        return RigidTransform(turn, self.centre - turn @ self.centre + solution[3:])
+        return RigidTransform(turn, self.centre - turn @ self.centre + solution[3:6])
 
 
 class MutualPairing:
@@ -68,9 +67,8 @@ class MutualPairing:
     def __init__(self, before: ComparedSurface, after: ComparedSurface, reach_mm: float) -> None:
         self.forward, self.backward = SurfacePairing(before, after, reach_mm), SurfacePairing(after, before, reach_mm)
 
-    def rows(self, transform: RigidTransform, pairs: Pairs, chosen: Mask, *, whitened: bool) -> FitRows:
-        """At a pose with the forward `pairs` there, over the vertices `chosen` (v_after,) and what lies opposite to them."""
-        back = self.backward.at(transform.inverse())
+    def rows(self, transform: RigidTransform, pairs: Pairs, back: Pairs, chosen: Mask) -> FitRows:
+        """At a pose with the forward `pairs` and the backward ones there, over the vertices `chosen` (v_after,) and what lies opposite to them."""
         here = chosen & pairs.facing
         there = back.facing & here[back.corners].all(axis=1)
         points = [pairs.points[here], self.backward.after.vertices[there]]
@@ -79,8 +77,6 @@ class MutualPairing:
         # seen from the before surface, the after surface lies outside where it lies inside seen from the after surface
         one = _equations(points[0], pairs.normals[here], pairs.distances[here], centre, radius)
         other = _equations(points[1], transform.rotate(back.normals[there]), -back.distances[there], centre, radius)
-        if whitened:
-            one, other = _whitened(one, here, self.forward.average), _whitened(other, there, self.backward.average)
         rows = np.concatenate([one, other])
         weights = np.concatenate([_weights(self.forward.areas[here]), _weights(self.backward.areas[there])])
         return FitRows(np.concatenate(points), rows[:, :7], rows[:, 7], weights, centre, radius)
@@ -100,12 +96,3 @@ def _weights(areas: Array) -> Array:
     """
     weights = areas / (areas + areas.mean()) if len(areas) else areas
     return np.asarray(weights / max(float(weights.sum()), 1e-300), np.float64)
-
-
-def _whitened(rows: Array, chosen: Mask, average: MeshAverage) -> Array:
-    """The rows less their average over the surface nearby, taken over the chosen vertices alone."""
-    spread = np.zeros((len(chosen), rows.shape[1] + 1))
-    spread[chosen, :-1] = rows
-    spread[chosen, -1] = 1.0
-    mean = average(spread, _WHITENING_MM)[chosen]
-    return np.asarray(rows - _WHITENING_SHARE * mean[:, :-1] / np.maximum(mean[:, -1:], 1e-9), np.float64)

@@ -16,8 +16,10 @@ _PAIRS = 1_500_000
 """Bounds the pairs that are looked at."""
 _BINS = 16
 _LEAST_PAIRS = 200
-_SMALL = 0.05
-"""Of the variance: a correlation below it is taken for none."""
+_SMALL = 0.02
+"""Of the variance: a correlation below it is taken for none.  Five per cent over a ring of a millimetre would already
+matter as much as the variance itself, so dense are the points."""
+_FURTHEST_MM = 6.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,6 +60,13 @@ class NoiseCorrelation:
         integral = float(np.sum((edges[1:] ** 2 - edges[:-1] ** 2) * self.covariance)) / self.variance
         return float(np.sqrt(max(integral, 0.0)))
 
+    def gaussian(self) -> tuple[float, float]:
+        """Share of the variance that is correlated, and the length l of ``exp(-h^2 / 2 l^2)`` that falls off alike, mm."""
+        share = float(np.clip(self.covariance[0] / self.variance, 0.05, 0.95))
+        below = np.flatnonzero(self.covariance < np.exp(-0.5) * self.covariance[0])
+        bins = int(below[0]) if len(below) else len(self.covariance)
+        return share, max(bins, 1) * self.reach_mm / len(self.covariance)
+
     def correlated(self) -> tuple[Indices, Indices, Array]:
         """The pairs within reach, centre and other, and the covariance of each."""
         close = self.near.apart_mm < self.reach_mm
@@ -74,7 +83,7 @@ def measure_correlation(points: Array, noise: Array, rng: np.random.Generator) -
     variance = float(np.mean(noise**2))
     few = points[rng.choice(len(points), min(500, len(points)), replace=False)]
     spacing = float(np.median(tree.query(few, min(7, len(points)))[0][:, -1]))
-    furthest = max(float(np.ptp(points, axis=0).max()) / 4, 2 * spacing)
+    furthest = max(min(float(np.ptp(points, axis=0).max()) / 4, _FURTHEST_MM), 2 * spacing)
     reach = 4 * spacing
     while True:
         near = _neighbours(tree, points, reach, rng)

@@ -35,6 +35,7 @@ class Pairs:
     normals : (v, 3) unit, the mean of both surfaces' smoothed normals
     distances : (v,) mm along these normals, + outside
     facing : (v,) bool, there is a counterpart
+    nearest : (v,) int64, a vertex of the before surface near each; -1 where there is none
     corners : (v, 3) int64, the vertices of the BEFORE surface about the counterpart; where there is one
     """
 
@@ -42,6 +43,7 @@ class Pairs:
     normals: Array
     distances: Array
     facing: Mask
+    nearest: NDArray[np.int64]
     corners: NDArray[np.int64]
 
 
@@ -92,16 +94,17 @@ class SurfacePairing:
         self._before_normals = _smooth_normals(before.mesh, MeshAverage(before.mesh, before_table))
         self._after_normals = _smooth_normals(after.mesh, self.average)
 
-    def at(self, transform: RigidTransform) -> Pairs:
-        """Counterparts at a pose, after to before."""
+    def at(self, transform: RigidTransform, last: Pairs | None = None) -> Pairs:
+        """Counterparts at a pose, after to before; `last` are those of a pose a millimetre or less away, which spare a search."""
         points = transform.apply(self.after.vertices)
-        away, nearest = self._tree.query(points, distance_upper_bound=2 * self.reach_mm + 1e-9)
-        near = np.flatnonzero(np.isfinite(away) & self.supported)
+        nearest = self._nearest(points) if last is None else last.nearest.copy()
+        near = np.flatnonzero(nearest >= 0)
         distances, facing = np.zeros(len(points)), np.zeros(len(points), np.bool_)
         normals = transform.rotate(self._after_normals)
         around = np.zeros((len(points), 3), np.int64)
         if len(near):
-            feet = self._walk.feet(points[near], nearest[near].astype(np.int64))
+            feet = self._walk.feet(points[near], nearest[near])
+            nearest[near] = feet.vertices
             corners = self.before.triangles[feet.triangles]
             opposite = np.einsum("nc,ncd->nd", feet.weights, self._before_normals[corners])
             mean = normals[near] + opposite
@@ -114,7 +117,11 @@ class SurfacePairing:
             distances[near] = row_dot(points[near] - feet.points, mean)
             normals[near] = mean
             around[near] = corners
-        return Pairs(points, normals, distances, facing, around)
+        return Pairs(points, normals, distances, facing, nearest, around)
+
+    def _nearest(self, points: Array) -> NDArray[np.int64]:
+        away, nearest = self._tree.query(points, distance_upper_bound=2 * self.reach_mm + 1e-9)
+        return np.where(np.isfinite(away) & self.supported, nearest, -1).astype(np.int64)
 
 
 def _smooth_normals(mesh: TriangleMesh, average: MeshAverage) -> Array:

@@ -28,7 +28,7 @@ _FREE_BYTES, _MOST_GROWTH = 16 << 20, 60
 _DEEPEST = 32
 """Objects inside each other."""
 _MOST_ENTRIES = 10_000
-_MOST_USES = 100_000
+_MOST_USES = 5_000
 
 
 def parse_3mf(content: bytes) -> TriangleMesh:

@@ -28,11 +28,14 @@ class PairFiles:
     after: Path
 
 
-def write_pair(folder: Path, *, seed: int = 11) -> PairFiles:
-    """The two files in a folder; about 13,000 triangles each, of different grids, with 10 um of white noise."""
+def write_pair(folder: Path, *, seed: int = 11, spacing: float = 0.9) -> PairFiles:
+    """The two files in a folder; about 13,000 triangles each (spacing 0.9 mm), of different grids, with 10 um of white noise."""
     rng = np.random.default_rng(seed)
     files = PairFiles(folder / "before.stl", folder / "after.stl")
-    for path, mesh, pose in ((files.before, _arch(treated=False), RigidTransform.identity()), (files.after, _arch(treated=True), POSE)):
+    for path, mesh, pose in (
+        (files.before, _arch(0.97 * spacing, treated=False), RigidTransform.identity()),
+        (files.after, _arch(1.03 * spacing, treated=True), POSE),
+    ):
         noisy = mesh.vertices + 1e-3 * _NOISE_UM * rng.normal(size=mesh.vertices.shape)
         write_mesh(path, TriangleMesh(pose.apply(noisy), mesh.triangles))
     return files
@@ -44,6 +47,5 @@ def nearest_tooth(place_mm: np.ndarray[tuple[int], np.dtype[np.float64]]) -> int
 
 
 @cache
-def _arch(*, treated: bool) -> TriangleMesh:
-    spacing = 0.93 if treated else 0.87
+def _arch(spacing: float, *, treated: bool) -> TriangleMesh:
     return mesh_implicit(lambda points: solid(points, TREATMENT if treated else {}), (-31.9, -26.9, -0.83), (31.9, 27.9, 13.3), spacing)

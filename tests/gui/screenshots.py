@@ -23,7 +23,10 @@ from PySide6.QtGui import QImage
 from app.draft import KINDS
 from app.main import make_application
 from app.program import Program
+from app.views.compare_page import ComparePage
 from app.views.rig_page import RigPage
+from scanner_core.comparison.parameters import Frame, Jaw
+from tests.gui.compare_pair import write_pair
 from tests.gui.waiting import until, wait_ms
 
 SIZE = (1280, 800)
@@ -95,9 +98,42 @@ def tour(program: Program, folder: Path, points: int) -> None:
     window.show_page("home")
     window.new_case()
     shoot(program, folder / "home-later.png")
+    compare(program, folder)
     go_wrong(program, folder, points)
     if window.banner.text:
         print(window.banner.text, window.banner.details, file=sys.stderr)
+
+
+def compare(program: Program, folder: Path) -> None:
+    """Two dental arches: empty, what moved, side by side, behind the curtain, and a result that is not reliable."""
+    window, comparing = program.window, program.services.comparing
+    window.show_page("compare")
+    page = window.pages["compare"]
+    assert isinstance(page, ComparePage)
+    shoot(program, folder / "compare-empty.png")
+    with tempfile.TemporaryDirectory() as place:
+        files = write_pair(Path(place), spacing=0.42)
+        page.take_files([files.before, files.after], None)
+        until(lambda: page.scene is not None and comparing.answers.current, 240, "the comparison")
+    comparing.draft.edit("jaw", jaw=Jaw.LOWER)
+    until(lambda: comparing.answers.current, 240, "the comparison with its jaw")
+    shoot(program, folder / "compare.png")
+    page.findings.areas.choose(1)
+    wait_ms(1500)
+    shoot(program, folder / "compare-area.png")
+    for mode in ("side_by_side", "curtain"):
+        page.look("top")
+        page.stage.choose_mode(mode)
+        shoot(program, folder / f"compare-{mode.replace('_', '-')}.png")
+    page.stage.choose_mode("map")
+    page.look("top")
+    page.show_panel("alignment")
+    page.alignment.stable.setChecked(True)
+    shoot(program, folder / "compare-alignment.png")
+    page.alignment.stable.setChecked(False)
+    comparing.draft.edit("frame", frame=Frame.WHOLE)
+    until(lambda: comparing.answers.current, 240, "the comparison of the whole")
+    shoot(program, folder / "compare-unreliable.png")
 
 
 def go_wrong(program: Program, folder: Path, points: int) -> None:

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from scanner_core.comparison.comparison import Comparison
-from scanner_core.comparison.report.writer import write_report
 from scanner_core.files import storage_error
 from scanner_core.jobs.progress import IsCancelled, OnProgress
 
@@ -18,7 +17,7 @@ class ReportRequest:
     Attributes
     ----------
     folder : new; it is made, and is gone again when the report could not be written
-    made : as for :func:`write_report`
+    made : as for :func:`scanner_core.comparison.report.writer.write_report`
     """
 
     comparison: Comparison
@@ -27,7 +26,9 @@ class ReportRequest:
 
 
 def run(request: ReportRequest, *, progress: OnProgress, cancelled: IsCancelled) -> Path:
-    """The job; returns the folder.  StorageError as :func:`write_report`, E-DISK-02 when the folder cannot be made."""
+    """The job; returns the folder.  StorageError as that, E-DISK-02 when the folder cannot be made."""
+    from scanner_core.comparison.report.writer import write_report  # not at the top: every worker would import matplotlib before its first job
+
     try:
         request.folder.mkdir(parents=True)
     except OSError as fault:

@@ -16,6 +16,7 @@ from scanner_core.comparison.surface import ComparedSurface
 from scanner_core.errors import ComparisonError
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.jobs.progress import Cancelled
 from scanner_core.virtual.specimens.arch import arch
 from scanner_core.virtual.specimens.ear import ear
 
@@ -25,6 +26,11 @@ NOISE_MM = 0.05
 @cache
 def clean(treated: bool) -> TriangleMesh:
     return arch(treated=treated).mesh
+
+
+@cache
+def whole_ear() -> TriangleMesh:
+    return ear().mesh
 
 
 def surface(mesh: TriangleMesh, name: str = "surface") -> ComparedSurface:
@@ -83,7 +89,7 @@ def test_a_fragment_is_found_by_features() -> None:
 
 def test_two_different_objects_are_refused() -> None:
     with pytest.raises(ComparisonError) as told:
-        aligned(clean(False), ear().mesh)
+        aligned(clean(False), whole_ear())
     assert told.value.code == "E-CMP-01"
 
 
@@ -99,3 +105,69 @@ def test_identical_files_align_exactly() -> None:
     assert error_um(found.transform, RigidTransform.identity(), clean(False).vertices) < 0.1
     assert found.rms_um < 0.1
     assert found.stable_area_fraction > 0.99
+
+
+def test_a_mirrored_file_is_named() -> None:
+    mesh = whole_ear()
+    mirrored = TriangleMesh(mesh.vertices * [-1.0, 1.0, 1.0], mesh.triangles[:, ::-1])
+    with pytest.raises(ComparisonError) as told:
+        aligned(mesh, mirrored)
+    assert told.value.code == "E-CMP-03"
+
+
+def test_surfaces_apart_in_a_given_frame_do_not_overlap() -> None:
+    away = TriangleMesh(clean(False).vertices + 200.0, clean(False).triangles)
+    with pytest.raises(ComparisonError) as told:
+        aligned(clean(False), away, Frame.GIVEN)
+    assert told.value.code == "E-CMP-02"
+
+
+def test_a_given_frame_moves_nothing() -> None:
+    shifted = TriangleMesh(whole_ear().vertices + np.array([0.0, 0.0, 0.1]), whole_ear().triangles)
+    found = aligned(whole_ear(), shifted, Frame.GIVEN)
+    assert np.array_equal(found.transform.matrix(), np.eye(4))
+    assert (found.method, found.uncertainty_um) == ("given", 0.0)
+    auto = next(shift for shift in found.shifts if shift.frame is Frame.AUTO)
+    assert auto.rms_um == pytest.approx(100, abs=5)  # the automatic frame would have taken the shift away
+
+
+def test_nothing_painted_is_refused() -> None:
+    for mask in (None, np.zeros(len(whole_ear().vertices), np.bool_)):
+        with pytest.raises(ComparisonError) as told:
+            aligned(whole_ear(), whole_ear(), Frame.MASK, mask=mask)
+        assert told.value.code == "E-CMP-06"
+
+
+def test_a_painted_lump_is_not_reliable() -> None:
+    place = RigidTransform.from_vector([0.02, 0.0, 0.01], [0.5, 0.0, 0.0])
+    before, after = posed(clean(False), RigidTransform.identity(), 8), posed(clean(True), place, 9)
+    lump = np.asarray(np.linalg.norm(clean(True).vertices - [-22.0, -10.0, 8.0], axis=1) < 5.0)
+    found = aligned(before, after, Frame.MASK, mask=lump, start=place.inverse())
+    assert found.method == "picked points"
+    assert not found.stable[~lump].any()
+    assert "stable-region-small" in {doubt.code for doubt in found.doubts}
+    assert not found.reliable
+
+
+def test_a_bowl_could_lie_otherwise() -> None:
+    angle, height = (grid.ravel() for grid in np.meshgrid(np.linspace(0, 2 * np.pi, 80, endpoint=False), np.linspace(0.05, 1.4, 40)))
+    vertices = 15 * np.stack([np.sin(height) * np.cos(angle), np.sin(height) * np.sin(angle), -np.cos(height)], axis=1)
+    row, column = (grid.ravel() for grid in np.meshgrid(np.arange(39), np.arange(80), indexing="ij"))
+    a, b, c, d = 80 * row + column, 80 * row + (column + 1) % 80, 80 * (row + 1) + column, 80 * (row + 1) + (column + 1) % 80
+    bowl = TriangleMesh(vertices, np.concatenate([np.stack([a, c, d], axis=1), np.stack([a, d, b], axis=1)]))
+    found = aligned(bowl, posed(bowl, pose(3), 4, 0.01))
+    assert "pose-ambiguous" in {doubt.code for doubt in found.doubts}
+    assert not found.reliable
+
+
+def test_a_cancel_ends_it() -> None:
+    with pytest.raises(Cancelled):
+        align(surface(clean(False)), surface(clean(False)), ComparisonParameters(), progress=lambda _: None, cancelled=lambda: True)
+
+
+def test_a_best_fit_of_everything_says_what_it_hides() -> None:
+    before, after = posed(clean(False), RigidTransform.identity(), 2), posed(clean(True), RigidTransform.identity(), 3)
+    found = aligned(before, after, Frame.WHOLE, start=RigidTransform.identity())
+    hidden = next(shift for shift in found.shifts if shift.frame is Frame.AUTO)
+    assert ("whole-hides-motion" in {doubt.code for doubt in found.doubts}) == (hidden.max_um > 100)
+    assert hidden.max_um > 50

@@ -38,7 +38,7 @@ def bulged(height_mm: float, step_mm: float, seed: int) -> TriangleMesh:
 
 @pytest.fixture(scope="module")
 def surfaces() -> list[ComparedSurface]:
-    made = [bulged(height, step, seed) for seed, (height, step) in enumerate([(0.0, 0.8), (0.5, 0.6), (1.0, 0.87)])]
+    made = [bulged(height, step, seed) for seed, (height, step) in enumerate([(0.0, 0.8), (0.5, 0.87), (1.0, 0.93)])]
     return [named(mesh, f"visit {number}", date=f"2026-0{number + 1}-01T10:00:00+00:00") for number, mesh in enumerate(made)]
 
 
@@ -61,7 +61,7 @@ def test_what_grows_is_one_track(series: Series, surfaces: list[ComparedSurface]
 def test_the_ways_close(series: Series) -> None:
     assert len(series.to_first) == 2
     assert len(series.to_previous) == 1
-    assert series.closure_um[0] < 20.0  # facets of 0.6 mm cut off some 10 um of the surface
+    assert series.closure_um[0] < 3 * series.closure_uncertainty_um[0] < 20.0
     assert series.reliable
 
 
