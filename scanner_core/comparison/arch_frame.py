@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from scanner_core.comparison.measuring import vertex_areas
 from scanner_core.geometry.edges import EdgeTable, row_dot
@@ -14,7 +15,7 @@ from scanner_core.geometry.mesh import TriangleMesh
 Array = NDArray[np.float64]
 _LENGTH_MM = (25.0, 95.0)
 """Of the greatest extent of one jaw's arch, a half one included."""
-_FLATTEST = 0.55
+_FLATTEST = 0.7
 """Extent along the plane's normal over the middle extent: more is no arch."""
 _LEAST_HEIGHT_MM = 4.0
 """Of teeth over the rim of a scan."""
@@ -25,6 +26,11 @@ _EMPTY = 2e-3
 """Share of the row's area that a sector may hold and count as empty."""
 _LEAST_GAP_DEG, _MOST_GAP_DEG = 40.0, 190.0
 """Of the open side, seen from the middle of the row: a ring has none, half an arch or a single tooth a wider one."""
+
+_LEAST_DEPTH = 0.45
+"""From the ends forward to the front, over the distance of the ends: half an arch is a shallow bow, whose middle is no front."""
+_MOST_UNEVEN = 0.4
+"""Difference of the two legs over the depth: where one is cut off, the middle of what is left is no front either."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -47,30 +53,46 @@ class ArchFrame:
     @property
     def side(self) -> Array | None:
         """(3,) ``forward x up``: to the right of one who looks forward with `up` above the head; None without `forward`."""
-        return None if self.forward is None else np.cross(self.forward, self.up)
+        return None if self.forward is None else self._right()
 
-    def along(self, place: Array) -> tuple[Array, Array, float]:
-        """At a place (3,): unit vectors outwards from the arch and along it to the front midline, and how far from the midline, as
-        a share of the half arch (negative against `side`).  Only with `forward`."""
-        assert self.forward is not None
-        steps = np.diff(self.ridge, axis=0)
-        length = np.concatenate([[0.0], np.cumsum(np.sqrt(row_dot(steps, steps)))])
-        flat = self.ridge - place
-        flat = flat - np.outer(flat @ self.up, self.up)
-        nearest = int(np.argmin(row_dot(flat, flat)))
+    def shares(self, places: Array) -> Array:
+        """How far from the front midline places (n, 3) lie, (n,) as a share of the half arch, + on the side of `side`.  Only with
+        `forward`."""
+        nearest, way = self._on_ridge(places)
+        front = self._front()
+        half = max(way[-1] - way[front], way[front], 1e-12)
+        share = (way[nearest] - way[front]) / half
+        return np.asarray(share if (self.ridge[-1] - self.ridge[0]) @ self._right() > 0 else -share)
+
+    def along(self, place: Array) -> tuple[Array, Array]:
+        """At a place (3,): unit vectors outwards from the arch, and along it to the front midline.  Only with `forward`."""
+        nearest = int(self._on_ridge(place[None])[0][0])
+        front = self._front()
         tangent = self.ridge[min(nearest + 2, len(self.ridge) - 1)] - self.ridge[max(nearest - 2, 0)]
+        tangent = tangent - (tangent @ self.up) * self.up
         tangent = tangent / max(float(np.linalg.norm(tangent)), 1e-12)
-        front = int(np.argmax((self.ridge - self.centre) @ self.forward))
-        share = (length[nearest] - length[front]) / max(length[-1] - length[front], length[front], 1e-12)
         outward = np.cross(tangent, self.up)
-        middle = 0.5 * (self.ridge[0] + self.ridge[-1])
-        if outward @ (self.ridge[nearest] - 0.5 * (middle + self.ridge[front])) < 0:
+        inner = 0.5 * (0.5 * (self.ridge[0] + self.ridge[-1]) + self.ridge[front])
+        if outward @ (self.ridge[nearest] - inner) < 0:
             outward = -outward
-        side = np.cross(self.forward, self.up)
-        to_front = -tangent if share > 0 else tangent
-        if (self.ridge[-1] - self.ridge[0]) @ side < 0:
-            share = -share
-        return outward, to_front, float(share)
+        return outward, -tangent if nearest > front else tangent
+
+    def _right(self) -> Array:
+        assert self.forward is not None, "the arch has no front"
+        return np.asarray(np.cross(self.forward, self.up))
+
+    def _front(self) -> int:
+        """The point of the ridge where it crosses the middle between its ends."""
+        across = (self.ridge - 0.5 * (self.ridge[0] + self.ridge[-1])) @ self._right()
+        ahead = np.asarray((self.ridge - self.centre) @ np.asarray(self.forward))
+        return int(np.argmin(np.where(ahead > np.median(ahead), np.abs(across), np.inf)))
+
+    def _on_ridge(self, places: Array) -> tuple[NDArray[np.int64], Array]:
+        """The nearest points of the ridge to places (n, 3), seen along `up`, and the way along the ridge to each of its points, mm."""
+        steps = np.diff(self.ridge, axis=0)
+        way = np.concatenate([[0.0], np.cumsum(np.sqrt(row_dot(steps, steps)))])
+        flat = places - np.outer((places - self.ridge.mean(axis=0)) @ self.up, self.up)
+        return np.asarray(cKDTree(self.ridge).query(flat)[1], np.int64), way
 
 
 def arch_frame(mesh: TriangleMesh, supported: NDArray[np.bool_]) -> ArchFrame | None:
@@ -146,7 +168,13 @@ def _front_and_ridge(flat: Array, area: Array) -> tuple[Array | None, Array]:
     weight = np.bincount(bins, area, minlength=_SECTORS)
     used = weight / area.sum() > _EMPTY
     sums = np.column_stack([np.bincount(bins, area * flat[:, i], minlength=_SECTORS) for i in range(2)])
-    return forward, sums[used] / weight[used][:, None]
+    ridge = sums[used] / weight[used][:, None]
+    depth = (ridge - ridge[0]) @ np.asarray(forward)
+    ahead = float(depth.max() - min(depth[0], depth[-1]))
+    apart = float(np.linalg.norm(ridge[-1] - ridge[0]))
+    if ahead < _LEAST_DEPTH * apart or abs(depth[-1]) > _MOST_UNEVEN * ahead:
+        return None, np.empty((0, 2))
+    return forward, ridge
 
 
 def _longest_gap(held: NDArray[np.bool_]) -> tuple[int, int]:

@@ -1,16 +1,111 @@
-"""An area of difference in words."""
+"""Areas of difference and shifts of the frame in words."""
 
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
+from scanner_core.comparison.alignment import Alignment, FrameShift
 from scanner_core.comparison.arch_frame import ArchFrame
-from scanner_core.comparison.area import Area
-from scanner_core.comparison.parameters import Jaw
+from scanner_core.comparison.area import Area, PartMotion
+from scanner_core.comparison.parameters import Frame, Jaw
+
+Array = NDArray[np.float64]
+_REGIONS = ((0.40, "front tooth"), (0.65, "premolar"), (np.inf, "molar"))
+"""Up to which share of the half arch a region goes: the mean widths of the teeth from the middle to the second molar, laid side by side.
+Only the region is told, not the tooth: a gap or a missing tooth moves the others along."""
+_SECOND = 0.5
+"""A second direction is told when its part is at least this share of the first one's."""
+_LEAST_TURN_DEG = 1.0
+_LEAST_SHIFT_UM = 100.0
+_FRAMES = {
+    Frame.WHOLE: "whole best fit",
+    Frame.AUTO: "the stable region found automatically",
+    Frame.MASK: "the painted region",
+    Frame.GIVEN: "the frame of the files",
+}
 
 
 def area_words(area: Area, frame: ArchFrame | None, jaw: Jaw | None) -> str:
-    """One phrase for a person; no more than geometry, and the jaw where it is given, can support."""
+    """One phrase for a person.
+
+    Directions of the mouth - cheek, lip, tongue, palate, right, left - need the jaw, which geometry cannot tell; without it the arch's
+    own are used.  What is no arch only stands out or lies deeper.
+    """
     if area.motion is None:
-        return f"{'stands out' if area.mean_um > 0 else 'lies deeper'} by {abs(area.mean_um) / 1e3:.2f} mm"
-    return f"moved {float(np.linalg.norm(area.motion.displacement_mm)):.1f} mm"
+        change = f"{'stands out' if area.mean_um > 0 else 'lies deeper'} by {abs(area.mean_um) / 1e3:.2f} mm"
+    else:
+        change = _motion_words(area.motion, frame, jaw)
+    place = region_words(area.centroid_mm if area.motion is None else area.motion.centre, frame, jaw)
+    return f"{change}; {place}" if place else change
+
+
+def region_words(place: Array, frame: ArchFrame | None, jaw: Jaw | None) -> str:
+    """Where on the arch a place (3,) is; empty where nothing can be told."""
+    if frame is None or frame.forward is None:
+        return ""
+    share = float(frame.shares(place[None])[0])
+    region = f"{_region(abs(share))} region"
+    if jaw is None:
+        return region
+    # seen from a lower jaw's teeth the patient's head is up, from an upper jaw's it is down
+    right = (share > 0) == (jaw is Jaw.LOWER)
+    return f"{jaw.value} {'right' if right else 'left'} {region}"
+
+
+def shift_words(shift: FrameShift, alignment: Alignment, after_vertices: Array, frame: ArchFrame | None) -> str | None:
+    """What another frame would have done, in words, for example "whole best fit would shift the molars by 0.60 mm".
+
+    None where it is below 0.1 mm everywhere.  `after_vertices` (v, 3) mm are in the after surface's own frame; on an arch the region
+    that shifts most is named, with its mean shift.
+    """
+    if shift.max_um < _LEAST_SHIFT_UM:
+        return None
+    name = _FRAMES[shift.frame]
+    if frame is None or frame.forward is None:
+        return f"{name} would shift the surface by up to {shift.max_um / 1e3:.2f} mm"
+    share = np.abs(frame.shares(alignment.transform.apply(after_vertices)))
+    low, most = 0.0, ("", 0.0)
+    for high, region in _REGIONS:
+        inside = (share >= low) & (share < high)
+        mean = float(shift.displacement_um[inside].mean()) if inside.any() else 0.0
+        most = max(most, (region, mean), key=lambda entry: entry[1])
+        low = high
+    teeth = "front teeth" if most[0] == "front tooth" else f"{most[0]}s"
+    return f"{name} would shift the {teeth} by {most[1] / 1e3:.2f} mm"
+
+
+def _region(share: float) -> str:
+    return next(name for limit, name in _REGIONS if share < limit)
+
+
+def _motion_words(motion: PartMotion, frame: ArchFrame | None, jaw: Jaw | None) -> str:
+    length = float(np.linalg.norm(motion.displacement_mm))
+    words = f"moved {length:.1f} mm"
+    if frame is not None:
+        parts = sorted(_directions(motion, frame, jaw), reverse=True)
+        told = [name for size, name in parts[:2] if size >= _SECOND * parts[0][0]]
+        words += " " + " and ".join(told)
+    if motion.angle_deg >= max(_LEAST_TURN_DEG, 2 * motion.angle_uncertainty_deg):
+        words += f", turned {motion.angle_deg:.0f}°"
+    return words
+
+
+def _directions(motion: PartMotion, frame: ArchFrame, jaw: Jaw | None) -> list[tuple[float, str]]:
+    """How far, mm, and whereto, along each axis of the place."""
+    shift = motion.displacement_mm
+    rise = float(shift @ frame.up)
+    found = [(abs(rise), "out of the gum" if rise > 0 else "into the gum")]
+    if frame.forward is None:
+        return [*found, (float(np.linalg.norm(shift - rise * frame.up)), "sideways")]
+    outward, to_front = frame.along(motion.centre)
+    out, ahead = float(shift @ outward), float(shift @ to_front)
+    in_front = _region(abs(float(frame.shares(motion.centre[None])[0]))) == _REGIONS[0][1]
+    if jaw is None:
+        across = "outwards from the arch" if out > 0 else "towards the middle of the arch"
+    elif out > 0:
+        across = "towards the lip" if in_front else "towards the cheek"
+    else:
+        across = "towards the palate" if jaw is Jaw.UPPER else "towards the tongue"
+    ways = ("towards the midline", "away from the midline") if in_front else ("forward", "back")
+    return [*found, (abs(out), across), (abs(ahead), ways[0] if ahead > 0 else ways[1])]

@@ -12,7 +12,9 @@ from scipy.spatial.transform import Rotation
 from scanner_core.comparison.aligning import align
 from scanner_core.comparison.alignment import Alignment
 from scanner_core.comparison.parameters import ComparisonParameters, Frame
+from scanner_core.comparison.point_pair_features import feature_poses
 from scanner_core.comparison.surface import ComparedSurface
+from scanner_core.comparison.surface_sample import SurfaceSample, sample_surface
 from scanner_core.errors import ComparisonError
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.rigid import RigidTransform
@@ -171,3 +173,14 @@ def test_a_best_fit_of_everything_says_what_it_hides() -> None:
     hidden = next(shift for shift in found.shifts if shift.frame is Frame.AUTO)
     assert ("whole-hides-motion" in {doubt.code for doubt in found.doubts}) == (hidden.max_um > 100)
     assert hidden.max_um > 50
+
+
+def test_a_ball_has_no_features_to_look_for() -> None:
+    steps = np.arange(900) + 0.5
+    height, turn = 1 - 2 * steps / 900, np.pi * (1 + np.sqrt(5)) * steps  # Fibonacci's spiral: evenly over the ball
+    flat = np.sqrt(1 - height**2)
+    normals = np.stack([flat * np.cos(turn), flat * np.sin(turn), height], axis=1)
+    ball = SurfaceSample(20 * normals, normals, np.ones(900), 2.0)
+    assert feature_poses(ball, ball) == []
+    body = sample_surface(surface(whole_ear()), 1.5)
+    assert len(feature_poses(body, body)) == 8

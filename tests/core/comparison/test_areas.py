@@ -6,6 +6,7 @@ import pytest
 from scanner_core.comparison.area import Area
 from scanner_core.comparison.areas import find_areas
 from scanner_core.comparison.deviation import Deviation
+from scanner_core.comparison.grow_part import grow_part
 from scanner_core.comparison.measuring import measure_deviation
 from scanner_core.comparison.parameters import ComparisonParameters
 from scanner_core.geometry.mesh import TriangleMesh
@@ -45,20 +46,32 @@ def compared(before: TriangleMesh, after: TriangleMesh, noise_um: float = 1e3 * 
 def test_each_moved_tooth_of_an_arch_is_one_entry_and_nothing_else(treated: tuple[TriangleMesh, TriangleMesh]) -> None:
     areas, deviation = compared(*treated)
     assert [area.rank for area in areas] == list(range(1, len(TREATMENT) + 1))
-    teeth = []
-    for area in areas:
-        assert area.motion is not None
-        teeth.append(min(range(14), key=lambda tooth: float(np.linalg.norm((area.motion.centre - foot(tooth))[:2]))))
+    motions = [area.motion for area in areas if area.motion is not None]
+    teeth = [min(range(14), key=lambda tooth: float(np.linalg.norm((motion.centre - foot(tooth))[:2]))) for motion in motions]
     assert sorted(teeth) == sorted(TREATMENT)
-    for tooth, area in zip(teeth, areas, strict=True):
-        truth, centre = TREATMENT[tooth], area.motion.centre
-        there = truth.apply(centre - foot(tooth)) + foot(tooth)
-        assert np.linalg.norm(area.motion.transform.apply(centre) - there) < 0.04
-        assert (area.motion.transform @ truth.inverse()).angle_deg() < 1.5
+    for tooth, motion, area in zip(teeth, motions, areas, strict=True):
+        truth = TREATMENT[tooth]
+        there = truth.apply(motion.centre - foot(tooth)) + foot(tooth)
+        assert np.linalg.norm(motion.transform.apply(motion.centre) - there) < 0.04
+        assert (motion.transform @ truth.inverse()).angle_deg() < 1.5
         assert np.abs(deviation.signed_um[area.vertices]).mean() > 200
-    moved = [np.linalg.norm(area.motion.displacement_mm) for area in areas]
+    moved = [np.linalg.norm(motion.displacement_mm) for motion in motions]
+    assert moved == sorted(moved, reverse=True)
     assert moved[0] > 1.5
     assert moved[-1] < 0.8
+
+
+def test_a_click_on_a_tooth_marks_this_tooth_alone(treated: tuple[TriangleMesh, TriangleMesh]) -> None:
+    after = treated[1]
+    for tooth in TREATMENT:
+        top = TREATMENT[tooth].apply(np.array([0, 0, 4.8])) + foot(tooth)
+        part = grow_part(after, int(np.argmin(np.linalg.norm(after.vertices - top, axis=1))))
+        places = after.vertices[part]
+        now = [foot(other) + (TREATMENT[other].translation if other in TREATMENT else 0.0) for other in range(14)]
+        nearest = np.argmin([np.linalg.norm((places - place)[:, :2], axis=1) for place in now], axis=0)
+        assert (np.abs(nearest - tooth) <= 1).all()
+        assert np.mean(nearest == tooth) > 0.8
+        assert part.sum() > 200
 
 
 def test_two_scans_of_the_same_arch_have_no_areas(treated: tuple[TriangleMesh, TriangleMesh]) -> None:
