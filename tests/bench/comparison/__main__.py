@@ -21,7 +21,8 @@ from tests.bench.comparison.alignment import AlignmentFigures, aligned
 from tests.bench.comparison.clean_pair import CleanPair, arch_pair, stored_pair
 from tests.bench.comparison.scan_pair import Disturbance, scan
 
-NOISES = {"white": 0.0, "correlated": 1.0}
+NOISES = {"white": 0.0, "correlated": 1.0, "wide": float(np.sqrt(2))}
+"""Correlation falls to 1/e within so many mm; "wide" is a Gaussian of 1 mm standard deviation."""
 CROPS = {0.0: 50, 0.15: 20, 0.3: 20, 0.5: 20}
 
 
@@ -31,7 +32,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1, help="of the first pair")
     parser.add_argument("--pairs", type=int, default=20, help="so many seeds")
     parser.add_argument("--moved", type=int, nargs="+", default=[3, 10], help="of the teeth")
-    parser.add_argument("--noise", nargs="+", choices=list(NOISES), default=list(NOISES))
+    parser.add_argument("--noise", nargs="+", choices=list(NOISES), default=["white", "correlated"])
     parser.add_argument("--stored", help="pattern of stored clean pairs of another generator, with {moved} and {seed}")
     parser.add_argument("--cache", type=Path, default=Path(tempfile.gettempdir()) / "impronta-bench-pairs")
     parser.add_argument("--json", type=Path, help="write every figure to this file")

@@ -27,7 +27,7 @@ class Disturbance:
     Attributes
     ----------
     noise_um : standard deviation along the normals, of both surfaces
-    correlated_mm : correlation length exp(-d^2 / 2L^2) of the noise; 0 for white noise
+    correlated_mm : distance at which the noise's correlation has fallen to 1/e, exp(-(d/L)^2); 0 for white noise
     crop : share of the after surface that is missing from one side
     """
 
@@ -112,7 +112,7 @@ def _noise(mesh: TriangleMesh, disturbance: Disturbance, rng: np.random.Generato
     """(v,) mm; correlated noise is a sum of random waves (Shinozuka 1971)."""
     if not disturbance.correlated_mm:
         return 1e-3 * disturbance.noise_um * rng.normal(size=len(mesh.vertices))
-    number = rng.normal(size=(_WAVES, 3)) / disturbance.correlated_mm
+    number = rng.normal(size=(_WAVES, 3)) * np.sqrt(2) / disturbance.correlated_mm
     phase = rng.uniform(0, 2 * np.pi, _WAVES)
     total = np.zeros(len(mesh.vertices))
     for part in np.array_split(np.arange(_WAVES), 20):

@@ -45,7 +45,7 @@ def test_noise_is_correlated_over_the_length_that_is_asked_for(clean: CleanPair)
         return float((offset[a] * offset[b]).sum() / np.sqrt((offset[a] ** 2).sum() * (offset[b] ** 2).sum()))
 
     assert abs(neighbours(Disturbance())) < 0.05
-    assert neighbours(Disturbance(correlated_mm=1.0)) == pytest.approx(np.exp(-0.5 * 0.35**2), abs=0.05)
+    assert neighbours(Disturbance(correlated_mm=1.0)) == pytest.approx(np.exp(-(0.35**2)), abs=0.05)
 
 
 def test_a_crop_takes_away_a_share_of_one_side(clean: CleanPair) -> None:
