@@ -20,6 +20,7 @@ from scanner_core.comparison.mask_file import read_mask
 from scanner_core.comparison.null_comparison import carried_levels, null_level_of, with_null_level
 from scanner_core.comparison.pair_doubts import pair_doubts
 from scanner_core.comparison.parameters import ComparisonParameters, Frame, Jaw
+from scanner_core.comparison.report import dicom
 from scanner_core.comparison.report.writer import NAMES, write_report
 from scanner_core.comparison.series import measure_series
 from scanner_core.comparison.surface import ComparedSurface
@@ -27,6 +28,8 @@ from scanner_core.devices.null_level import NullLevel, with_null_levels
 from scanner_core.devices.rig import PRESETS, RigConfig, load_rig_or_preset, parse_rig, rig_text
 from scanner_core.errors import ComparisonError, StorageError, UsageError
 from scanner_core.files import check_free, replaced_when_whole
+from scanner_core.jobs.progress import Progress
+from scanner_core.mesh_io.dicom import check_pydicom
 from scanner_core.wall_clock import stamp
 
 _SERIES = "series.csv"
@@ -39,7 +42,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
     )
     _check_usage(given, paths)
     rig = None if given.rig is None else load_rig_or_preset(given.rig)
-    folder = None if given.out is None else _free(Path(given.out), given.force, NAMES if len(paths) == 2 else [_SERIES])
+    folder = None if given.out is None else _free(Path(given.out), given.force, _names(given, len(paths)))
     surfaces = _read(given, paths, console)
     try:
         return _compared(given, console, surfaces, parameters, rig, folder)
@@ -65,8 +68,7 @@ def _compared(
     values, lines = comparison_values(comparison), comparison_summary(comparison)
     level = null_level_of(comparison, given.material.strip()) if given.null else None
     if folder is not None:
-        console.progress("report", 0.9)
-        files = write_report(comparison, _made(folder), force=given.force, made=stamp())
+        files = _report(given, console, comparison, folder)
         values["files"] = [str(path) for path in files]
         lines.append(f"Written to {folder}: {', '.join(path.name for path in files)}.")
     if level is not None:  # case and rig last: what cannot be delivered changes neither
@@ -90,6 +92,7 @@ def _check_usage(given: argparse.Namespace, paths: Sequence[Path]) -> None:
     refuse((given.frame == "mask") != (given.mask is not None), "--frame mask and --mask FILE go together", "give both or none")
     refuse(many and given.mask is not None, "A mask is of one surface, but several are compared with the first", "compare two")
     refuse(many and given.null, "A null comparison is of two surfaces", "give BEFORE and AFTER alone")
+    refuse(given.dicom and given.out is None, "--dicom needs a folder", "add --out DIR")
     refuse(many and given.keep, "A series is not kept in a case", "compare two, or leave --keep away")
     refuse(given.keep and paths[-1].suffix.lower() != SUFFIX, "--keep needs a case as AFTER", "leave it away, or give AFTER as a case")
     refuse(
@@ -164,13 +167,36 @@ def _series(
             partial.write_text(series.csv(), encoding="utf-8")
         files = [folder / _SERIES]
         for number, one in enumerate(to_first, 2):
-            files += write_report(one, _made(folder / f"{number}-against-1"), force=given.force, made=stamp())
+            files += _report(given, console, one, folder / f"{number}-against-1")
         values["files"] = [str(path) for path in files]
         lines.append(f"Written to {folder}: {', '.join(path.relative_to(folder).as_posix() for path in files)}.")
     _tell(console, list(dict.fromkeys(sentence for one in to_first for sentence in warnings(one))))
     _tell(console, [doubt.words for doubt in series.doubts])
     console.result(values, lines)
     return 0
+
+
+def _report(given: argparse.Namespace, console: Console, comparison: Comparison, folder: Path) -> list[Path]:
+    """The files of one comparison, with the time left."""
+
+    def show(progress: Progress) -> None:
+        console.progress(progress.phase, progress.fraction, progress.seconds_left)
+
+    made = stamp()
+    files = write_report(comparison, _made(folder), force=given.force, made=made, progress=show)
+    if given.dicom:
+        files += dicom.write_dicom(comparison, files[0], folder, force=given.force, made=made)
+    console.clear()
+    return files
+
+
+def _names(given: argparse.Namespace, surfaces: int) -> Sequence[str]:
+    """The files that will stand in the folder itself."""
+    if given.dicom:
+        check_pydicom()
+    if surfaces > 2:
+        return [_SERIES]
+    return [*NAMES, *dicom.NAMES] if given.dicom else NAMES
 
 
 def _tell(console: Console, sentences: Sequence[str]) -> None:

@@ -72,7 +72,7 @@ def test_moved_teeth_are_found_and_the_report_is_written(impronta: Run, files: C
     before, after = noisy(small_arch(), 20.0, 1), noisy(small_arch(treated=True, step_mm=0.87), 20.0, 2)
     paths = files(before, placed(after))
     out = tmp_path / "out"
-    code, values, said = impronta(*paths, "--out", out, "--jaw", "lower", "--seed", "3")
+    code, values, said = impronta(*paths, "--out", out, "--jaw", "lower", "--seed", "3", "--dicom")
     assert code == 0
     transform = np.array(values["transform_after_to_before"])
     places = np.array([[-20.0, -20.0, 4.0], [20.0, -20.0, 4.0], [0.0, 18.0, 4.0]])  # of what did not move
@@ -83,6 +83,8 @@ def test_moved_teeth_are_found_and_the_report_is_written(impronta: Run, files: C
         assert np.linalg.norm(feet[:, :2] - area["centroid_mm"][:2], axis=1).min() < 4.0, area["words"]
     assert (values["parameters"]["jaw"], values["parameters"]["seed"], values["alignment"]["frame"]) == ("lower", 3, "auto")
     assert {path.name for path in out.iterdir()} >= {"report.pdf", "deviation.ply", "table.csv"}
+    assert [Path(path).name for path in values["files"][-2:]] == ["report.dcm", "after.dcm"]
+    assert (out / "report.pdf").read_bytes() in (out / "report.dcm").read_bytes()
     assert [values[which]["unit"] for which in ("before", "after")] == ["mm", "mm"]
     assert all(sentence in said for sentence in values["warnings"])
     held = {path: path.read_bytes() for path in out.iterdir()}
@@ -184,6 +186,7 @@ def test_units_are_overruled_for_each(impronta: Run, tmp_path: Path) -> None:
     [
         (["--frame", "mask"], "--frame mask and --mask FILE go together"),
         (["--mask", "m.json"], "--frame mask and --mask FILE go together"),
+        (["--dicom"], "--dicom needs a folder"),
         (["--keep"], "--keep needs a case as AFTER"),
         (["--null"], "add --rig and --material"),
         (["--null", "--rig", "bench", "--material", "wax"], "'bench' is a preset"),
