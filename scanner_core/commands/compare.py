@@ -66,7 +66,7 @@ def _compared(
     mask = None if given.mask is None else read_mask(Path(given.mask), after)
     comparison = _beside_null(run_comparison(console, before, after, parameters, mask), rig, given.material)
     values, lines = comparison_values(comparison), comparison_summary(comparison)
-    level = null_level_of(comparison, given.material.strip()) if given.null else None
+    level = null_level_of(comparison, given.material.strip(), rig.name) if given.null and rig is not None else None
     if folder is not None:
         files = _report(given, console, comparison, folder)
         values["files"] = [str(path) for path in files]

@@ -10,6 +10,7 @@ from scanner_core.comparison.alignment import Alignment
 from scanner_core.comparison.area import Area
 from scanner_core.comparison.compare import CompareRequest
 from scanner_core.comparison.comparison import Comparison
+from scanner_core.comparison.comparison_values import above_null
 from scanner_core.comparison.parameters import ComparisonParameters, Frame
 from scanner_core.comparison.series import Series
 from scanner_core.comparison.surface import ComparedSurface
@@ -53,7 +54,7 @@ def comparison_summary(comparison: Comparison) -> list[str]:
     if comparison.null_level_um is not None:
         lines.append(f"The same model measured twice seemed to change by up to {comparison.null_level_um:.1f} um (95 %, null comparison).")
     lines.append(f"Areas of greatest difference: {len(comparison.areas) or 'none'}.")
-    lines += [_area(area, comparison.null_level_um) for area in comparison.areas]
+    lines += [_area(area, comparison) for area in comparison.areas]
     lines.append("No serious doubt." if comparison.reliable else "NOT RELIABLE; the warnings say why.")
     return lines
 
@@ -71,7 +72,7 @@ def _alignment(alignment: Alignment) -> list[str]:
     return lines
 
 
-def _area(area: Area, null_level_um: float | None) -> str:
+def _area(area: Area, comparison: Comparison) -> str:
     place = ", ".join(f"{value:.1f}" for value in area.centroid_mm)
     told = f"{area.rank:3d}. {area.words} [{place}] mm: {area.area_mm2:.1f} mm2, mean {area.mean_um:+.0f} um, 95 % below {area.p95_um:.0f} um"
     told += f", volume {area.volume_mm3:+.2f} mm3"
@@ -79,7 +80,7 @@ def _area(area: Area, null_level_um: float | None) -> str:
         moved = float(np.linalg.norm(area.motion.displacement_mm))
         told += f"; moved {moved:.3f} mm +- {area.motion.displacement_uncertainty_um:.0f} um, turned {area.motion.angle_deg:.2f} deg"
         told += f" +- {area.motion.angle_uncertainty_deg:.2f} deg"
-    return told + (" (not above the null comparison)" if null_level_um is not None and area.p95_um <= null_level_um else "")
+    return told + (" (not above the null comparison)" if above_null(area, comparison) is False else "")
 
 
 def null_summary(level: NullLevel, rig: str) -> list[str]:

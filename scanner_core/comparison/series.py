@@ -7,6 +7,8 @@ neighbours check it: going from one surface to the first over its predecessor mu
 
 from __future__ import annotations
 
+import csv
+import io
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -21,6 +23,7 @@ from scanner_core.comparison.compare import compare
 from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.doubt import Doubt
 from scanner_core.comparison.parameters import ComparisonParameters, Frame
+from scanner_core.comparison.report.table import harmless
 from scanner_core.comparison.surface import ComparedSurface
 from scanner_core.comparison.tracks import Track, tracks_of
 from scanner_core.geometry.rigid import RigidTransform
@@ -82,12 +85,14 @@ class Series:
     def csv(self) -> str:
         """One line a track and time; places in mm in the frame of the first surface."""
         head = "track,words,x_mm,y_mm,z_mm,surface,date,listed,mean_um,p95_um,volume_mm3,dx_mm,dy_mm,dz_mm,displacement_uncertainty_um,angle_deg"
-        lines = [head]
+        text = io.StringIO()
+        rows = csv.writer(text, lineterminator="\n")
+        rows.writerow(head.split(","))
         for number, track in enumerate(self.tracks, 1):
             place = [f"{value:.3f}" for value in track.centroid_mm]
             for when, (name, date) in enumerate(zip(self.names[1:], self.dates[1:], strict=True)):
-                lines.append(",".join([str(number), _quoted(track.words), *place, _quoted(name), date, *track.cells(when)]))
-        return "\n".join(lines) + "\n"
+                rows.writerow([number, harmless(track.words), *place, harmless(name), harmless(date), *track.cells(when)])
+        return text.getvalue()
 
 
 def measure_series(
@@ -184,7 +189,3 @@ def _closure(previous: Comparison, direct: Comparison, step: Comparison) -> tupl
     beside = over - direct.alignment.transform.apply(points)
     closure_um = 1e3 * float(np.sqrt((beside**2).sum(axis=1).mean())) if len(points) else float("nan")
     return closure_um, float(np.sqrt(sum(one.alignment.uncertainty_um**2 for one in (previous, direct, step))))
-
-
-def _quoted(text: str) -> str:
-    return '"' + text.replace('"', '""') + '"'

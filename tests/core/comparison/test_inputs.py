@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from scanner_core.case.store import CaseStore, Order
+from scanner_core.comparison.comparison_values import surface_values
 from scanner_core.comparison.inputs import mesh_hash, read_surface
 from scanner_core.comparison.surface import ComparedSurface
 from scanner_core.comparison.unit_guess import guessed_unit
@@ -48,7 +49,7 @@ def test_an_arch_is_an_arch_in_every_unit(tmp_path: Path, unit: str, per_mm: flo
         (tmp_path / "a.stl").write_bytes(ascii_stl(scaled(egg(largest), per_mm)))
         surface = read_surface(tmp_path / "a.stl")
         assert (surface.unit, np.ptp(surface.mesh.vertices, axis=0).max()) == (unit, pytest.approx(largest, rel=1e-6))
-        assert ("unit-guessed" in codes(surface)) is (unit != "mm")
+        assert [doubt.serious for doubt in surface.doubts if doubt.code == "unit-guessed"] == ([] if unit == "mm" else [True])
         assert "guessed from the size" in surface.unit_reason
 
 
@@ -69,6 +70,13 @@ def test_a_person_overrules_guess_and_file(tmp_path: Path) -> None:
         assert "the file says millimetres" in over.unit_reason
     with pytest.raises(UsageError, match="no unit 'ell'"):
         read_surface(tmp_path / "b.stl", unit="ell")
+
+
+def test_a_small_crown_is_not_taken_for_a_large_one_in_silence(tmp_path: Path) -> None:
+    """9.6 mm without a word of the unit look like 9.6 cm: every number would be ten times as large."""
+    (tmp_path / "crown.stl").write_bytes(ascii_stl(egg(9.6)))
+    assert any(doubt.serious for doubt in read_surface(tmp_path / "crown.stl").doubts)
+    assert not any(doubt.serious for doubt in read_surface(tmp_path / "crown.stl", unit="mm").doubts)
 
 
 def test_a_file_whose_word_and_size_disagree_is_named(tmp_path: Path) -> None:
@@ -194,7 +202,7 @@ def test_a_case_gives_its_mesh_and_where_it_comes_from(case: Path) -> None:
     told = surface.origin
     assert (told["order"], told["side"], told["type"], told["rig"]) == ("4711", "left", "arch", "bench")
     assert {"date", "calibration_id", "calibration_date", "mesh_id"} <= told.keys()
-    assert "Jane" not in str(surface.origin)
+    assert "Jane" not in str(surface_values(surface))
     assert case.read_bytes() == before
     with pytest.raises(UsageError, match="in millimetres"):
         read_surface(case, unit="inch")

@@ -73,6 +73,12 @@ def test_as_json_and_table(series: Series) -> None:
     assert float(rows[1]["p95_um"]) == pytest.approx(series.tracks[0].p95_um[1], rel=1e-3)
 
 
+def test_no_text_of_a_series_becomes_a_formula(series: Series) -> None:
+    evil = replace(series, names=("a", "=1+1", "+x"), dates=("", "@now", "2026"), tracks=(replace(series.tracks[0], words='-"cmd", a'),))
+    rows = list(csv.DictReader(io.StringIO(evil.csv())))
+    assert [(row["words"], row["surface"], row["date"]) for row in rows] == [('\'-"cmd", a', "'=1+1", "'@now"), ('\'-"cmd", a', "'+x", "2026")]
+
+
 def test_a_series_can_be_stopped(surfaces: list[ComparedSurface]) -> None:
     with pytest.raises(Cancelled):
         measure_series(surfaces, cancelled=lambda: True)
