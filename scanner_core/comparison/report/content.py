@@ -12,6 +12,7 @@ from scanner_core.comparison.area import Area
 from scanner_core.comparison.area_bar import AreaBar
 from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.comparison_values import above_null, told_doubts
+from scanner_core.comparison.frame_words import HELD
 from scanner_core.comparison.parameters import Frame
 from scanner_core.comparison.surface import ComparedSurface
 
@@ -20,18 +21,6 @@ PROGRAM = f"Impronta {__version__}"
 VERSIONS = f"{PROGRAM}, Python {platform.python_version()}, numpy {np.__version__}, vtk {vtkVersion.GetVTKVersion()}"
 DIRECTION = "Deviations are those of AFTER against BEFORE: + where AFTER lies outside of BEFORE, − where it lies inside."
 AREA_HEADER = ("", "what was found", "max / mm", "P95 / mm", "area / mm²", "volume / mm³", "motion / mm", "rotation / °", "> null")
-_FRAMES = {
-    Frame.AUTO: "stable region, found automatically",
-    Frame.WHOLE: "best fit of the whole surfaces",
-    Frame.MASK: "painted region",
-    Frame.GIVEN: "as given in the files, nothing aligned",
-}
-_SHIFT_WORDS = {
-    Frame.AUTO: "The automatic stable region",
-    Frame.WHOLE: "Best fit of the whole surfaces",
-    Frame.MASK: "The painted region",
-    Frame.GIVEN: "Taking the files as they lie",
-}
 _CONCERN = {"Order": ("order", "side", "type"), "Date": ("date",), "Measured": ("rig", "calibration_id", "calibration_date")}
 """What of a surface's origin is told.  Never its path, which often holds a patient's name."""
 _COUNTED = "of counterparts only"
@@ -152,7 +141,7 @@ def alignment_card(comparison: Comparison) -> Facts:
     a = comparison.alignment
     correlation = f", correlated over {a.correlation_length_mm:.1f} mm" if a.correlation_length_mm >= 0.05 else ""
     return (
-        ("Held fixed", _FRAMES[a.frame]),
+        ("Held fixed", HELD[a.frame]),
         ("Found by", a.method),
         ("Stable region", f"{100 * a.stable_area_fraction:.0f} % of the common area"),
         ("Overlap", f"{100 * a.overlap:.0f} % of AFTER has a counterpart"),
@@ -160,14 +149,6 @@ def alignment_card(comparison: Comparison) -> Facts:
         ("Noise", f"{number(a.noise_um / 1000, 3)} mm, both surfaces{correlation}"),
         ("Uncertainty", "not estimated" if a.frame is Frame.GIVEN else f"{number(a.uncertainty_um / 1000, 4)} mm (k = 1) of a stable point"),
         ("Scale ratio", f"{a.scale_ratio:.5f} ± {a.scale_ratio_uncertainty:.5f} (k = 1); not applied"),
-    )
-
-
-def shift_sentences(comparison: Comparison) -> tuple[str, ...]:
-    """What other frames would have said."""
-    return tuple(
-        f"{_SHIFT_WORDS[shift.frame]} would have moved AFTER by {number(shift.rms_um / 1000, 2)} mm rms, {number(shift.max_um / 1000, 2)} mm at most."
-        for shift in comparison.alignment.shifts
     )
 
 

@@ -56,7 +56,7 @@ def test_it_tells_what_a_record_needs() -> None:
         "principal axes",
         "0.041 mm rms",
     ]
-    expected += ["1.00020 ± 0.00015", "0.12 mm rms, 0.60 mm at most", "0.061 mm, the same model measured twice", "a3" * 32, "5b" * 32]
+    expected += ["1.00020 ± 0.00015", "everything by 0.12 mm rms, 0.60 mm at most", "0.061 mm, the same model measured twice", "a3" * 32, "5b" * 32]
     expected += ["Clinical threshold: 0.250 mm", "Seed: 0", "Impronta", "numpy", "10 mm", "threshold 0.25 mm", "(k = 1)", "yes"]
     assert [told for told in expected if told not in words] == []
     assert "Jane Doe" not in words
