@@ -52,6 +52,7 @@ class PartFit:
     weights : (n,) 0 to 1, what each counted at the end
     jacobian : (n, 6) of the residuals by rotation about `centre` and translation
     centre : (3,) mm, about which the rotation is meant: the part's place on the before surface
+    covariance : (6, 6) of rotation (rad, about `centre`) and translation (mm), where the fit knows better than by its points' number
     """
 
     transform: RigidTransform
@@ -59,6 +60,7 @@ class PartFit:
     weights: Array
     jacobian: Array
     centre: Array
+    covariance: Array | None = None
 
     def off(self) -> float:
         """Share of the points that did not go along."""
