@@ -42,6 +42,8 @@ _FEWEST_PER_MM2 = 2.0
 """Misses of a rigid motion are alike over half a square millimetre, however dense the points are."""
 _WORST = 3.0
 """Standard deviations beyond which a point has not gone along: how far then says nothing about the motion."""
+_HOPELESS = 2.5
+"""Mean square of a cusp's misses over the variance above which it must hold two motions."""
 _LEAST_NOISE_MM = 0.01
 """Files without noise do not fit better than this: their facets differ."""
 _UNKNOWNS = 6
@@ -187,6 +189,7 @@ class _BodyFinder:
     ) -> None:
         self._mesh, self._normals, self._over, self._seen = mesh, mesh.vertex_normals(), over, seen
         self._crowns, self._table, self._area_mm2 = crowns, table, smoother.area_mm2
+        self._cusp = crowns.cusp.copy()
         self._fitter, self._noise_mm, self._cancelled = fitter, max(alignment.noise_um / 1e3, _LEAST_NOISE_MM), cancelled
         self._alike_mm2 = max(np.pi * alignment.correlation_length_mm**2, 1 / _FEWEST_PER_MM2)
         self._variance = self._noise_mm**2 + _MODEL_MM**2
@@ -222,7 +225,7 @@ class _BodyFinder:
             if self._cost(whole, whole.fit.transform) > whole.observations:
                 clusters = self._apart(here, whole, core)
                 for cusps, piece in clusters:
-                    bodies[here & np.isin(crowns.cusp, cusps)], pieces[following] = following, piece
+                    bodies[here & np.isin(self._cusp, cusps)], pieces[following] = following, piece
                     following += 1
                 if clusters:
                     del pieces[crown]
@@ -272,6 +275,25 @@ class _BodyFinder:
         gain = sum(self._cost(piece, joint.fit.transform) - self._cost(piece, piece.fit.transform) for piece in (one, other))
         return joint if gain < _price(one.observations + other.observations) else None
 
+    def _cusps(self, here: NDArray[np.bool_], core: NDArray[np.bool_]) -> dict[int, _Piece | None]:
+        """The cusps of a crown; one that no motion explains is halved across its length: two teeth may touch without a furrow."""
+        found: dict[int, _Piece | None] = {}
+        for cusp in np.unique(self._cusp[here]).tolist():
+            inside = here & (self._cusp == cusp)
+            piece = self._piece(inside, core)
+            if piece is not None and self._cost(piece, piece.fit.transform) > _HOPELESS * piece.observations:
+                about = self._mesh.vertices - piece.points.mean(axis=0)
+                axis = np.linalg.eigh(about[piece.vertices].T @ about[piece.vertices])[1][:, 2]
+                half = inside & (about @ axis > 0)
+                halves = [self._piece(one, core) for one in (half, inside & ~half)]
+                if None not in halves:
+                    new = int(self._cusp.max()) + 1
+                    self._cusp[half] = new
+                    found[new], found[cusp] = halves
+                    continue
+            found[cusp] = piece
+        return found
+
     def _apart(self, here: NDArray[np.bool_], whole: _Piece, core: NDArray[np.bool_]) -> list[tuple[list[int], _Piece]]:
         """Cusps of one crown by motion, each cluster with its own, one cluster where one motion explains them all; empty where there are none.
 
@@ -279,7 +301,7 @@ class _BodyFinder:
         least is kept with all cusps that are not worth a motion of their own, then the best one for what is left.  A cusp that
         stands still is no part of a tooth that does not.  What is too small for a tooth goes where it costs least.
         """
-        found = {int(cusp): self._piece(here & (self._crowns.cusp == cusp), core) for cusp in np.unique(self._crowns.cusp[here])}
+        found = self._cusps(here, core)
         cusps = {cusp: piece for cusp, piece in found.items() if piece is not None}
         if len(cusps) < 2:
             return []
@@ -307,7 +329,7 @@ class _BodyFinder:
             members = [name for name, one in zip(names, cheapest.tolist(), strict=True) if one == number]
             if number == cheapest[np.argmax(size)]:
                 members += [cusp for cusp, piece in found.items() if piece is None]
-            one = self._piece(here & np.isin(self._crowns.cusp, members), core)
+            one = self._piece(here & np.isin(self._cusp, members), core)
             if one is not None:
                 clusters.append((members, one))
         return clusters
