@@ -11,7 +11,7 @@ from scanner_core.comparison.alignment import Alignment, FrameShift
 from scanner_core.comparison.alignment_doubts import frame_doubts, pose_doubts, region_doubts
 from scanner_core.comparison.coarse_fit import trimmed_fit
 from scanner_core.comparison.doubt import Doubt
-from scanner_core.comparison.fine_fit import LEAST_VERTICES, Fit, fit_at, fit_best, fit_chosen, fit_stable, with_uncertainty
+from scanner_core.comparison.fine_fit import LEAST_VERTICES, SETTLED_MM, Fit, fit_at, fit_best, fit_chosen, fit_stable, with_uncertainty
 from scanner_core.comparison.fit_rows import MutualPairing
 from scanner_core.comparison.global_start import FINE_CELLS, find_start, is_ambiguous, sample_both
 from scanner_core.comparison.parameters import ComparisonParameters, Frame
@@ -70,14 +70,12 @@ def align(
     if frame is Frame.GIVEN:
         transform, method = start or RigidTransform.identity(), "given"
     else:
+        fine_before, fine_after = fine = sample_both(before, after, FINE_CELLS)
         if start is None:
-            found = find_start(before, after, seed=parameters.seed, cancelled=cancelled)
+            found = find_start(before, after, fine, seed=parameters.seed, cancelled=cancelled)
             transform, method, ambiguous = found.transform, found.method, is_ambiguous(found)
         else:
-            transform, method = start, "picked points"
-        fine_before, fine_after = sample_both(before, after, FINE_CELLS)
-        if start is not None:
-            transform = trimmed_fit(fine_before, fine_after, transform, share=0.7, rounds=30)
+            transform, method = trimmed_fit(fine_before, fine_after, start, share=0.7, rounds=30), "picked points"
         transform = trimmed_fit(fine_before, fine_after, transform, share=0.5, rounds=30)
 
     tell("find the stable region", 0.5)
@@ -85,7 +83,7 @@ def align(
     here = pairing.forward.at(transform)
     if here.facing.sum() < LEAST_VERTICES:
         raise ComparisonError("E-CMP-02", before=before.name, after=after.name, reach_mm=parameters.no_counterpart_mm)
-    auto = fit_stable(pairing, transform, cancelled)
+    auto = fit_stable(pairing, transform, here, cancelled)
     tell("fit", 0.7)
     others: dict[Frame, RigidTransform] = {}
     if frame is Frame.AUTO:
@@ -103,7 +101,7 @@ def align(
             fit = _as_given(pairing, transform, rng)
     if frame is not Frame.WHOLE:
         tell("fit the whole for comparison", 0.85)
-        others[Frame.WHOLE] = fit_chosen(pairing, fit, everything, cancelled).transform
+        others[Frame.WHOLE] = fit_chosen(pairing, fit, everything, cancelled, still_mm=SETTLED_MM).transform
     tell("judge", 0.95)
     return _assemble(pairing.forward, fit, others, frame, method, ambiguous)
 
