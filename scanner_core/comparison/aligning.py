@@ -98,26 +98,38 @@ def align(
         elif frame is Frame.WHOLE:
             fit = fit_best(pairing, auto, everything, rng, cancelled)
         else:
-            fit = _as_given(pairing, transform, rng)
+            fit, measured = _as_given(pairing, transform, auto, rng)
+    if frame is not Frame.GIVEN:
+        measured = fit
     if frame is not Frame.WHOLE:
         tell("fit the whole for comparison", 0.85)
         others[Frame.WHOLE] = fit_chosen(pairing, fit, everything, cancelled, still_mm=SETTLED_MM).transform
     tell("judge", 0.95)
-    return _assemble(pairing.forward, fit, others, frame, method, ambiguous)
+    return _assemble(pairing.forward, fit, measured, others, frame, method, ambiguous)
 
 
-def _as_given(pairing: MutualPairing, transform: RigidTransform, rng: np.random.Generator) -> Fit:
-    """Nothing is fitted; noise, correlation and size are measured on what agrees, or on everything where hardly anything does."""
+def _as_given(pairing: MutualPairing, transform: RigidTransform, auto: Fit, rng: np.random.Generator) -> tuple[Fit, Fit]:
+    """Nothing is fitted: what agrees at the given pose, and the fit on which noise, correlation and size are measured.
+
+    What agrees is judged by the noise of the automatic fit: where everything moved, the distances here are all motion.  There the
+    noise is measured on that fit too.
+    """
     here = fit_at(pairing, transform, np.ones(len(pairing.forward.areas), np.bool_))
-    stable = find_stable(pairing.forward, here.pairs)
-    chosen = stable if stable.sum() >= LEAST_VERTICES else here.used
-    fit = with_uncertainty(pairing, replace(here, used=chosen), rng)
+    settled = auto.used.sum() >= LEAST_VERTICES
+    stable = find_stable(pairing.forward, here.pairs, auto.pairs if settled else None)
+    agrees = replace(here, used=stable)
+    measured = with_uncertainty(pairing, agrees if stable.sum() >= LEAST_VERTICES else auto if settled else here, rng)
+    assert measured.uncertainty is not None, "enough vertices were seen to"
     # what was not estimated has no uncertainty of estimation
-    return replace(fit, uncertainty=None if fit.uncertainty is None else replace(fit.uncertainty, covariance=np.zeros((6, 6)), stable_um=0.0))
+    certain = replace(measured.uncertainty, covariance=np.zeros((6, 6)), stable_um=0.0)
+    return agrees, replace(measured, uncertainty=certain)
 
 
-def _assemble(pairing: SurfacePairing, fit: Fit, others: dict[Frame, RigidTransform], frame: Frame, method: str, ambiguous: bool) -> Alignment:
-    areas, pairs, stable, uncertainty = pairing.areas, fit.pairs, fit.used, fit.uncertainty
+def _assemble(
+    pairing: SurfacePairing, fit: Fit, measured: Fit, others: dict[Frame, RigidTransform], frame: Frame, method: str, ambiguous: bool
+) -> Alignment:
+    areas, pairs, stable, uncertainty = pairing.areas, fit.pairs, fit.used, measured.uncertainty
+    noise_mm = measured.pairs.distances[measured.used]
     assert uncertainty is not None, "enough vertices were seen to"
     counted = pairing.supported
     overlap = float(areas[pairs.facing].sum() / max(areas[counted].sum(), 1e-300))
@@ -132,8 +144,8 @@ def _assemble(pairing: SurfacePairing, fit: Fit, others: dict[Frame, RigidTransf
         method=method,
         stable=stable,
         stable_area_fraction=share,
-        rms_um=1e3 * float(np.sqrt(np.average(pairs.distances[stable] ** 2, weights=areas[stable]))),
-        noise_um=1e3 * 1.4826 * float(np.median(np.abs(pairs.distances[stable]))),
+        rms_um=1e3 * float(np.sqrt(np.average(noise_mm**2, weights=areas[measured.used]))),
+        noise_um=1e3 * 1.4826 * float(np.median(np.abs(noise_mm))),
         correlation_length_mm=uncertainty.noise.length_mm,
         covariance=uncertainty.covariance,
         centre=uncertainty.centre,
