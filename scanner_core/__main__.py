@@ -162,7 +162,9 @@ def _compare(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> N
     for name, of in (("--units", "all files"), ("--units-before", "BEFORE"), ("--units-after", "every AFTER")):
         help_text = f"of the numbers of {of} (default: as the file says, else guessed from the size)"
         compare.add_argument(name, choices=("mm", "cm", "m", "inch"), help=help_text)
-    compare.add_argument("--out", metavar="DIR", help="folder of report.pdf, deviation.ply, table.csv (default: report only)")
+    compare.add_argument("--out", metavar="DIR", help="folder of report.pdf, report.html, deviation.ply, table.csv (default: only tell)")
+    dicom = "also write the report and the later surface as DICOM files for an archive (needs 'impronta[dicom]')"
+    compare.add_argument("--dicom", action="store_true", help=dicom)
     compare.add_argument("--keep", action="store_true", help="keep the comparison in the case AFTER")
     compare.add_argument("--rig", metavar="RIG.toml", help="show the level of detection that was measured with this rig (null comparison)")
     compare.add_argument("--material", metavar="NAME", help="of the model, for the null comparison")

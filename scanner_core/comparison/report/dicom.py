@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import tempfile
 from contextlib import ExitStack
 from pathlib import Path
 
 from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.report import content
-from scanner_core.comparison.report.page import write_pdf
 from scanner_core.files import check_free, replaced_when_whole
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.mesh_io.dicom import DicomSubject, check_pydicom, write_encapsulated_pdf, write_encapsulated_stl
@@ -16,13 +14,13 @@ from scanner_core.mesh_io.dicom import DicomSubject, check_pydicom, write_encaps
 NAMES = ("report.dcm", "after.dcm")
 
 
-def write_dicom(comparison: Comparison, folder: Path, *, force: bool = False, made: str) -> list[Path]:
-    """Write report.dcm, the page, and after.dcm, the after surface in the frame of BEFORE; both or neither.
+def write_dicom(comparison: Comparison, page: Path, folder: Path, *, force: bool = False, made: str) -> list[Path]:
+    """Write report.dcm, the finished PDF `page`, and after.dcm, the after surface in the frame of BEFORE; both or neither.
 
     Parameters
     ----------
     folder : exists
-    made : the time that the report tells, from `wall_clock.stamp`
+    made : the time that the page tells, from `wall_clock.stamp`
 
     Raises
     ------
@@ -37,11 +35,9 @@ def write_dicom(comparison: Comparison, folder: Path, *, force: bool = False, ma
         check_free(path, force)
     subject = _subject(comparison, made)
     after = comparison.after.mesh
-    with ExitStack() as whole, tempfile.TemporaryDirectory() as aside:
-        pdf = Path(aside) / "report.pdf"
-        write_pdf(comparison, pdf, made)
+    with ExitStack() as whole:
         report, surface = (whole.enter_context(replaced_when_whole(path, force)) for path in paths)
-        write_encapsulated_pdf(report, pdf.read_bytes(), subject, content.TITLE, force=True)
+        write_encapsulated_pdf(report, page.read_bytes(), subject, content.TITLE, force=True)
         placed = TriangleMesh(comparison.alignment.transform.apply(after.vertices), after.triangles)
         write_encapsulated_stl(surface, placed, subject, "AFTER in the frame of BEFORE", force=True)
     return paths
@@ -51,4 +47,4 @@ def _subject(comparison: Comparison, made: str) -> DicomSubject:
     """The order of the after surface, or the beginning of its SHA-256 where it has none."""
     origin = comparison.after.origin
     order = str(origin.get("order") or comparison.after.sha256[:16])
-    return DicomSubject(order, order, str(origin.get("side") or ""), made, str(origin.get("rig") or ""))
+    return DicomSubject.of(str(origin.get("patient_code") or ""), order, str(origin.get("side") or ""), made, str(origin.get("rig") or ""))

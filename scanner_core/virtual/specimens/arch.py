@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -79,21 +80,26 @@ def solid(points: Array, motions: Mapping[int, RigidTransform]) -> Array:
     ridge = _BASE_HALF * (_superellipse_radius(from_line / _BASE_HALF, (p[:, 2] - 1.2) / (_BASE_TOP + 0.6), 3.0) - 1.0)
     body = smooth_intersection(ridge, -1.0 - p[:, 1], 2.0)
     gap = np.full(len(p), 1e9)
-    for tooth, (crown, angle) in enumerate(zip(CROWNS, _angles(), strict=True)):
-        centre = foot(tooth)
-        local = points - centre
-        if tooth in motions:
-            local = motions[tooth].inverse().apply(local)
-        tangent = np.array([_HALF_WIDTH * np.sin(angle), _DEPTH * np.cos(angle)])
-        tangent /= np.linalg.norm(tangent)
-        along = local[:, :2] @ tangent
-        across = local[:, :2] @ np.array([-tangent[1], tangent[0]])
-        near = (np.abs(along) < 2.2 * crown.along + 2.0) & (np.abs(across) < 2.2 * crown.across + 2.0)
-        value = np.full(len(p), 1e9)
-        value[near] = _crown(crown, along[near], across[near], local[near, 2])
-        gap = smooth_union(gap, value, 0.7)
+    for tooth in range(len(CROWNS)):
+        gap = smooth_union(gap, crown(points, tooth, motions), 0.7)
     body = smooth_union(body, gap, 1.6)
     return smooth_intersection(body, -p[:, 2], 0.8)
+
+
+def crown(points: Array, tooth: int, motions: Mapping[int, RigidTransform]) -> Array:
+    """One tooth alone, negative inside, (n,); far from it 1e9."""
+    size, angle = CROWNS[tooth], _angles()[tooth]
+    local = points - foot(tooth)
+    if tooth in motions:
+        local = motions[tooth].inverse().apply(local)
+    tangent = np.array([_HALF_WIDTH * np.sin(angle), _DEPTH * np.cos(angle)])
+    tangent /= np.linalg.norm(tangent)
+    along = local[:, :2] @ tangent
+    across = local[:, :2] @ np.array([-tangent[1], tangent[0]])
+    near = (np.abs(along) < 2.2 * size.along + 2.0) & (np.abs(across) < 2.2 * size.across + 2.0)
+    value = np.full(len(points), 1e9)
+    value[near] = _crown(size, along[near], across[near], local[near, 2])
+    return value
 
 
 def _crown(crown: _Crown, along: Array, across: Array, up: Array) -> Array:
@@ -113,6 +119,7 @@ def _superellipse_radius(a: Array, b: Array, power: float) -> Array:
     return radius
 
 
+@cache
 def _angles() -> Array:
     """Parameters of the ellipse at which the teeth stand: widths laid side by side along the arc."""
     fine = np.linspace(0.0, np.pi, 2001)

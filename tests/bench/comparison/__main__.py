@@ -32,7 +32,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1, help="of the first pair")
     parser.add_argument("--pairs", type=int, default=20, help="so many seeds")
     parser.add_argument("--moved", type=int, nargs="+", default=[3, 10], help="of the teeth")
-    parser.add_argument("--noise", nargs="+", choices=list(NOISES), default=["white", "correlated"])
+    parser.add_argument("--noise", nargs="+", choices=list(NOISES), default=list(NOISES))
     parser.add_argument("--stored", help="pattern of stored clean pairs of another generator, with {moved} and {seed}")
     parser.add_argument("--cache", type=Path, default=Path(tempfile.gettempdir()) / "impronta-bench-pairs")
     parser.add_argument("--json", type=Path, help="write every figure to this file")
@@ -75,6 +75,7 @@ def _clean(given: argparse.Namespace, moved: int, seed: int) -> CleanPair:
             av=pair.after.vertices,
             af=pair.after.triangles,
             moved=pair.moved_mm,
+            tooth=pair.tooth,
             centres=pair.centres,
             shifts=pair.shifts_mm,
             turns=np.array([motion.matrix() for motion in pair.motions]),
@@ -106,13 +107,14 @@ def _poses(given: argparse.Namespace, seeds: range) -> list[dict[str, object]]:
 
 
 def _print(title: str, figures: list[AlignmentFigures]) -> None:
+    refused = sum(bool(figure.refused) for figure in figures)
     rms = np.array([figure.rms_um for figure in figures])
     z = np.concatenate([figure.z for figure in figures])
     ratio = np.sqrt(np.nanmean((rms / [figure.stated_um for figure in figures]) ** 2))
     stable = np.nanmedian([figure.stable_area_fraction for figure in figures])
     wrong = np.nanmax([figure.moved_share for figure in figures])
     print(
-        f"{title}: rms median {np.nanmedian(rms):.2f}, worst {np.nanmax(rms):.2f} um; "
+        f"{title}: {refused} refused; of the others rms median {np.nanmedian(rms):.2f}, worst {np.nanmax(rms):.2f} um; "
         f"z sd {np.nanstd(z):.2f} (n={len(z)}), error / stated {ratio:.2f}; "
         f"stable {stable:.2f} of the area, of it moved {wrong:.4f} at most; "
         f"{np.median([figure.seconds for figure in figures]):.1f} s; reliable {sum(figure.reliable for figure in figures)}; "

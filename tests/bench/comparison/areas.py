@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from scanner_core.comparison.area import Area, PartMotion
 from scanner_core.comparison.compare import compare
@@ -31,15 +30,17 @@ class AreaFigures:
     ----------
     teeth, found : moved teeth, and those with an entry of their own
     false : entries above `FALSE_UM` on tissue that did not move
+    surplus : other entries that are not the one of a moved tooth: a tooth that is listed twice, a part of one
     out_of_order : pairs of found teeth that stand in the wrong order
     overlap : (found,) intersection over union of an entry's vertices and the tooth's moved tissue
     place_um, angle_deg : (found,) errors of the entries' motions; empty where the truth is not told
-    z : (found * 3,) the errors of the displacements over their stated uncertainty
+    z : (found,) the errors along the displacement over their stated uncertainty
     """
 
     teeth: int
     found: int
     false: int
+    surplus: int
     out_of_order: int
     overlap: NDArray[np.float64]
     place_um: NDArray[np.float64]
@@ -53,11 +54,12 @@ def report(pairs: Iterable[tuple[int, CleanPair]], disturbance: Disturbance, tit
     for seed, clean in pairs:
         pair = scan(clean, disturbance, seed)
         figures.append((seed, look(pair, compare(pair.before, pair.after).areas)))
-    teeth, found, false, wrong = (sum(getattr(f, name) for _, f in figures) for name in ("teeth", "found", "false", "out_of_order"))
+    names = ("teeth", "found", "false", "surplus", "out_of_order")
+    teeth, found, false, surplus, wrong = (sum(getattr(f, name) for _, f in figures) for name in names)
     overlap = np.concatenate([f.overlap for _, f in figures])
     print(
-        f"areas: {title}: {found} of {teeth} moved teeth found, {wrong} pairs in the wrong order, {false} false at {FALSE_UM:.0f} um; "
-        f"IoU median {np.median(overlap):.3f}, worst {overlap.min():.3f}",
+        f"areas: {title}: {found} of {teeth} moved teeth found, {wrong} pairs in the wrong order, "
+        f"{false} false at {FALSE_UM:.0f} um, {surplus} more; IoU median {np.median(overlap):.3f}, worst {overlap.min():.3f}",
         flush=True,
     )
     place, angle, z = (np.concatenate([getattr(f, name) for _, f in figures]) for name in ("place_um", "angle_deg", "z"))
@@ -90,14 +92,14 @@ def look(pair: ScanPair, areas: Iterable[Area]) -> AreaFigures:
     wrong = sum(a[0] < b[0] and a[1] < b[1] - TIE_MM for a in found for b in found)
     errors = [_motion_errors(area.motion, pair.motions[t], pair.centres[t]) for t, area in enumerate(best) if area and area.motion and pair.motions]
     place, angle, z = (np.array([error[i] for error in errors]) for i in range(3))
-    return AreaFigures(len(truth), len(found), int(false), int(wrong), np.array(overlap), place, angle, z.ravel())
+    surplus = len(areas) - len(found) - int(false)
+    return AreaFigures(len(truth), len(found), int(false), surplus, int(wrong), np.array(overlap), place, angle, z)
 
 
 def _moved_tissue(pair: ScanPair) -> list[NDArray[np.int64]]:
-    """Of each tooth the vertices of the after surface that moved, told apart by the nearest moved crown."""
+    """Of each tooth the vertices of the after surface that moved: its own, and the gum that it took along."""
     moved = np.flatnonzero(np.abs(pair.moved_mm) > MOVED_MM)
-    nearest = cKDTree(pair.centres).query(pair.clean_after[moved])[1]
-    return [moved[nearest == tooth] for tooth in range(len(pair.centres))]
+    return [moved[pair.tooth[moved] == tooth] for tooth in range(len(pair.centres))]
 
 
 def _overlap(a: NDArray[np.int64], b: NDArray[np.int64]) -> float:
@@ -105,8 +107,9 @@ def _overlap(a: NDArray[np.int64], b: NDArray[np.int64]) -> float:
     return both / max(len(a) + len(b) - both, 1)
 
 
-def _motion_errors(found: PartMotion, true: RigidTransform, centre: NDArray[np.float64]) -> tuple[float, float, NDArray[np.float64]]:
-    """At the middle of the crown, um; of the rotation, deg; the displacement's error over its uncertainty."""
+def _motion_errors(found: PartMotion, true: RigidTransform, centre: NDArray[np.float64]) -> tuple[float, float, float]:
+    """At the middle of the crown, um; of the rotation, deg; along the displacement of the part's own centre, over its uncertainty."""
     error = found.transform.apply(centre) - true.apply(centre)
-    z = 1e3 * error / (found.displacement_uncertainty_um / np.sqrt(3))
-    return float(1e3 * np.sqrt(error @ error)), (found.transform.inverse() @ true).angle_deg(), z
+    along = (true.apply(found.centre) - found.centre) @ found.displacement_mm / np.linalg.norm(found.displacement_mm)
+    z = 1e3 * (np.linalg.norm(found.displacement_mm) - along) / found.displacement_uncertainty_um
+    return float(1e3 * np.sqrt(error @ error)), (found.transform.inverse() @ true).angle_deg(), float(z)

@@ -8,11 +8,12 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.rigid import RigidTransform
-from scanner_core.virtual.specimens.arch import CROWNS, foot, solid
+from scanner_core.virtual.specimens.arch import CROWNS, crown, foot, solid
 from scanner_core.virtual.specimens.implicit import mesh_implicit
 from tests.bench.comparison.pieces import kept
 from tests.bench.reconstruction.implicit import gradient
@@ -35,6 +36,7 @@ class CleanPair:
     before, after : in the object frame, mm; triangulated independently
     moved_mm : (v_after,) signed distance of the after surface's vertices from the surface before; 0 where nothing moved
     motions : (k) rigid motion of each moved tooth in the object frame; none where the generator does not tell them
+    tooth : (v_after,) int64, index of the moved tooth whose crown is nearest in the after state; of other generators the nearest middle of one
     centres : (k, 3) mm, the middle of each moved crown before
     shifts_mm : (k,) how far it moved
     """
@@ -42,6 +44,7 @@ class CleanPair:
     before: TriangleMesh
     after: TriangleMesh
     moved_mm: Array
+    tooth: NDArray[np.int64]
     motions: tuple[RigidTransform, ...]
     centres: Array
     shifts_mm: Array
@@ -49,21 +52,16 @@ class CleanPair:
 
 def arch_pair(moved: int, seed: int) -> CleanPair:
     """`moved` of the 14 teeth displaced by 0.5 to 1.8 mm, mostly outwards, and turned by some degrees; a rippled gum of its own."""
-    rng = np.random.default_rng([seed, moved])
-    about_foot, motions, centres, shifts = {}, [], [], []
-    for tooth in sorted(rng.choice(len(CROWNS), moved, replace=False).tolist()):
-        outward = foot(tooth) * (1, 1, 0)
-        direction = outward / np.linalg.norm(outward) * rng.choice((-1, 1), p=(0.3, 0.7)) + 0.35 * rng.normal(size=3)
-        shift = direction / np.linalg.norm(direction) * rng.uniform(0.5, 1.8)
-        motion = RigidTransform(Rotation.from_rotvec(np.radians(rng.normal(0, 3.0, 3))).as_matrix(), shift)
-        about_foot[tooth] = motion
+    treatment, rng = _treatment(moved, seed)
+    motions, centres, shifts = [], [], []
+    for tooth, motion in treatment.items():
         whole = RigidTransform(motion.rotation, motion.translation + foot(tooth) - motion.rotation @ foot(tooth))
         centre = foot(tooth) + np.array([0.0, 0.0, 3.0])
         motions.append(whole)
         centres.append(centre)
         shifts.append(float(np.linalg.norm(whole.apply(centre) - centre)))
     ripple = _Ripple(seed)
-    before_solid, after_solid = (partial(_rippled, ripple, motions) for motions in ({}, about_foot))
+    before_solid, after_solid = (partial(_rippled, ripple, motions) for motions in ({}, treatment))
     meshes = {}
     for name, field in (("before", before_solid), ("after", after_solid)):
         step = _SPACING[name]
@@ -72,17 +70,39 @@ def arch_pair(moved: int, seed: int) -> CleanPair:
         meshes[name] = kept(mesh, mesh.vertices[:, 2] > _CUT_MM)[0]
     vertices = meshes["after"].vertices
     moved_mm = before_solid(vertices) / np.linalg.norm(gradient(before_solid, vertices), axis=1)
-    return CleanPair(meshes["before"], meshes["after"], moved_mm, tuple(motions), np.array(centres), np.array(shifts))
+    return CleanPair(
+        meshes["before"], meshes["after"], moved_mm, nearest_crown(moved, seed, vertices), tuple(motions), np.array(centres), np.array(shifts)
+    )
+
+
+def nearest_crown(moved: int, seed: int, vertices: Array) -> NDArray[np.int64]:
+    """See `CleanPair.tooth`."""
+    treatment, _ = _treatment(moved, seed)
+    return np.argmin([crown(vertices, tooth, treatment) for tooth in treatment], axis=0).astype(np.int64)
+
+
+def _treatment(moved: int, seed: int) -> tuple[dict[int, RigidTransform], np.random.Generator]:
+    """The motion of each moved tooth about its own foot."""
+    rng = np.random.default_rng([seed, moved])
+    treatment = {}
+    for tooth in sorted(rng.choice(len(CROWNS), moved, replace=False).tolist()):
+        outward = foot(tooth) * (1, 1, 0)
+        direction = outward / np.linalg.norm(outward) * rng.choice((-1, 1), p=(0.3, 0.7)) + 0.35 * rng.normal(size=3)
+        shift = direction / np.linalg.norm(direction) * rng.uniform(0.5, 1.8)
+        treatment[tooth] = RigidTransform(Rotation.from_rotvec(np.radians(rng.normal(0, 3.0, 3))).as_matrix(), shift)
+    return treatment, rng
 
 
 def stored_pair(path: Path) -> CleanPair:
-    """A pair of another generator: an .npz with bv, bf, av, af (vertices and triangles), moved, centres, shifts and perhaps turns (k, 4, 4)."""
+    """A pair of another generator: an .npz with bv, bf, av, af (vertices and triangles), moved, centres, shifts, perhaps turns (k, 4, 4), tooth."""
     with np.load(path) as stored:
         turns = stored.get("turns", ())
+        nearest = cKDTree(stored["centres"]).query(stored["av"])[1]
         return CleanPair(
             TriangleMesh(stored["bv"], stored["bf"].astype(np.int64)),
             TriangleMesh(stored["av"], stored["af"].astype(np.int64)),
             stored["moved"],
+            np.asarray(stored.get("tooth", nearest), np.int64),
             tuple(RigidTransform.from_matrix(turn) for turn in turns),
             stored["centres"],
             stored["shifts"],

@@ -25,7 +25,15 @@ def clean() -> CleanPair:
     moved = before.vertices[:, 2] > 0
     after = TriangleMesh(before.vertices + np.where(moved, 0.5, 0.0)[:, None] * [0, 0, 1], before.triangles)
     motion = RigidTransform(np.eye(3), np.array([0.0, 0.0, 0.5]))
-    return CleanPair(before, after, np.linalg.norm(after.vertices, axis=1) - RADIUS_MM, (motion,), np.array([[0.0, 0.0, 8.0]]), np.array([0.5]))
+    return CleanPair(
+        before,
+        after,
+        np.linalg.norm(after.vertices, axis=1) - RADIUS_MM,
+        np.zeros(len(after.vertices), np.int64),
+        (motion,),
+        np.array([[0.0, 0.0, 8.0]]),
+        np.array([0.5]),
+    )
 
 
 @pytest.mark.parametrize("disturbance", [Disturbance(), Disturbance(correlated_mm=1.0), Disturbance(crop=0.3)])

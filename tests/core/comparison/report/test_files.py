@@ -12,8 +12,6 @@ import numpy as np
 import pytest
 from pydicom import dcmread
 
-from scanner_core.comparison.comparison import Comparison
-from scanner_core.comparison.report import dicom as report_dicom
 from scanner_core.comparison.report import html, plates, writer
 from scanner_core.comparison.report.dicom import write_dicom
 from scanner_core.comparison.report.html import report_html
@@ -24,6 +22,7 @@ from scanner_core.comparison.report.viewpoint import viewpoints
 from scanner_core.comparison.report.writer import NAMES, write_report
 from scanner_core.errors import StorageError
 from scanner_core.jobs.progress import Cancelled
+from scanner_core.mesh_io.dicom import DicomSubject, write_encapsulated_stl
 from scanner_core.mesh_io.ply import parse_ply
 from scanner_core.mesh_io.stl import parse_stl
 from tests.core.comparison.made import POSE, REMARK, SERIOUS, made
@@ -150,23 +149,28 @@ def test_all_files_or_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
 
 
-def test_the_archive_gets_page_and_surface_in_the_frame_of_before(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def short(comparison: Comparison, path: Path, made: str) -> None:
-        path.write_bytes(b"%PDF" + comparison.areas[0].words.encode())
-
-    monkeypatch.setattr(report_dicom, "write_pdf", short)
+def test_the_archive_gets_page_and_surface_in_the_frame_of_before(tmp_path: Path) -> None:
+    page_file, folder = tmp_path / "report.pdf", tmp_path / "archive"
+    page_file.write_bytes(b"%PDF-1.4 page")
+    folder.mkdir()
     comparison = made()
-    assert [path.name for path in write_dicom(comparison, tmp_path, made=MADE)] == ["report.dcm", "after.dcm"]
-    assert len(list(tmp_path.iterdir())) == 2
-    page, surface = (dcmread(tmp_path / name) for name in ("report.dcm", "after.dcm"))
-    assert page.EncapsulatedDocument[: page.EncapsulatedDocumentLength] == b"%PDFpatch 1"
+    assert [path.name for path in write_dicom(comparison, page_file, folder, made=MADE)] == ["report.dcm", "after.dcm"]
+    assert len(list(folder.iterdir())) == 2
+    page, surface = (dcmread(folder / name) for name in ("report.dcm", "after.dcm"))
+    assert page.EncapsulatedDocument[: page.EncapsulatedDocumentLength] == page_file.read_bytes()
     mesh = parse_stl(surface.EncapsulatedDocument[: surface.EncapsulatedDocumentLength])
     after = comparison.after.mesh
     assert np.allclose(mesh.vertices[mesh.triangles], POSE.apply(after.vertices)[after.triangles], atol=1e-4)
     assert page.PatientID == surface.PatientID == "2026-0417"
     assert page.StudyInstanceUID == surface.StudyInstanceUID
+    exported = DicomSubject.of("P-1", "2026-0417", "", MADE)  # as the case's own mesh
+    write_encapsulated_stl(tmp_path / "mesh.dcm", after, exported, "Surface")
+    of_case = replace(comparison, after=replace(comparison.after, origin={**comparison.after.origin, "patient_code": "P-1"}))
+    write_dicom(of_case, page_file, folder, made=MADE, force=True)
+    mesh_file, page = dcmread(tmp_path / "mesh.dcm"), dcmread(folder / "report.dcm")
+    assert (page.PatientID, page.StudyInstanceUID) == (mesh_file.PatientID, mesh_file.StudyInstanceUID) == ("P-1", mesh_file.StudyInstanceUID)
     with pytest.raises(StorageError, match="E-DISK-03"):
-        write_dicom(comparison, tmp_path, made=MADE)
+        write_dicom(comparison, page_file, folder, made=MADE)
 
 
 @pytest.mark.parametrize("after", [0, 1, 5, 9])
