@@ -30,7 +30,7 @@ class FindingsPanel(QWidget):
         self._level = BigNumber(self.tr("mm detection level"))
         self._above = BigNumber("")
         self.areas = AreaList()
-        self._none = label(self.tr("Nothing differs by more than the detection level."), "muted", wrap=True)
+        self._none = label("", "muted", wrap=True)
         self._facts = Facts()
         self._below = QStackedWidget()
         self._below.addWidget(self.areas)
@@ -101,6 +101,11 @@ class FindingsPanel(QWidget):
             self._above.show_unit(self.tr("mm² above threshold"))
             self._facts.show_facts(())
             return
+        from scanner_core.comparison.area_bar import AreaBar
+
+        bar = AreaBar.of(comparison.deviation)
+        words = self.tr("No area of {area} mm² or more differs by more than {n} mm (smoothed). The map shows smaller differences.")
+        self._none.setText(words.format(area=f"{bar.extent_mm2:g}", n=millimetres(bar.deviation_um)))
         found = comparison.deviation.statistics
         self._count.show_number(str(len(comparison.areas)))
         self._level.show_number(millimetres(comparison.deviation.detection_level_um))
@@ -132,7 +137,7 @@ class FindingsPanel(QWidget):
 
     @property
     def texts(self) -> dict[str, str]:
-        return self._facts.texts | {"motion": self._motion.text(), "count": self._count.text}
+        return self._facts.texts | {"motion": self._motion.text(), "count": self._count.text, "none": self._none.text()}
 
     # -------------------------------------------------------------------------------- inside
     def _numbers(self, comparison: Comparison) -> list[Fact]:
