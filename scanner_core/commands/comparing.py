@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from scanner_core.commands.console import Console
 from scanner_core.comparison.area import Area
+from scanner_core.comparison.area_bar import AreaBar
 from scanner_core.comparison.compare import CompareRequest
 from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.comparison_values import above_null
@@ -60,7 +61,9 @@ def comparison_summary(comparison: Comparison) -> list[str]:
     ]
     if comparison.null_level_um is not None:
         lines.append(f"The same model measured twice seemed to change by up to {comparison.null_level_um:.1f} um (95 %, null comparison).")
-    lines.append(f"Areas of greatest difference: {len(comparison.areas) or 'none'}.")
+    bar = AreaBar.of(comparison.deviation)
+    size = f"of at least {bar.extent_mm2:g} mm2 that differ by more than {bar.deviation_um:.0f} um"
+    lines.append(f"Areas {size}: {len(comparison.areas) or 'none'}.")
     lines += [_area(area, comparison) for area in comparison.areas]
     lines.append("No serious doubt." if comparison.reliable else "NOT RELIABLE; the warnings say why.")
     return lines
