@@ -97,7 +97,7 @@ def _treatment(moved: int, seed: int) -> tuple[dict[int, RigidTransform], np.ran
 
 
 def stored_pair(path: Path) -> CleanPair:
-    """A pair of another generator: an .npz with bv, bf, av, af (vertices, triangles), moved, centres, shifts, perhaps turns (k, 4, 4), tooth, crown."""
+    """A pair of another generator, .npz with bv, bf, av, af (vertices, triangles), moved, centres, shifts, perhaps turns (k, 4, 4), tooth, crown."""
     with np.load(path) as stored:
         turns = stored.get("turns", ())
         nearest = cKDTree(stored["centres"]).query(stored["av"])[1]
