@@ -2,34 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QSignalSpy, QTest
-from PySide6.QtWidgets import QApplication
 
+from app.views.brush_size import BrushSize
 from app.views.comparison_scene import ComparisonScene
+from app.views.drawn_comparison import outline
+from app.views.drawn_surface import DrawnSurface
 from app.views.pointed import Pointed
 from app.views.section_cut import AFTER_LINE, BEFORE_LINE
 from scanner_core.comparison.area import Area
 from scanner_core.virtual.specimens.arch import arch
-from tests.gui.compare_plates import AFTER, COUNT, RIGHT, overlay, pane_of, pixel, shown, standing_scene
+from tests.gui import compare_plates
+from tests.gui.compare_plates import AFTER, DRAWN_AFTER, RIGHT, overlay, pane_of, pixel, shown
 from tests.gui.pictures import near, pixels_of
 from tests.gui.waiting import until, wait_ms
 
-
-@pytest.fixture(scope="module")
-def made(application: QApplication) -> Iterator[ComparisonScene]:
-    yield from standing_scene()
+made, view = compare_plates.made, compare_plates.view
 
 
-@pytest.fixture
-def view(made: ComparisonScene) -> ComparisonScene:
-    shown(made, np.zeros(COUNT))
-    return made
+def _brush(scene: ComparisonScene) -> BrushSize:
+    brush = scene.findChild(BrushSize)
+    assert isinstance(brush, BrushSize)
+    return brush
 
 
 # ------------------------------------------------------------------------------------ the pointer
@@ -60,7 +59,7 @@ def test_the_pointer_tells_vertex_value_and_sign_and_a_click_picks(view: Compari
 
 def test_the_brush_paints_along_its_way_and_only_within_its_radius(view: ComparisonScene) -> None:
     view.set_tool("paint")
-    view.set_brush_mm(1.5)
+    _brush(view).slider.setValue(6)  # quarters of a millimetre
     view.grab_picture()
     spy, ends = QSignalSpy(view.painted), QSignalSpy(view.stroke_ended)
     pane = pane_of(view)
@@ -82,11 +81,15 @@ def test_the_brush_paints_along_its_way_and_only_within_its_radius(view: Compari
     view.set_tool("erase")
     QTest.mouseClick(pane, Qt.MouseButton.LeftButton, pos=start)
     assert spy.at(spy.count() - 1)[1] is False
+    assert _brush(view).isVisible()
+    view.set_tool("look")
+    assert not _brush(view).isVisible()
 
 
 def test_the_lasso_takes_only_what_is_visible(view: ComparisonScene) -> None:
     mesh = arch().mesh
-    view.show_pair(mesh, mesh)
+    drawn = DrawnSurface.of(mesh)
+    view.show_pair(drawn, drawn)
     view.set_tool("lasso")
     view.grab_picture()
     spy = QSignalSpy(view.lassoed)
@@ -143,7 +146,8 @@ def _area(rank: int, x: float, y: float) -> Area:
 
 def test_areas_have_outlines_and_ranks_that_can_be_clicked(view: ComparisonScene) -> None:
     plain = view.grab_picture().astype(int)
-    view.show_areas([_area(1, -8.0, -8.0), _area(2, 8.0, -8.0)])
+    areas = [_area(1, -8.0, -8.0), _area(2, 8.0, -8.0)]
+    view.show_areas(areas, [outline(DRAWN_AFTER, area.vertices) for area in areas])
     view.select_area(1)
     chosen = np.abs(view.grab_picture().astype(int) - plain).max(axis=2) > 20
     assert chosen[:, :200].sum() > 300
