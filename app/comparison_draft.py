@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 Mask = NDArray[np.bool_]
 Point = tuple[float, float, float]
 Picks = tuple[tuple[Point, ...], tuple[Point, ...]]
+NO_PICKS: Picks = ((), ())
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -51,7 +52,8 @@ class ComparisonChoice:
     tolerance_um : clinical threshold
     jaw : None until it was said
     mask : (v_after,) what was painted as stable; None without
-    picks : points picked on before and on after, each in its own frame, mm
+    picking : points are being picked
+    picks : those picked so far on before and on after, each in its own frame, mm
     start : after to before, from three of them; None without
     tooth : (v_after,) bool, the marked tooth; None without
     """
@@ -62,7 +64,8 @@ class ComparisonChoice:
     tolerance_um: int = 250
     jaw: Jaw | None = None
     mask: Mask | None = None
-    picks: Picks = ((), ())
+    picking: bool = False
+    picks: Picks = NO_PICKS
     start: RigidTransform | None = None
     tooth: Mask | None = None
 
@@ -80,10 +83,10 @@ class ComparisonChoice:
         return self.before is other.before and self.after is other.after
 
     def same_question(self, other: ComparisonChoice) -> bool:
-        """Whether the answer to one is the answer to the other: the marked tooth is no part of it."""
+        """Whether what is measured for one is measured for the other: jaw and threshold only tell it in other terms."""
         return (
             self.same_pair(other)
-            and self.parameters == other.parameters
+            and self.frame is other.frame
             and self.start is other.start
             and (self.frame is not Frame.MASK or self.mask is other.mask)
         )
@@ -122,6 +125,7 @@ STEPS = {
     "paint": QT_TRANSLATE_NOOP("comparison", "Paint as stable"),
     "erase": QT_TRANSLATE_NOOP("comparison", "Erase from the stable region"),
     "points": QT_TRANSLATE_NOOP("comparison", "Pick three points on each"),
+    "unpick": QT_TRANSLATE_NOOP("comparison", "Pick no points"),
     "tooth": QT_TRANSLATE_NOOP("comparison", "Mark a tooth"),
     "lasso": QT_TRANSLATE_NOOP("comparison", "Correct the marked tooth"),
     "unmark": QT_TRANSLATE_NOOP("comparison", "Remove the mark of the tooth"),
@@ -153,5 +157,5 @@ class _Edit(QUndoCommand):
 
 
 def _same(old: object, new: object) -> bool:
-    """The same thing; of texts and numbers also an equal one."""
-    return old is new or (isinstance(old, str | int) and isinstance(new, str | int) and old == new)
+    """The same thing; of texts, numbers and points also an equal one."""
+    return old is new or (isinstance(old, str | int | tuple) and isinstance(new, str | int | tuple) and old == new)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import importlib
 import logging
 import sys
 import time
 from collections.abc import Callable
+from functools import partial
 from importlib import resources
 from pathlib import Path
 
@@ -25,6 +25,7 @@ from app.controllers.rig import RigController
 from app.controllers.shading import Shading
 from app.draft import Draft, first_order
 from app.faults import install_hooks, remove_hooks
+from app.graphics_import import import_graphics
 from app.heartbeat import Heartbeat
 from app.pump import Pump
 from app.services import Services
@@ -66,18 +67,18 @@ class Program(QObject):
         self.background = Background()
         self.pump = Pump(self)
         self.heartbeat = Heartbeat(self)
-        self.undo_stack = QUndoStack(self)
+        self.undo_stack, self.compare_stack = QUndoStack(self), QUndoStack(self)
         draft = Draft(self.undo_stack, self)
         rig = RigController(self.background, self._settings_file.parent / "rigs", self.tell, self)
         cases = CaseController(self.background, self.settings, draft, self.tell, self, settings_file=self._settings_file)
         acquisition = AcquisitionController(self.background, rig, cases, self.tell, self)
         reconstruction = ReconstructionController(self.background, cases, self.tell, self)
         export = ExportController(self.background, self.settings, cases, self.tell, self)
-        comparing = Comparing(self.background, self.settings, self.undo_stack, cases, self.tell, self)
+        comparing = Comparing(self.background, self.settings, self.compare_stack, cases, self.tell, self)
         recovery = RecoveryController(self.background, self.settings, cases, acquisition, self.tell, self)
         self.services = Services(self.settings, draft, self.background, rig, cases, acquisition, reconstruction, export, comparing, recovery)
         draft.load(first_order(self.settings.last_order))
-        self.window = MainWindow(self.services, UndoHistory(self.undo_stack, draft, cases, self))
+        self.window = MainWindow(self.services, UndoHistory(self.undo_stack, self.compare_stack, draft, cases, self))
         self.window.closing.connect(self.shut_down)
         self._stop_key = StopKey(self.window.laser_off, self.window.rail.stop_button, self)
         application.installEventFilter(self._stop_key)
@@ -103,7 +104,7 @@ class Program(QObject):
         """The window stands on the screen: now the slow things may begin."""
         self.window.repaint()
         self.heartbeat.notes["first_window_s"] = time.perf_counter() - self._started_s
-        self.background.run("import-3d", _import_scene, lambda _: self._make_scene())
+        self.background.run("import-3d", partial(import_graphics, "app.views.scene_view"), lambda _: self._make_scene())
         self.services.rig.choose(preset=self.settings.preset, specimen=self.settings.specimen, speed=self.settings.speed)
         if case is not None:
             self.window.open_case(case)
@@ -183,12 +184,9 @@ class Program(QObject):
         remove_hooks()
 
     def _end_window(self) -> None:
-        self.undo_stack.blockSignals(True)  # it tells of its own end, when the window may be gone already
+        for stack in (self.undo_stack, self.compare_stack):
+            stack.blockSignals(True)  # it tells of its own end, when the window may be gone already
         self.window.close()
-
-
-def _import_scene() -> None:
-    importlib.import_module("app.views.scene_view")
 
 
 def _translate(application: QApplication, language: str) -> QTranslator | None:

@@ -14,6 +14,7 @@ from app.comparison_draft import ComparisonDraft
 from app.controllers.case import CaseController
 from app.controllers.comparison import ComparisonController
 from app.controllers.comparison_report import ComparisonReport
+from app.controllers.kept_comparisons import KeptComparisons
 from app.controllers.marked_tooth import MarkedTooth
 from app.controllers.point_picking import PointPicking
 from app.controllers.surface_reading import SurfaceReading
@@ -40,7 +41,7 @@ class Comparing(QObject):
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        self._case, self._tell = case, tell
+        self._case, self.tell = case, tell
         self._kept: Comparison | None = None
         self.draft = ComparisonDraft(stack, self)
         self.reading = SurfaceReading(background, case, self.draft, tell, self)
@@ -48,6 +49,7 @@ class Comparing(QObject):
         self.points = PointPicking(background, self.draft, tell, self)
         self.tooth = MarkedTooth(background, self.draft, self.answers, tell, self)
         self.report = ComparisonReport(background, settings, tell, self)
+        self.keeping = KeptComparisons(background, case, tell, self)
         self.answers.answered.connect(self.report.forget)
         case.opened.connect(self._forget_kept)
 
@@ -55,7 +57,7 @@ class Comparing(QObject):
     def keepable(self) -> bool:
         """The surface after is the open case's, and this answer is not kept in it yet."""
         choice, comparison = self.draft.choice, self.answers.comparison
-        if choice.after is None or comparison is None or not self.answers.current or comparison is self._kept:
+        if choice.after is None or comparison is None or not self.answers.settled or comparison is self._kept:
             return False
         path = self._case.path
         return path is not None and choice.after.path is None and choice.after.surface.origin.get("path") == str(path)
@@ -76,7 +78,7 @@ class Comparing(QObject):
 
     def _not_kept(self, fault: Exception) -> None:
         self._kept = None
-        self._tell(fault)
+        self.tell(fault)
         self.kept.emit()
 
     def drain(self) -> None:

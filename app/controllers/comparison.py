@@ -14,7 +14,7 @@ from app.background import Background
 from app.comparison_draft import ComparisonChoice, ComparisonDraft
 from scanner_core.acquisition.handover import LatestSlot
 from scanner_core.comparison.comparison import Comparison
-from scanner_core.comparison.parameters import Frame
+from scanner_core.comparison.parameters import ComparisonParameters, Frame
 from scanner_core.jobs.progress import Cancelled, Progress
 
 if TYPE_CHECKING:
@@ -28,9 +28,9 @@ _KEPT = 8
 class ComparisonController(QObject):
     """One comparison at a time; the newest question counts.
 
-    A question is asked by itself as soon as there are two surfaces, and again after every edit; a painted region only
-    when it is asked for (:meth:`start`), since it is painted in many strokes.  Its worker process is started with the
-    first surface: not everybody compares.
+    A question is asked by itself as soon as there are two surfaces, and again after every edit of what is measured; a painted
+    region only when it is asked for (:meth:`start`), since it is painted in many strokes.  Another jaw or threshold only tells
+    the same measurement in other terms, at once.  The worker process is started with the first surface: not everybody compares.
     """
 
     changed = Signal()
@@ -52,7 +52,7 @@ class ComparisonController(QObject):
         self.comparison: Comparison | None = None
         """The newest answer for the two surfaces."""
         self.current = False
-        """Whether it answers what is chosen now."""
+        """Whether what is chosen now is measured by it."""
         self.progress: Progress | None = None
         self.fault: Exception | None = None
         """Why the present question has no answer."""
@@ -61,6 +61,11 @@ class ComparisonController(QObject):
     @property
     def running(self) -> bool:
         return self._asked is not None
+
+    @property
+    def settled(self) -> bool:
+        """The answer is that to what is chosen now, and in its terms."""
+        return self.current and self.comparison is not None and self.comparison.parameters == self._draft.choice.parameters
 
     @property
     def cancelling(self) -> bool:
@@ -113,8 +118,8 @@ class ComparisonController(QObject):
         choice = self._draft.choice
         known = next((answer for question, answer in self._answers if question.same_question(choice)), None)
         pair = next((answer for question, answer in reversed(self._answers) if question.same_pair(choice)), None)
-        shown = known or (self.comparison if self._of_pair(choice) else pair)
         self.current = known is not None
+        shown = self._in_terms(choice, known) if known is not None else self.comparison if self._of_pair(choice) else pair
         if self._stopped is not None and not self._stopped.same_question(choice):
             self._stopped = None
         self.fault = None
@@ -125,6 +130,23 @@ class ComparisonController(QObject):
             self.answered.emit()
         self._ask()
         self.changed.emit()
+
+    def _in_terms(self, choice: ComparisonChoice, known: Comparison) -> Comparison:
+        """The measurement in the terms that are chosen; as it was told last until that is done."""
+        if known.parameters == choice.parameters:
+            return known
+        shown = self.comparison
+        told = shown if shown is not None and shown.alignment is known.alignment else known
+        if told.parameters != choice.parameters:
+            self._background.run("comparison-terms", partial(_with_terms, known, choice.parameters), partial(self._told, known))
+        return told
+
+    def _told(self, known: Comparison, comparison: Comparison) -> None:
+        shown = self.comparison
+        if self.current and shown is not None and shown.alignment is known.alignment and comparison.parameters == self._draft.choice.parameters:
+            self.comparison = comparison
+            self.answered.emit()
+            self.changed.emit()
 
     def _of_pair(self, choice: ComparisonChoice) -> bool:
         shown = self.comparison
@@ -144,6 +166,7 @@ class ComparisonController(QObject):
         self._submit(choice)
 
     def _submit(self, choice: ComparisonChoice) -> None:
+        self._progress.take()  # of the job before
         self._asked, self._job, self.progress = choice, None, None
         self._background.run("comparison-start", lambda: self._send(choice), None, partial(self._failed, choice))
 
@@ -178,7 +201,12 @@ class ComparisonController(QObject):
             case JobProgress(progress):
                 self._progress.put(progress)
             case JobDone(result):
-                self._background.post(partial(self._done, choice, _with_null_level(cast("Comparison", result))))
+                try:
+                    answer = _whole(cast("Comparison", result))
+                except Exception as fault:  # the question has ended, whatever came of it
+                    self._background.post(partial(self._failed, choice, fault))
+                else:
+                    self._background.post(partial(self._done, choice, answer))
             case JobCancelled():
                 self._background.post(partial(self._failed, choice, Cancelled()))
             case JobFailed(error):
@@ -202,6 +230,16 @@ class ComparisonController(QObject):
             self._tell(fault)
         self._ask()
         self.changed.emit()
+
+
+def _whole(comparison: Comparison) -> Comparison:
+    return _with_null_level(_with_terms(comparison, comparison.parameters))
+
+
+def _with_terms(comparison: Comparison, parameters: ComparisonParameters) -> Comparison:
+    from scanner_core.comparison.compare import with_terms
+
+    return with_terms(comparison, parameters)
 
 
 def _with_null_level(comparison: Comparison) -> Comparison:

@@ -35,6 +35,7 @@ class MarkedTooth(QObject):
         super().__init__(parent)
         self._background, self._draft, self._answers, self._tell = background, draft, answers, tell
         self._of: tuple[Comparison, Mask] | None = None  # what `motion` belongs to, or will
+        self._turn = 0
         self.motion: PartMotion | None = None
         self.words = ""
         """What is being done, while there is no motion."""
@@ -43,17 +44,27 @@ class MarkedTooth(QObject):
 
     # -------------------------------------------------------------------------------- commands
     def mark(self, vertex: int) -> None:
-        """Grow a mark from a vertex of the surface after."""
-        after = self._draft.choice.after
-        if after is None:
+        """Grow a mark from a vertex of the surface after; the newest click counts."""
+        after, comparison = self._draft.choice.after, self._answers.comparison
+        if after is None or comparison is None or comparison.after is not after.surface:
             return
+        self._turn += 1
+        turn, known = self._turn, self._draft.choice.tooth
         self._say(_GROWING)
 
+        def wanted() -> bool:
+            """No newer click, no other surface, and the mark neither corrected nor taken back meanwhile."""
+            return turn == self._turn and after is self._draft.choice.after and known is self._draft.choice.tooth
+
         def done(mask: Mask) -> None:
-            if after is self._draft.choice.after:
+            if wanted():
                 self._draft.edit("tooth", tooth=mask)
 
-        self._background.run("grow-tooth", partial(_grow, after, vertex), done, self._failed)
+        def failed(fault: Exception) -> None:
+            if wanted():
+                self._failed(fault)
+
+        self._background.run("grow-tooth", partial(_grow, after, vertex), done, failed)
 
     def correct(self, vertices: np.ndarray[tuple[int], np.dtype[np.int64]], *, add: bool) -> None:
         """Add vertices of the surface after to the mark, or take them off."""
@@ -73,7 +84,7 @@ class MarkedTooth(QObject):
             self._of = self.motion = None
             self._say("")
             return
-        if self._of is not None and self._of[0] is comparison and self._of[1] is tooth:
+        if self._of is not None and self._of[0].alignment is comparison.alignment and self._of[1] is tooth:
             return
         self._of, self.motion = (comparison, tooth), None
         self._say(_MEASURING)

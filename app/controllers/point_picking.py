@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
 from app.background import Background
-from app.comparison_draft import ComparisonDraft, Picks, Point
+from app.comparison_draft import NO_PICKS, ComparisonDraft, Picks, Point
 from app.controllers.surface_reading import Role
 from scanner_core.geometry.rigid import RigidTransform
 
@@ -22,55 +23,54 @@ class PointPicking(QObject):
     def __init__(self, background: Background, draft: ComparisonDraft, tell: Callable[[BaseException], None], parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._background, self._draft, self._tell = background, draft, tell
-        self._begun = False
+        self._shown = (False, draft.choice.picks)
         draft.changed.connect(self._look)
 
     @property
     def active(self) -> bool:
         """Points are being picked."""
         choice = self._draft.choice
-        return self._begun and choice.before is not None and choice.after is not None
+        return choice.picking and choice.before is not None and choice.after is not None
 
     def begin(self) -> None:
-        """From the first point on; those of the last time are forgotten."""
-        self._draft.edit("points", picks=((), ()), start=None)
-        self._begun = True
-        self.changed.emit()
+        """From the first point on; those of the last time are forgotten, what they have led to stays until there are new ones."""
+        self._draft.edit("points", picking=True, picks=NO_PICKS)
 
     def end(self) -> None:
         """Without a result."""
-        self._begun = False
-        self.changed.emit()
+        self._draft.edit("unpick", picking=False, picks=NO_PICKS)
 
     def pick(self, role: Role, point: Point) -> None:
         """The next point of a surface, mm in its own frame; more than three are not taken."""
-        before, after = self._draft.choice.picks
+        known = before, after = self._draft.choice.picks
         picks: Picks = ((*before, point), after) if role == "before" else (before, (*after, point))
         if not self.active or max(map(len, picks)) > POINTS:
             return
-        self._draft.edit("points", picks=picks)
-        if all(len(points) == POINTS for points in picks):
-            self._background.run("picked-points", lambda: _transform(picks), lambda start: self._take(picks, start), self._refused)
+        if all(len(points) == POINTS for points in picks):  # the last one and what it leads to are one step
+            work, done = partial(_transform, picks), partial(self._take, known, picks)
+            self._background.run("picked-points", work, done, partial(self._refused, known))
+        else:
+            self._draft.edit("points", picks=picks)
 
     # -------------------------------------------------------------------------------- inside
-    def _take(self, picks: Picks, start: RigidTransform) -> None:
-        if picks is self._draft.choice.picks:
-            self._begun = False
-            self._draft.edit("points", start=start)
-            self.changed.emit()
+    def _take(self, known: Picks, picks: Picks, start: RigidTransform) -> None:
+        if self._wanted(known):
+            self._draft.edit("points", picking=False, picks=picks, start=start)
 
-    def _refused(self, fault: Exception) -> None:
-        self._tell(fault)
-        self.begin()
+    def _refused(self, known: Picks, fault: Exception) -> None:
+        if self._wanted(known):
+            self._tell(fault)
+            self.begin()
+
+    def _wanted(self, known: Picks) -> bool:
+        """Nobody has cancelled, undone or picked another one meanwhile."""
+        return self.active and known is self._draft.choice.picks
 
     def _look(self) -> None:
-        """Undo has come back among the points, or the surfaces are others."""
-        count = sum(map(len, self._draft.choice.picks))
-        if 0 < count < 2 * POINTS:
-            self._begun = True
-        elif self._draft.choice.start is not None:
-            self._begun = False
-        self.changed.emit()
+        shown = (self.active, self._draft.choice.picks)
+        if shown != self._shown:
+            self._shown = shown
+            self.changed.emit()
 
 
 def _transform(picks: Picks) -> RigidTransform:

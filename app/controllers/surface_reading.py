@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Literal
 from PySide6.QtCore import QObject, Signal
 
 from app.background import Background
-from app.comparison_draft import ComparisonChoice, ComparisonDraft, LoadedSurface
+from app.comparison_draft import NO_PICKS, ComparisonChoice, ComparisonDraft, LoadedSurface
 from app.controllers.case import CaseController
 from scanner_core.comparison.parameters import Frame
 from scanner_core.comparison.surface import ComparedSurface
@@ -60,6 +60,12 @@ class SurfaceReading(QObject):
         if loaded is not None and loaded.path is not None and unit != loaded.surface.unit:
             self.read(role, loaded.path, unit)
 
+    def cancel(self, role: Role) -> None:
+        """What is being read is not wanted any more: whatever comes of it is dropped."""
+        if self.reading.pop(role, None) is not None:
+            self._turns[role] += 1
+            self.changed.emit()
+
     # -------------------------------------------------------------------------------- inside
     def _begin(self, role: Role, name: str, read: Callable[[], ComparedSurface], path: Path | None, unit: str | None) -> None:
         self._turns[role] += 1
@@ -82,7 +88,9 @@ class SurfaceReading(QObject):
 
         def done(loaded: LoadedSurface) -> None:
             if ended():
-                self._draft.edit("unit" if unit is not None else role, **cleared(self._draft.choice, role), **{role: loaded})
+                self._draft.edit(
+                    "unit" if unit is not None else role, **cleared(self._draft.choice, role, same_object=unit is not None), **{role: loaded}
+                )
                 self.changed.emit()
 
         def failed(fault: Exception) -> None:
@@ -97,9 +105,14 @@ def loaded_of(choice: ComparisonChoice, role: Role) -> LoadedSurface | None:
     return choice.before if role == "before" else choice.after
 
 
-def cleared(choice: ComparisonChoice, role: Role) -> dict[str, object]:
-    """What belongs to the surface of `role` and goes with it: picked points, and of the surface after what is marked on it."""
-    gone: dict[str, object] = {"picks": ((), ()), "start": None}
+def cleared(choice: ComparisonChoice, role: Role, *, same_object: bool = False) -> dict[str, object]:
+    """What belongs to the surface of `role` and goes with it: picked points, and of the surface after what is marked on it.
+
+    The jaw was said of the object that goes, unless what comes is the `same_object`.
+    """
+    gone: dict[str, object] = {"picking": False, "picks": NO_PICKS, "start": None}
+    if not same_object and loaded_of(choice, role) is not None:
+        gone["jaw"] = None
     if role == "after":
         gone |= {"mask": None, "tooth": None}
         if choice.frame is Frame.MASK:

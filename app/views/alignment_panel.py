@@ -3,18 +3,25 @@
 from __future__ import annotations
 
 from functools import partial
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QPushButton, QWidget
 
 from app.services import Services
 from app.views import format as fmt
-from app.views.comparison_words import FRAMES, METHODS, doubt_words, frame_words, millimetres, translated
+from app.views.comparison_words import FRAMES, METHODS, fine_millimetres, frame_words, millimetres, translated
 from app.views.facts import Fact, Facts
 from app.views.parts import button, column, label, row, seam
-from scanner_core.comparison.alignment import FrameShift
+from app.views.remarks import Remarks
+from scanner_core.comparison.alignment import Alignment, FrameShift
 from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.parameters import Frame
+
+if TYPE_CHECKING:
+    from scanner_core.comparison.arch_frame import ArchFrame
+
+Region = tuple[str, float]
 
 
 class AlignmentPanel(QWidget):
@@ -28,6 +35,7 @@ class AlignmentPanel(QWidget):
     def __init__(self, services: Services) -> None:
         super().__init__()
         self._services = services
+        self._alignment: Alignment | None = None
         self.frame = QComboBox()
         self.frame.setAccessibleName(self.tr("Held fixed"))
         for frame in Frame:
@@ -44,7 +52,7 @@ class AlignmentPanel(QWidget):
         self.points = button(self.tr("Pick three points on each…"), "link", services.comparing.points.begin)
         self._shifts = label("", "", wrap=True)
         self._facts = Facts()
-        self._doubts = label("", "bad", wrap=True, selectable=True)
+        self._doubts = Remarks()
         caption = label(self.tr("Held fixed"), "section")
         caption.setBuddy(self.frame)
         box = column(caption, self.frame, self._about, self.stable, row(*self._tools.values(), spacing=6), self.points, seam(), spacing=8)
@@ -65,48 +73,54 @@ class AlignmentPanel(QWidget):
         choice = self._services.comparing.draft.choice
         self.frame.setCurrentIndex(self.frame.findData(choice.frame))
         self._about.setText(translated(FRAMES[choice.frame][1]))
-        self.points.setEnabled(choice.before is not None and choice.after is not None)
+        picking, answered = self._services.comparing.points.active, self._services.comparing.answers.comparison is not None
+        self.points.setEnabled(choice.before is not None and choice.after is not None and not picking)
+        for tool in (self.stable, *self._tools.values()):
+            tool.setEnabled(answered and not picking)
 
     def show_comparison(self, comparison: Comparison | None) -> None:
         """The numbers of the answer that is there."""
         self.show_choice()
-        for tool in (self.stable, *self._tools.values()):
-            tool.setEnabled(comparison is not None)
-        for shown in (self._facts, self._shifts, self._doubts):
+        for shown in (self._facts, self._shifts):
             shown.setVisible(comparison is not None)
         if comparison is None:
+            self._alignment = None
+            self._doubts.show_doubts(())
             return
+        if comparison.alignment is self._alignment:  # in other terms only
+            return
+        self._alignment = comparison.alignment
         alignment = comparison.alignment
         method = METHODS.get(alignment.method)
         scale, scale_u = 100 * (alignment.scale_ratio - 1), 200 * alignment.scale_ratio_uncertainty
         facts: list[Fact] = [
             (self.tr("Held fixed"), frame_words(alignment.frame), ""),
             (self.tr("Stable share"), self.tr("{n} %").format(n=fmt.percent(alignment.stable_area_fraction)), ""),
-            (self.tr("Residual there"), self.tr("{n} µm rms").format(n=fmt.micrometres(alignment.rms_um)), ""),
-            (self.tr("Uncertainty"), self.tr("± {n} µm (k = 2)").format(n=fmt.micrometres(2 * alignment.uncertainty_um)), ""),
-            (self.tr("Noise of a distance"), self.tr("{n} µm").format(n=fmt.micrometres(alignment.noise_um)), ""),
-            (self.tr("Size, after to before"), f"{scale:+.2f} ± {scale_u:.2f} %".replace("-", fmt.MINUS), ""),
+            (self.tr("Residual there"), self.tr("{n} mm rms").format(n=fine_millimetres(alignment.rms_um)), ""),
+            (self.tr("Uncertainty"), self.tr("± {n} mm (k = 2)").format(n=fine_millimetres(2 * alignment.uncertainty_um)), ""),
+            (self.tr("Noise of a distance"), self.tr("{n} mm").format(n=fine_millimetres(alignment.noise_um)), ""),
+            (self.tr("Size, after to before"), f"{_signed(scale)} ± {scale_u:.2f} %", ""),
             (self.tr("With a counterpart"), self.tr("{n} %").format(n=fmt.percent(alignment.overlap)), ""),
             (self.tr("Start found by"), translated(method) if method else alignment.method, ""),
         ]
         self._facts.show_facts(facts)
-        shifts = [self._shift_words(comparison, shift) for shift in alignment.shifts]
-        self._shifts.setText("\n".join(shifts))
-        self._doubts.setText("\n\n".join(doubt_words(doubt) for doubt in alignment.doubts))
-        self._doubts.setVisible(bool(alignment.doubts))
+        self._shifts.setText("")
+        before = self._services.comparing.draft.choice.before
+        work = partial(_regions, comparison, None if before is None else before.arch)
+        self._services.background.run("shifted-regions", work, partial(self._show_shifts, alignment))
+        self._doubts.show_doubts((*alignment.doubts, *comparison.pair))
 
     @property
     def texts(self) -> dict[str, str]:
-        return self._facts.texts | {"shifts": self._shifts.text(), "doubts": self._doubts.text()}
+        return self._facts.texts | {"shifts": self._shifts.text(), "doubts": self._doubts.text}
 
-    def _shift_words(self, comparison: Comparison, shift: FrameShift) -> str:
-        """What another frame would have said."""
-        from scanner_core.comparison.shifted_region import shifted_region
+    def _show_shifts(self, alignment: Alignment, regions: list[Region | None]) -> None:
+        """What other frames would have said."""
+        if alignment is self._alignment:
+            words = [self._shift_words(shift, region) for shift, region in zip(alignment.shifts, regions, strict=True)]
+            self._shifts.setText("\n".join(words))
 
-        before = self._services.comparing.draft.choice.before
-        arch = None if before is None else before.arch
-        points = comparison.alignment.transform.apply(comparison.after.mesh.vertices)
-        region = None if arch is None else shifted_region(shift, points, arch)
+    def _shift_words(self, shift: FrameShift, region: Region | None) -> str:
         if region is None:
             return self.tr("{frame} instead would shift everything by {rms} mm on average, {most} mm at most.").format(
                 frame=frame_words(shift.frame), rms=millimetres(shift.rms_um), most=millimetres(shift.max_um)
@@ -128,3 +142,17 @@ class AlignmentPanel(QWidget):
 
     def _choose_tool(self, name: str) -> None:
         self.tool_wanted.emit(name if self._tools[name].isChecked() else "look")
+
+
+def _regions(comparison: Comparison, arch: ArchFrame | None) -> list[Region | None]:
+    """By shift: the teeth that it moves most, and how far; None where that is everything alike."""
+    from scanner_core.comparison.shifted_region import shifted_region
+
+    points = comparison.alignment.transform.apply(comparison.after.mesh.vertices)
+    return [None if arch is None else shifted_region(shift, points, arch) for shift in comparison.alignment.shifts]
+
+
+def _signed(percents: float) -> str:
+    """+0.12, −0.12; nothing has no sign."""
+    text = f"{percents:+.2f}".replace("-", fmt.MINUS)
+    return "0.00" if text[1:] == "0.00" else text

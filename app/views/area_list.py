@@ -30,7 +30,9 @@ class AreaList(QListWidget):
         self.itemClicked.connect(lambda item: self._fly(self.row(item)))
 
     def show_areas(self, areas: Sequence[Area]) -> None:
-        """These instead of what stands there; none is chosen."""
+        """These instead of what stands there; what was chosen stays, when they are the same areas in other words."""
+        same = [area.vertices is old.vertices for area, old in zip(areas, self._areas, strict=False)]
+        chosen = self.currentRow() if len(areas) == len(self._areas) and all(same) else -1
         self.blockSignals(True)
         self.clear()
         self._areas = areas
@@ -40,7 +42,7 @@ class AreaList(QListWidget):
             item.setData(Qt.ItemDataRole.AccessibleTextRole, entry.text)
             self.addItem(item)
             self.setItemWidget(item, entry)
-        self.setCurrentRow(-1)
+        self.setCurrentRow(chosen)
         self.blockSignals(False)
         self._fit()
 

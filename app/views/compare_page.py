@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,6 +11,7 @@ from PySide6.QtGui import QDragEnterEvent, QDragLeaveEvent, QDragMoveEvent, QDro
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QStackedWidget, QVBoxLayout, QWidget
 
 from app.controllers.surface_reading import Role, loaded_of
+from app.graphics_import import import_graphics
 from app.services import Services
 from app.views.alignment_panel import AlignmentPanel
 from app.views.compare_foot import CompareFoot
@@ -27,6 +27,7 @@ from app.views.verdict import Verdict
 
 if TYPE_CHECKING:
     from app.views.comparison_scene import ComparisonScene
+    from scanner_core.comparison.surface import ComparedSurface
 
 WIDTH = 340
 SUFFIXES = (".stl", ".ply", ".obj", ".vtp", ".3mf", ".impronta")
@@ -44,6 +45,7 @@ class ComparePage(Page):
         self.scene: ComparisonScene | None = None
         self._preparing = False
         self._dragging = False
+        self._pair: tuple[ComparedSurface, ComparedSurface] | None = None
         self.stage = CompareStage()
         self.targets = self._make_targets()
         self._empty = self._make_empty()
@@ -148,6 +150,7 @@ class ComparePage(Page):
         comparing.points.changed.connect(self._show_points)
         comparing.report.changed.connect(self.foot.show_state)
         comparing.kept.connect(self.foot.show_state)
+        comparing.keeping.changed.connect(self.surfaces.show_kept)
         self.services.case.opened.connect(self._show_cases)
         self.services.case.meshed.connect(self._show_cases)
         self.alignment.tool_wanted.connect(self.picture.take_tool)
@@ -156,6 +159,7 @@ class ComparePage(Page):
         self.findings.areas.wanted.connect(self.picture.fly_to)
         self.picture.tool_taken.connect(self.alignment.show_tool)
         self.picture.tool_taken.connect(self.findings.show_tool)
+        self.picture.tool_taken.connect(self.foot.show_tool)
 
     # -------------------------------------------------------------------------------- showing
     def _show(self) -> None:
@@ -174,9 +178,10 @@ class ComparePage(Page):
     def _show_state(self) -> None:
         """Progress, and what stands in the middle."""
         answers = self._comparing.answers
-        self.verdict.show_comparison(answers.comparison, current=answers.current)
-        self.foot.show_state()
         picking = self._comparing.points.active
+        self.verdict.show_comparison(None if picking else answers.comparison, current=answers.current)
+        self.foot.show_state()
+        self.tabs["findings"].setEnabled(not picking)  # they belong to the answer that is not seen meanwhile
         seen = answers.comparison is not None and not self._dragging and not picking
         self.stage.show_seen(seen)
         self.stage.show_part(self.scene if seen or picking else self._empty)
@@ -186,7 +191,10 @@ class ComparePage(Page):
         self.findings.show_comparison(comparison)
         self.alignment.show_comparison(comparison)
         self.picture.show_comparison(comparison)
-        self.show_panel("surfaces" if comparison is None else "findings")
+        pair = None if comparison is None else (comparison.before, comparison.after)
+        if pair != self._pair:
+            self._pair = pair
+            self.show_panel("surfaces" if pair is None else "findings")
         self._show_state()
 
     def _show_tooth(self) -> None:
@@ -195,6 +203,10 @@ class ComparePage(Page):
 
     def _show_points(self) -> None:
         self.picture.show_points()
+        self.alignment.show_choice()
+        self.findings.show_choice()
+        if self._comparing.points.active:
+            self.show_panel("alignment")
         self._show_state()
 
     def _show_cases(self) -> None:
@@ -208,7 +220,15 @@ class ComparePage(Page):
         """The first surface is there: by the time of the result the 3D view will be, too."""
         if self.scene is None and not self._preparing:
             self._preparing = True
-            self.services.background.run("import-comparison-3d", _import_scene, lambda _: self._put_scene())
+            self.stage.show_waiting(self.tr("Preparing the 3D view…"))
+            work = partial(import_graphics, "app.views.comparison_scene")
+            self.services.background.run("import-comparison-3d", work, lambda _: self._put_scene(), self._unprepared)
+
+    def _unprepared(self, fault: Exception) -> None:
+        """The next edit tries again."""
+        self._preparing = False
+        self.stage.show_waiting(self.tr("There is no 3D view; the numbers stand beside it."))
+        self._comparing.tell(fault)
 
     def _put_scene(self) -> None:
         from app.views.comparison_scene import ComparisonScene
@@ -234,6 +254,14 @@ class ComparePage(Page):
 
     def take_files(self, paths: list[Path], role: Role | None) -> None:
         """Dropped files: one for `role`, or for the place that is free; two are before and after, in their order."""
+        strange = [path.name for path in paths if path.suffix.lower() not in SUFFIXES]
+        paths = [path for path in paths if path.suffix.lower() in SUFFIXES]
+        kinds = self.tr("A surface is an STL, PLY, OBJ, VTP or 3MF file, or a case.")
+        if strange:
+            self.noted.emit(self.tr("{names}: not read.").format(names=", ".join(strange)), kinds)
+        elif len(paths) > 2:
+            left = ", ".join(path.name for path in paths[2:])
+            self.noted.emit(self.tr("{names}: not read.").format(names=left), self.tr("Two surfaces are compared: the first two files were taken."))
         if len(paths) >= 2:
             for each, path in zip(ROLES, paths, strict=False):
                 self._comparing.reading.read(each, path)
@@ -279,9 +307,4 @@ class ComparePage(Page):
 
 
 def _files(event: QDropEvent) -> list[Path]:
-    paths = [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
-    return [path for path in paths if path.suffix.lower() in SUFFIXES]
-
-
-def _import_scene() -> None:
-    importlib.import_module("app.views.comparison_scene")
+    return [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]

@@ -49,7 +49,7 @@ class CompareStage(QWidget):
         line.addWidget(self.value, 1)
         self.looks = self._make_looks()
         line.addWidget(self.looks)
-        self._waiting = label(self.tr("Preparing the 3D view…"), "muted")
+        self._waiting = label("", "muted")
         self._waiting.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._middle = QStackedLayout()
         self._middle.addWidget(self._waiting)
@@ -149,6 +149,10 @@ class CompareStage(QWidget):
     def show_part(self, part: QWidget | None) -> None:
         """This in the middle, or the words that the 3D view is being prepared."""
         self._middle.setCurrentWidget(part or self._waiting)
+
+    def show_waiting(self, words: str) -> None:
+        """What stands in the place of the 3D view while there is none."""
+        self._waiting.setText(words)
 
     def show_value(self, signed_um: float | None, *, there: bool) -> None:
         """Of the point under the pointer; nothing when it is not over a surface."""

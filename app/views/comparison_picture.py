@@ -87,6 +87,9 @@ class ComparisonPicture(QObject):
         scene = self._scene
         if scene is None or comparison is self._shown or self.between is not None:
             return
+        if comparison is not None and self._shown is not None and comparison.alignment is self._shown.alignment:
+            self._shown = comparison  # the same measurement in other terms: nothing that is drawn changes
+            return
         self._shown = comparison
         self._chosen = None
         self._stage.show_section(False)

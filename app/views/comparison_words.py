@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from PySide6.QtCore import QCoreApplication
 
 from app.translation import QT_TRANSLATE_NOOP
@@ -47,6 +49,13 @@ def millimetres(length_um: float | None, *, signed: bool = False) -> str:
     return text if text == "0.00" else sign + text
 
 
+def fine_millimetres(length_um: float | None) -> str:
+    """0.025, 0.42: of what is small by nature, three digits below a tenth."""
+    if length_um is None or length_um != length_um or length_um >= 99.5:
+        return millimetres(length_um)
+    return f"{length_um / 1000:.3f}"
+
+
 def value_words(signed_um: float | None) -> str:
     """Of the point under the pointer."""
     if signed_um is None or signed_um != signed_um:
@@ -78,7 +87,9 @@ def _uncertain(motion: PartMotion) -> dict[str, str]:
 
 
 def doubt_words(doubt: Doubt) -> str:
-    return QCoreApplication.translate("doubts", doubt.words)
+    """Lengths in the window's unit."""
+    words = QCoreApplication.translate("doubts", doubt.words)
+    return re.sub(r"(\d+(?:\.\d+)?) (?:um|µm)\b", lambda found: f"{fine_millimetres(float(found[1]))} mm", words)
 
 
 def serious_doubts(comparison: Comparison) -> list[str]:

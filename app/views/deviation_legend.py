@@ -7,6 +7,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen, QP
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.theme import FAINT, MUTED, TEXT
+from app.views.comparison_words import fine_millimetres
 from scanner_core.comparison.colour_scale import HATCH, NO_COUNTERPART, THRESHOLD_LINE, WITHIN_LEVEL, DeviationScale
 
 _SIDE, _BAR_TOP, _BAR = 26.0, 22.0, 14.0
@@ -100,7 +101,7 @@ class DeviationLegend(QWidget):
         """Grey, line and hatch with their words."""
         top = _BAR_TOP + _BAR + 28
         words = (
-            self.tr("within ±{um:.0f} µm: not detectable").format(um=scale.level_um),
+            self.tr("within ±{mm} mm: not detectable").format(mm=fine_millimetres(scale.level_um)),
             self.tr("±{mm:.2f} mm").format(mm=threshold / 1000),
             self.tr("no counterpart"),
         )

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDoubleSpinBox, QPushButton, QStackedWidget, QWidg
 from app.services import Services
 from app.views import format as fmt
 from app.views.area_list import AreaList
-from app.views.comparison_words import JAWS, millimetres, motion_words, translated
+from app.views.comparison_words import JAWS, fine_millimetres, millimetres, motion_words, translated
 from app.views.facts import Fact, Facts
 from app.views.parts import BigNumber, button, column, label, row, scrolled, seam
 from scanner_core.comparison.comparison import Comparison
@@ -30,7 +30,7 @@ class FindingsPanel(QWidget):
         self._level = BigNumber(self.tr("mm detection level"))
         self._above = BigNumber("")
         self.areas = AreaList()
-        self._none = label(self.tr("Nothing differs by more than the detection level."), "muted", wrap=True)
+        self._none = label("", "muted", wrap=True)
         self._facts = Facts()
         self._below = QStackedWidget()
         self._below.addWidget(self.areas)
@@ -64,7 +64,7 @@ class FindingsPanel(QWidget):
             made = button(text, "choice", partial(self._lasso, name))
             made.setCheckable(True)
             self._lassos[name] = made
-        self._unmark = button(self.tr("Remove"), "link", services.comparing.tooth.unmark)
+        self._unmark = button(self.tr("Remove the mark"), "link", services.comparing.tooth.unmark)
         self._motion = label("", "", wrap=True, selectable=True)
         self._motion.setStyleSheet("font-weight: 600;")
         threshold = label(self.tr("Threshold"), "muted")
@@ -94,18 +94,24 @@ class FindingsPanel(QWidget):
         self.show_choice()
         self.areas.show_areas(() if comparison is None else comparison.areas)
         self._none.setVisible(comparison is not None and not comparison.areas)
-        self.tooth.setEnabled(comparison is not None)
         if comparison is None:
             for number in (self._count, self._level, self._above):
                 number.show_number(fmt.NO_VALUE)
             self._above.show_unit(self.tr("mm² above threshold"))
             self._facts.show_facts(())
             return
+        from scanner_core.comparison.area_bar import AreaBar
+
+        bar = AreaBar.of(comparison.deviation)
+        words = self.tr("No area of {area} mm² or more differs by more than {n} mm (smoothed). The map shows smaller differences.")
+        self._none.setText(words.format(area=f"{bar.extent_mm2:g}", n=millimetres(bar.deviation_um)))
         found = comparison.deviation.statistics
         self._count.show_number(str(len(comparison.areas)))
-        self._level.show_number(millimetres(comparison.deviation.detection_level_um))
-        self._above.show_number(f"{found.area_above_mm2.get('250', 0.0):.0f}")
-        self._above.show_unit(self.tr("mm² above 0.25 mm"))
+        threshold_um = comparison.parameters.tolerance_um
+        above_mm2 = found.area_above_mm2.get(str(round(threshold_um)))
+        self._level.show_number(fine_millimetres(comparison.deviation.detection_level_um))
+        self._above.show_number(fmt.NO_VALUE if above_mm2 is None else f"{above_mm2:.0f}")
+        self._above.show_unit(self.tr("mm² above {n} mm").format(n=millimetres(threshold_um)))
         self._facts.show_facts(self._numbers(comparison))
 
     def show_choice(self) -> None:
@@ -117,6 +123,7 @@ class FindingsPanel(QWidget):
         self.threshold.blockSignals(True)
         self.threshold.setValue(choice.tolerance_um / 1000)
         self.threshold.blockSignals(False)
+        self.tooth.setEnabled(comparing.answers.comparison is not None and not comparing.points.active)
         marked = choice.tooth is not None
         for part in (*self._lassos.values(), self._unmark):
             part.setVisible(marked)
@@ -137,7 +144,7 @@ class FindingsPanel(QWidget):
     # -------------------------------------------------------------------------------- inside
     def _numbers(self, comparison: Comparison) -> list[Fact]:
         found = comparison.deviation.statistics
-        lines: list[tuple[str, float | None]] = [
+        lengths: list[tuple[str, float | None]] = [
             (self.tr("Mean, signed"), found.mean_um),
             (self.tr("rms"), found.rms_um),
             (self.tr("Half below"), found.p50_um),
@@ -146,17 +153,20 @@ class FindingsPanel(QWidget):
             (self.tr("Greatest"), found.max_um),
             (self.tr("Hausdorff, after to before"), found.hausdorff_after_to_before_um),
             (self.tr("Hausdorff, before to after"), found.hausdorff_before_to_after_um),
+        ]
+        levels: list[tuple[str, float | None]] = [
             (self.tr("Detection level here"), comparison.deviation.detection_level_um),
             (self.tr("Detection level of the rig"), comparison.null_level_um),
         ]
         facts: list[Fact] = [
             (name, self.tr("{n} mm").format(n=millimetres(value, signed=place == 0)), "")
-            for place, (name, value) in enumerate(lines)
+            for place, (name, value) in enumerate(lengths)
             if value is not None
         ]
+        facts += [(name, self.tr("{n} mm").format(n=fine_millimetres(value)), "") for name, value in levels if value is not None]
         facts += [
             (self.tr("Above {n} mm").format(n=millimetres(float(level))), self.tr("{n} mm²").format(n=f"{area:.0f}"), "")
-            for level, area in found.area_above_mm2.items()
+            for level, area in sorted(found.area_above_mm2.items(), key=lambda entry: float(entry[0]))
         ]
         facts.append((self.tr("Without counterpart"), self.tr("{n} %").format(n=fmt.percent(found.no_counterpart_fraction)), ""))
         return facts

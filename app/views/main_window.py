@@ -63,6 +63,7 @@ class MainWindow(QMainWindow):
             page = info.make(services)
             page.wanted.connect(self.show_page)
             page.intent.connect(self._do)
+            page.noted.connect(self.banner.tell_note)
             self.pages[info.id] = page
             self._stack.addWidget(page)
         self._stage_seam = seam(upright=True)
@@ -123,6 +124,7 @@ class MainWindow(QMainWindow):
             self._stack.setMinimumWidth(0)
             self._stack.setMaximumWidth(16_777_215)
         self.rail.show_page(page_id)
+        self._show_whose()
         page.entered()
 
     @property
@@ -246,8 +248,18 @@ class MainWindow(QMainWindow):
         services.reconstruction.ended.connect(self._end_reconstruction)
         services.reconstruction.changed.connect(self._show_activity)
         services.comparing.answers.changed.connect(self._show_activity)
+        services.comparing.draft.changed.connect(self._show_whose)
         self._undo.changed.connect(self._show_undo)
         self.rail.show_order(services.draft.values)
+
+    def _show_whose(self) -> None:
+        """Whose surface is shown: the order's, or those that are compared, which may be another patient's."""
+        if self.page_id != "compare":
+            self.rail.show_surfaces(None)
+            return
+        choice = self.services.comparing.draft.choice
+        before, after = (None if loaded is None else loaded.surface.name for loaded in (choice.before, choice.after))
+        self.rail.show_surfaces((before, after))
 
     def _show_undo(self) -> None:
         for name, what in (("undo", self._undo.undo_words), ("redo", self._undo.redo_words)):

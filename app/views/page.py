@@ -21,6 +21,8 @@ class Page(QWidget):
     wanted = Signal(str)
     intent = Signal(str)
     """Asks the window for an action of the action table."""
+    noted = Signal(str, str)
+    """Something worth knowing and what to do, for the banner."""
 
     def __init__(self, services: Services) -> None:
         super().__init__()

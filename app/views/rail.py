@@ -32,6 +32,7 @@ class Rail(QWidget):
         self._order.setStyleSheet("font-weight: 600; font-size: 14px;")
         self._badge = SideBadge()
         self._kind = label("", "muted")
+        self._pair = label("", "", wrap=True)
         self._code = label("", "faint")
         order = QVBoxLayout()
         order.setContentsMargins(18, 12, 12, 14)
@@ -39,6 +40,9 @@ class Rail(QWidget):
         order.addWidget(self._order)
         order.addWidget(self._code)
         order.addLayout(row(self._badge, self._kind, 1, spacing=8))
+        order.addWidget(self._pair)
+        self._values = DraftValues()
+        self._surfaces: tuple[str | None, str | None] | None = None
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 14)
         box.setSpacing(0)
@@ -77,6 +81,24 @@ class Rail(QWidget):
         self._steps[page_id].setChecked(True)
 
     def show_order(self, values: DraftValues) -> None:
+        self._values = values
+        self._show_head()
+
+    def show_surfaces(self, names: tuple[str | None, str | None] | None) -> None:
+        """The names of the surfaces before and after in the place of the order, which need not be theirs; None for the order again."""
+        self._surfaces = names
+        self._show_head()
+
+    def _show_head(self) -> None:
+        values, names = self._values, self._surfaces
+        for part in (self._order, self._code, self._badge, self._kind):
+            part.setVisible(names is None)
+        self._pair.setVisible(names is not None)
+        if names is not None:
+            before, after = (name or self.tr("none yet") for name in names)
+            self._pair.setText(self.tr("Before: {before}\nAfter: {after}").format(before=before, after=after))
+            self._pair.setToolTip(self._pair.text())
+            return
         self._order.setText(values.order or self.tr("No order number"))
         self._code.setText(values.patient_code)
         self._code.setVisible(bool(values.patient_code))

@@ -9,21 +9,30 @@ from PySide6.QtWidgets import QComboBox, QFrame, QToolButton
 from app.comparison_draft import LoadedSurface
 from app.theme import MUTED, icon
 from app.views import format as fmt
-from app.views.comparison_words import doubt_words
 from app.views.facts import Fact, Facts
 from app.views.parts import button, column, label, row
+from app.views.remarks import Remarks
 
 UNITS = ("mm", "cm", "m", "inch")
 
 
 class SurfaceCard(QFrame):
-    """Calls `replace()`, `remove()` and `unit(name)`."""
+    """Calls `replace()`, `remove()`, `unit(name)`, and `stop()` while a file is read."""
 
-    def __init__(self, title: str, *, replace: Callable[[], None], remove: Callable[[], None], unit: Callable[[str], None]) -> None:
+    def __init__(
+        self,
+        title: str,
+        *,
+        replace: Callable[[], None],
+        remove: Callable[[], None],
+        unit: Callable[[str], None],
+        stop: Callable[[], None],
+    ) -> None:
         super().__init__()
         self._name = label("", wrap=True, selectable=True)
         self._name.setStyleSheet("font-weight: 600;")
         self._replace = button("", "link", replace)
+        self.stop = button(self.tr("Cancel"), "link", stop)
         self._remove = QToolButton()
         self._remove.setIcon(icon("cross", MUTED))
         self._remove.setToolTip(self.tr("Take this surface out"))
@@ -39,8 +48,8 @@ class SurfaceCard(QFrame):
         self.unit.activated.connect(lambda _: unit(str(self.unit.currentData())))
         self._unit_title.setBuddy(self.unit)
         self._reason = label("", "faint", wrap=True)
-        self._doubts = label("", "bad", wrap=True, selectable=True)
-        head = row(label(title, "section"), 1, self._replace, self._remove, spacing=8)
+        self._doubts = Remarks()
+        head = row(label(title, "section"), 1, self.stop, self._replace, self._remove, spacing=8)
         box = column(head, self._name, self._facts, row(self._unit_title, 1, self.unit), self._reason, self._doubts, spacing=5)
         box.setContentsMargins(0, 0, 0, 0)
         self.setLayout(box)
@@ -51,11 +60,13 @@ class SurfaceCard(QFrame):
         there = loaded is not None and reading is None
         for part in (self._remove, self._facts, self._unit_title, self.unit):
             part.setVisible(there)
+        self.stop.setVisible(reading is not None)
+        self._replace.setVisible(reading is None)
         self._replace.setText(self.tr("Choose…") if loaded is None else self.tr("Replace…"))
         if loaded is None or reading is not None:
             self._name.setText(self.tr("Reading {name}…").format(name=reading) if reading else self.tr("none yet"))
             self._reason.hide()
-            self._doubts.hide()
+            self._doubts.show_doubts(())
             return
         surface = loaded.surface
         self._name.setText(surface.name)
@@ -74,12 +85,11 @@ class SurfaceCard(QFrame):
         self.unit.setEnabled(loaded.path is not None)
         self._reason.setText(self.tr("as you said") if loaded.unit is not None else surface.unit_reason)
         self._reason.show()
-        self._doubts.setText("\n".join(doubt_words(doubt) for doubt in surface.doubts))
-        self._doubts.setVisible(bool(surface.doubts))
+        self._doubts.show_doubts(surface.doubts)
 
     def _unit_word(self, name: str) -> str:
         return {"mm": self.tr("millimetres"), "cm": self.tr("centimetres"), "m": self.tr("metres"), "inch": self.tr("inches")}[name]
 
     @property
     def doubts(self) -> str:
-        return self._doubts.text()
+        return self._doubts.text

@@ -10,7 +10,7 @@ from itertools import pairwise
 from pathlib import Path
 
 from scanner_core.case.store import SUFFIX, CaseStore
-from scanner_core.commands.comparing import comparison_summary, null_summary, run_comparison, series_summary
+from scanner_core.commands.comparing import comparison_summary, null_summary, run_comparison, run_series, series_summary
 from scanner_core.commands.console import Console
 from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.comparison_values import comparison_values, warnings
@@ -22,17 +22,16 @@ from scanner_core.comparison.pair_doubts import pair_doubts
 from scanner_core.comparison.parameters import ComparisonParameters, Frame, Jaw
 from scanner_core.comparison.report import dicom
 from scanner_core.comparison.report.writer import NAMES, write_report
-from scanner_core.comparison.series import measure_series
 from scanner_core.comparison.surface import ComparedSurface
 from scanner_core.devices.null_level import NullLevel, with_null_levels
 from scanner_core.devices.rig import PRESETS, RigConfig, load_rig_or_preset, parse_rig, rig_text
-from scanner_core.errors import ComparisonError, StorageError, UsageError
+from scanner_core.errors import StorageError, UsageError
 from scanner_core.files import check_free, replaced_when_whole
 from scanner_core.jobs.progress import Progress
 from scanner_core.mesh_io.dicom import check_pydicom
 from scanner_core.wall_clock import stamp
 
-_SERIES = "series.csv"
+_SERIES, _AGAINST_FIRST = "series.csv", "{}-against-1"
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
@@ -44,29 +43,15 @@ def run(given: argparse.Namespace, console: Console) -> int:
     rig = None if given.rig is None else load_rig_or_preset(given.rig)
     folder = None if given.out is None else _free(Path(given.out), given.force, _names(given, len(paths)))
     surfaces = _read(given, paths, console)
-    try:
-        return _compared(given, console, surfaces, parameters, rig, folder)
-    except ComparisonError:  # what is odd about the surfaces may well be why
-        _tell(console, [f"{surface.name}: {doubt.words}" for surface in surfaces for doubt in surface.doubts])
-        _tell(console, [doubt.words for pair in pairwise(surfaces) for doubt in pair_doubts(*pair)])
-        raise
-
-
-def _compared(
-    given: argparse.Namespace,
-    console: Console,
-    surfaces: Sequence[ComparedSurface],
-    parameters: ComparisonParameters,
-    rig: RigConfig | None,
-    folder: Path | None,
-) -> int:
+    told = _seen(surfaces)
+    _tell(console, told)  # now: whatever the comparison ends with, this may well be why
     if len(surfaces) > 2:
-        return _series(given, console, surfaces, parameters, rig, folder)
+        return _series(given, console, surfaces, parameters, rig, folder, told)
     before, after = surfaces
     mask = None if given.mask is None else read_mask(Path(given.mask), after)
     comparison = _beside_null(run_comparison(console, before, after, parameters, mask), rig, given.material)
     values, lines = comparison_values(comparison), comparison_summary(comparison)
-    level = null_level_of(comparison, given.material.strip()) if given.null else None
+    level = null_level_of(comparison, given.material.strip(), rig.name) if given.null and rig is not None else None
     if folder is not None:
         files = _report(given, console, comparison, folder)
         values["files"] = [str(path) for path in files]
@@ -76,7 +61,7 @@ def _compared(
         values["null"] = level.as_dict() | {"rig": given.rig}
         lines += null_summary(level, given.rig)
     values |= _kept(given, comparison)
-    _tell(console, warnings(comparison))
+    _tell(console, [sentence for sentence in warnings(comparison) if sentence not in told])
     console.result(values, lines)
     return 0
 
@@ -152,9 +137,9 @@ def _series(
     parameters: ComparisonParameters,
     rig: RigConfig | None,
     folder: Path | None,
+    told: Sequence[str],
 ) -> int:
-    series = measure_series(surfaces, parameters, progress=lambda p: console.progress(p.phase, p.fraction, p.seconds_left), cancelled=lambda: False)
-    console.clear()
+    series = run_series(console, surfaces, parameters)
     to_first, to_previous = ([_beside_null(one, rig, given.material) for one in part] for part in (series.to_first, series.to_previous))
     values: dict[str, object] = {
         "series": series.as_dict(),
@@ -167,10 +152,10 @@ def _series(
             partial.write_text(series.csv(), encoding="utf-8")
         files = [folder / _SERIES]
         for number, one in enumerate(to_first, 2):
-            files += _report(given, console, one, folder / f"{number}-against-1")
+            files += _report(given, console, one, folder / _AGAINST_FIRST.format(number))
         values["files"] = [str(path) for path in files]
         lines.append(f"Written to {folder}: {', '.join(path.relative_to(folder).as_posix() for path in files)}.")
-    _tell(console, list(dict.fromkeys(sentence for one in to_first for sentence in warnings(one))))
+    _tell(console, list(dict.fromkeys(sentence for one in to_first for sentence in warnings(one) if sentence not in told)))
     _tell(console, [doubt.words for doubt in series.doubts])
     console.result(values, lines)
     return 0
@@ -191,12 +176,21 @@ def _report(given: argparse.Namespace, console: Console, comparison: Comparison,
 
 
 def _names(given: argparse.Namespace, surfaces: int) -> Sequence[str]:
-    """The files that will stand in the folder itself."""
+    """The files that will stand in the folder and below it."""
     if given.dicom:
         check_pydicom()
+    report = [*NAMES, *dicom.NAMES] if given.dicom else NAMES
     if surfaces > 2:
-        return [_SERIES]
-    return [*NAMES, *dicom.NAMES] if given.dicom else NAMES
+        return [_SERIES, *(f"{_AGAINST_FIRST.format(number)}/{name}" for number in range(2, surfaces + 1) for name in report)]
+    return report
+
+
+def _seen(surfaces: Sequence[ComparedSurface]) -> list[str]:
+    """What is odd about the surfaces and about the pairs that will be compared, each once."""
+    pairs = [*((surfaces[0], later) for later in surfaces[1:]), *pairwise(surfaces[1:])]
+    of_one = [(doubt, f"{surface.name}: {doubt.words}") for surface in surfaces for doubt in surface.doubts]
+    of_two = [(doubt, doubt.words) for pair in pairs for doubt in pair_doubts(*pair)]
+    return list(dict.fromkeys(words for _, words in sorted(of_one + of_two, key=lambda one: not one[0].serious)))
 
 
 def _tell(console: Console, sentences: Sequence[str]) -> None:
@@ -204,12 +198,12 @@ def _tell(console: Console, sentences: Sequence[str]) -> None:
         console.say(f"Warning: {sentence}")
 
 
-def _free(path: Path, force: bool, names: Sequence[str]) -> Path:
+def _free(given: Path, force: bool, names: Sequence[str]) -> Path:
     """The folder, which need not exist yet; StorageError when it holds one of the files already, or cannot be written."""
-    folder = path.resolve()
-    if os.path.lexists(folder):
-        for name in names:
-            check_free(folder / name, force)
+    folder = given.resolve()
+    for path in (folder / name for name in names):
+        if os.path.lexists(path.parent):
+            check_free(path, force)
     return folder
 
 

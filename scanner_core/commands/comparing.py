@@ -2,41 +2,50 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.commands.console import Console
-from scanner_core.comparison.alignment import Alignment
 from scanner_core.comparison.area import Area
+from scanner_core.comparison.area_bar import AreaBar
 from scanner_core.comparison.compare import CompareRequest
 from scanner_core.comparison.comparison import Comparison
+from scanner_core.comparison.comparison_values import above_null
+from scanner_core.comparison.frame_words import HELD, shift_sentences
 from scanner_core.comparison.parameters import ComparisonParameters, Frame
-from scanner_core.comparison.series import Series
+from scanner_core.comparison.series import Series, SeriesRequest
 from scanner_core.comparison.surface import ComparedSurface
 from scanner_core.devices.null_level import NullLevel
 from scanner_core.jobs.blocking import run_in_worker
 from scanner_core.jobs.progress import Progress
-
-_FRAMES = {
-    Frame.AUTO: "held fixed: the region that did not change, found automatically",
-    Frame.WHOLE: "held fixed: everything (best fit of the whole surfaces)",
-    Frame.MASK: "held fixed: the marked part",
-    Frame.GIVEN: "not aligned: the surfaces lie as their files say",
-}
 
 
 def run_comparison(
     console: Console, before: ComparedSurface, after: ComparedSurface, parameters: ComparisonParameters, mask: NDArray[np.bool_] | None
 ) -> Comparison:
     """Compare in the worker process; Ctrl-C ends it within a second."""
+    result = _in_worker(console, "compare", CompareRequest(before, after, parameters, mask))
+    if not isinstance(result, Comparison):
+        raise TypeError(f"the worker answered with {type(result).__name__}")
+    return result
 
+
+def run_series(console: Console, surfaces: Sequence[ComparedSurface], parameters: ComparisonParameters) -> Series:
+    """Compare a series in the worker process; Ctrl-C ends it within a second."""
+    result = _in_worker(console, "compare-series", SeriesRequest(tuple(surfaces), parameters))
+    if not isinstance(result, Series):
+        raise TypeError(f"the worker answered with {type(result).__name__}")
+    return result
+
+
+def _in_worker(console: Console, job: str, request: object) -> object:
     def show(progress: Progress) -> None:
         console.progress(progress.phase, progress.fraction, progress.seconds_left)
 
-    result = run_in_worker("compare", CompareRequest(before, after, parameters, mask), progress=show, cancelled=lambda: False)
+    result = run_in_worker(job, request, progress=show, cancelled=lambda: False)
     console.clear()
-    if not isinstance(result, Comparison):
-        raise TypeError(f"the worker answered with {type(result).__name__}")
     return result
 
 
@@ -45,33 +54,31 @@ def comparison_summary(comparison: Comparison) -> list[str]:
     before, after, found = comparison.before, comparison.after, comparison.deviation.statistics
     lines = [
         f"{after.name} ({len(after.mesh.triangles)} triangles, {after.unit}) against {before.name} ({len(before.mesh.triangles)}, {before.unit}).",
-        *_alignment(comparison.alignment),
+        *_alignment(comparison),
         f"Deviation, + outward: mean {found.mean_um:+.1f} um, rms {found.rms_um:.1f} um, 95 % below {found.p95_um:.1f} um, "
         f"largest {found.max_um:.0f} um; {100 * found.no_counterpart_fraction:.1f} % of the surface has no counterpart. "
         f"Level of detection: {comparison.deviation.detection_level_um:.1f} um.",
     ]
     if comparison.null_level_um is not None:
         lines.append(f"The same model measured twice seemed to change by up to {comparison.null_level_um:.1f} um (95 %, null comparison).")
-    lines.append(f"Areas of greatest difference: {len(comparison.areas) or 'none'}.")
-    lines += [_area(area, comparison.null_level_um) for area in comparison.areas]
+    bar = AreaBar.of(comparison.deviation)
+    size = f"of at least {bar.extent_mm2:g} mm2 that differ by more than {bar.deviation_um:.0f} um"
+    lines.append(f"Areas {size}: {len(comparison.areas) or 'none'}.")
+    lines += [_area(area, comparison) for area in comparison.areas]
     lines.append("No serious doubt." if comparison.reliable else "NOT RELIABLE; the warnings say why.")
     return lines
 
 
-def _alignment(alignment: Alignment) -> list[str]:
-    said = f"Alignment, {_FRAMES[alignment.frame]}"
+def _alignment(comparison: Comparison) -> list[str]:
+    alignment = comparison.alignment
+    said = f"Alignment, held fixed: {HELD[alignment.frame]}"
     if alignment.frame is not Frame.GIVEN:
         said += f" ({100 * alignment.stable_area_fraction:.0f} % of the area; {alignment.method}): rms {alignment.rms_um:.1f} um, "
         said += f"uncertainty {alignment.uncertainty_um:.1f} um, size after / before {alignment.scale_ratio:.5f}"
-    lines = [said + "."]
-    for shift in alignment.shifts:
-        lines.append(
-            f"    The frame '{shift.frame.value}' would shift the later surface by {shift.rms_um:.0f} um rms, {shift.max_um:.0f} um at most."
-        )
-    return lines
+    return [said + ".", *(f"    {sentence}" for sentence in shift_sentences(comparison))]
 
 
-def _area(area: Area, null_level_um: float | None) -> str:
+def _area(area: Area, comparison: Comparison) -> str:
     place = ", ".join(f"{value:.1f}" for value in area.centroid_mm)
     told = f"{area.rank:3d}. {area.words} [{place}] mm: {area.area_mm2:.1f} mm2, mean {area.mean_um:+.0f} um, 95 % below {area.p95_um:.0f} um"
     told += f", volume {area.volume_mm3:+.2f} mm3"
@@ -79,7 +86,7 @@ def _area(area: Area, null_level_um: float | None) -> str:
         moved = float(np.linalg.norm(area.motion.displacement_mm))
         told += f"; moved {moved:.3f} mm +- {area.motion.displacement_uncertainty_um:.0f} um, turned {area.motion.angle_deg:.2f} deg"
         told += f" +- {area.motion.angle_uncertainty_deg:.2f} deg"
-    return told + (" (not above the null comparison)" if null_level_um is not None and area.p95_um <= null_level_um else "")
+    return told + (" (not above the null comparison)" if above_null(area, comparison) is False else "")
 
 
 def null_summary(level: NullLevel, rig: str) -> list[str]:

@@ -40,8 +40,8 @@ def run(given: argparse.Namespace, console: Console) -> int:
 
 
 def _subject(store: CaseStore) -> DicomSubject:
-    """Whom the case's mesh concerns: the patient's code, or the order's number where there is none."""
+    """Whom the case's mesh concerns."""
     order = store.order()
     scans = [scan for scan in store.scans() if scan.kind == "scan"]
     made = scans[-1].started if scans else ""
-    return DicomSubject(order.patient_code or order.number, order.number, order.side, made)
+    return DicomSubject.of(order.patient_code, order.number, order.side, made)

@@ -7,10 +7,12 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from scanner_core.case.decoding import damaged
 from scanner_core.case.processing import chosen_processing
 from scanner_core.case.recovery import describe
 from scanner_core.case.store import SUFFIX, CaseStore
 from scanner_core.commands.console import Console
+from scanner_core.comparison.keeping import KeptComparison, kept_comparisons
 from scanner_core.errors import InputFileError
 from scanner_core.geometry.checks import check_mesh
 from scanner_core.geometry.mesh import TriangleMesh
@@ -49,7 +51,30 @@ def _case_words(values: dict[str, Any]) -> list[str]:
     lines.append(f"Points: {choice or 'as scanned'}")
     mesh = values.get("mesh")
     lines.append(f"Meshes: {values['meshes']}" + (f"; the chosen one has {mesh['triangles']} triangles" if mesh else ""))
+    for kept in values["comparisons"]:
+        rms = "not known" if kept["rms_um"] is None else f"{kept['rms_um']:.1f} um"
+        words = f"Comparison {kept['id']} of {kept['created']}: {kept['after']} against {kept['before']}, frame {kept['frame']}, rms {rms}, "
+        words += "reliable" if kept["reliable"] else "NOT reliable"
+        lines.append(words + ("" if kept["shown"] else "; undone or replaced") + ("" if kept["of_this_mesh"] else "; of another mesh"))
     return lines
+
+
+def _comparison(path: Path, kept: KeptComparison) -> dict[str, object]:
+    """What a person finds a kept comparison by."""
+    values: dict[str, Any] = kept.values
+    with damaged(path, f"comparison {kept.id}"):
+        rms_um = values["deviation"]["rms_um"]
+        return {
+            "id": kept.id,
+            "created": kept.created,
+            "before": str(values["before"]["name"]),
+            "after": str(values["after"]["name"]),
+            "frame": str(values["alignment"]["frame"]),
+            "rms_um": None if rms_um is None else float(rms_um),
+            "reliable": bool(values["reliable"]),
+            "shown": kept.shown,
+            "of_this_mesh": kept.of_this_mesh,
+        }
 
 
 def _case(path: Path) -> dict[str, object]:
@@ -68,6 +93,7 @@ def _case(path: Path) -> dict[str, object]:
             for scan in store.scans()
         ]
         values: dict[str, object] = {"kind": "case", "file": str(path), "order": asdict(store.order()), "scans": scans, "meshes": store.mesh_count()}
+        values["comparisons"] = [_comparison(path, kept) for kept in kept_comparisons(store)]
         values["processing"] = chosen_processing(store).as_dict()
         told = describe(store)
         values["interrupted"] = told and {name: getattr(told, name) for name in ("measured", "wanted", "views_done", "views")}

@@ -11,7 +11,7 @@ from scanner_core.comparison.alignment import Alignment, FrameShift
 from scanner_core.comparison.alignment_doubts import frame_doubts, pose_doubts, region_doubts
 from scanner_core.comparison.coarse_fit import trimmed_fit
 from scanner_core.comparison.doubt import Doubt
-from scanner_core.comparison.fine_fit import LEAST_VERTICES, Fit, fit_at, fit_best, fit_chosen, fit_stable, with_uncertainty
+from scanner_core.comparison.fine_fit import LEAST_VERTICES, SETTLED_MM, Fit, fit_at, fit_best, fit_chosen, fit_stable, with_uncertainty
 from scanner_core.comparison.fit_rows import MutualPairing
 from scanner_core.comparison.global_start import FINE_CELLS, find_start, is_ambiguous, sample_both
 from scanner_core.comparison.parameters import ComparisonParameters, Frame
@@ -70,14 +70,12 @@ def align(
     if frame is Frame.GIVEN:
         transform, method = start or RigidTransform.identity(), "given"
     else:
+        fine_before, fine_after = fine = sample_both(before, after, FINE_CELLS)
         if start is None:
-            found = find_start(before, after, seed=parameters.seed, cancelled=cancelled)
+            found = find_start(before, after, fine, seed=parameters.seed, cancelled=cancelled)
             transform, method, ambiguous = found.transform, found.method, is_ambiguous(found)
         else:
-            transform, method = start, "picked points"
-        fine_before, fine_after = sample_both(before, after, FINE_CELLS)
-        if start is not None:
-            transform = trimmed_fit(fine_before, fine_after, transform, share=0.7, rounds=30)
+            transform, method = trimmed_fit(fine_before, fine_after, start, share=0.7, rounds=30), "picked points"
         transform = trimmed_fit(fine_before, fine_after, transform, share=0.5, rounds=30)
 
     tell("find the stable region", 0.5)
@@ -85,7 +83,7 @@ def align(
     here = pairing.forward.at(transform)
     if here.facing.sum() < LEAST_VERTICES:
         raise ComparisonError("E-CMP-02", before=before.name, after=after.name, reach_mm=parameters.no_counterpart_mm)
-    auto = fit_stable(pairing, transform, cancelled)
+    auto = fit_stable(pairing, transform, here, cancelled)
     tell("fit", 0.7)
     others: dict[Frame, RigidTransform] = {}
     if frame is Frame.AUTO:
@@ -100,26 +98,38 @@ def align(
         elif frame is Frame.WHOLE:
             fit = fit_best(pairing, auto, everything, rng, cancelled)
         else:
-            fit = _as_given(pairing, transform, rng)
+            fit, measured = _as_given(pairing, transform, auto, rng)
+    if frame is not Frame.GIVEN:
+        measured = fit
     if frame is not Frame.WHOLE:
         tell("fit the whole for comparison", 0.85)
-        others[Frame.WHOLE] = fit_chosen(pairing, fit, everything, cancelled).transform
+        others[Frame.WHOLE] = fit_chosen(pairing, fit, everything, cancelled, still_mm=SETTLED_MM).transform
     tell("judge", 0.95)
-    return _assemble(pairing.forward, fit, others, frame, method, ambiguous)
+    return _assemble(pairing.forward, fit, measured, others, frame, method, ambiguous)
 
 
-def _as_given(pairing: MutualPairing, transform: RigidTransform, rng: np.random.Generator) -> Fit:
-    """Nothing is fitted; noise, correlation and size are measured on what agrees, or on everything where hardly anything does."""
+def _as_given(pairing: MutualPairing, transform: RigidTransform, auto: Fit, rng: np.random.Generator) -> tuple[Fit, Fit]:
+    """Nothing is fitted: what agrees at the given pose, and the fit on which noise, correlation and size are measured.
+
+    What agrees is judged by the noise of the automatic fit: where everything moved, the distances here are all motion.  There the
+    noise is measured on that fit too.
+    """
     here = fit_at(pairing, transform, np.ones(len(pairing.forward.areas), np.bool_))
-    stable = find_stable(pairing.forward, here.pairs)
-    chosen = stable if stable.sum() >= LEAST_VERTICES else here.used
-    fit = with_uncertainty(pairing, replace(here, used=chosen), rng)
+    settled = auto.used.sum() >= LEAST_VERTICES
+    stable = find_stable(pairing.forward, here.pairs, auto.pairs if settled else None)
+    agrees = replace(here, used=stable)
+    measured = with_uncertainty(pairing, agrees if stable.sum() >= LEAST_VERTICES else auto if settled else here, rng)
+    assert measured.uncertainty is not None, "enough vertices were seen to"
     # what was not estimated has no uncertainty of estimation
-    return replace(fit, uncertainty=None if fit.uncertainty is None else replace(fit.uncertainty, covariance=np.zeros((6, 6)), stable_um=0.0))
+    certain = replace(measured.uncertainty, covariance=np.zeros((6, 6)), stable_um=0.0)
+    return agrees, replace(measured, uncertainty=certain)
 
 
-def _assemble(pairing: SurfacePairing, fit: Fit, others: dict[Frame, RigidTransform], frame: Frame, method: str, ambiguous: bool) -> Alignment:
-    areas, pairs, stable, uncertainty = pairing.areas, fit.pairs, fit.used, fit.uncertainty
+def _assemble(
+    pairing: SurfacePairing, fit: Fit, measured: Fit, others: dict[Frame, RigidTransform], frame: Frame, method: str, ambiguous: bool
+) -> Alignment:
+    areas, pairs, stable, uncertainty = pairing.areas, fit.pairs, fit.used, measured.uncertainty
+    noise_mm = measured.pairs.distances[measured.used]
     assert uncertainty is not None, "enough vertices were seen to"
     counted = pairing.supported
     overlap = float(areas[pairs.facing].sum() / max(areas[counted].sum(), 1e-300))
@@ -134,8 +144,8 @@ def _assemble(pairing: SurfacePairing, fit: Fit, others: dict[Frame, RigidTransf
         method=method,
         stable=stable,
         stable_area_fraction=share,
-        rms_um=1e3 * float(np.sqrt(np.average(pairs.distances[stable] ** 2, weights=areas[stable]))),
-        noise_um=1e3 * 1.4826 * float(np.median(np.abs(pairs.distances[stable]))),
+        rms_um=1e3 * float(np.sqrt(np.average(noise_mm**2, weights=areas[measured.used]))),
+        noise_um=1e3 * 1.4826 * float(np.median(np.abs(noise_mm))),
         correlation_length_mm=uncertainty.noise.length_mm,
         covariance=uncertainty.covariance,
         centre=uncertainty.centre,

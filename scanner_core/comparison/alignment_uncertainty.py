@@ -12,10 +12,6 @@ from scanner_core.comparison.noise_correlation import NoiseCorrelation, measure_
 
 Array = NDArray[np.float64]
 
-_CHOICE = 1.15
-"""What the choice of the region adds to a standard uncertainty: the noise that is averaged also decided where.  An empirical
-factor: over arches with moved teeth the errors were 1.1 to 1.3 times what the noise alone explains."""
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AlignmentUncertainty:
@@ -59,7 +55,8 @@ def alignment_uncertainty(rows: FitRows, rng: np.random.Generator) -> AlignmentU
 def state(rows: FitRows, noise: NoiseCorrelation, covariance: Array, growth: float, growth_variance: float) -> AlignmentUncertainty:
     """In natural units, from the covariance (6, 6) of the unknowns and the seventh, all in units of the rows' jacobian."""
     unit = np.array([1 / rows.radius] * 3 + [1.0] * 3)
-    covariance = _CHOICE**2 * covariance * np.outer(unit, unit)
+    # the distances follow a motion less than the jacobian says, so that the same pull moves the fit by more
+    covariance = covariance / rows.response**2 * np.outer(unit, unit)
     places = place_covariances(covariance, rows.centre, rows.points)
     return AlignmentUncertainty(
         covariance=covariance,
@@ -67,8 +64,8 @@ def state(rows: FitRows, noise: NoiseCorrelation, covariance: Array, growth: flo
         noise=noise,
         stable_um=1e3 * float(np.sqrt(np.mean(np.trace(places, axis1=1, axis2=2)))),
         # the growth that would take the distances away is what the after surface lacks
-        scale_ratio=1.0 / (1.0 + growth / rows.radius),
-        scale_ratio_uncertainty=float(np.sqrt(growth_variance)) / rows.radius,
+        scale_ratio=1.0 / (1.0 + growth / rows.response / rows.radius),
+        scale_ratio_uncertainty=float(np.sqrt(growth_variance)) / rows.response / rows.radius,
     )
 
 

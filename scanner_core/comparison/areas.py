@@ -62,7 +62,9 @@ def find_areas(
     groups = (
         plain_groups(over, table, area_mm2)
         if frame is None
-        else crown_groups(mesh, over, seen, find_crowns(mesh, frame.up, smoother, table), smoother, table, before.mesh, alignment, cancelled)
+        else crown_groups(
+            mesh, over, seen, find_crowns(mesh, frame.up, smoother, table), frame.up, smoother, table, before.mesh, alignment, cancelled
+        )
     )
     progress(Progress("areas", 0.8))
     ranked: list[tuple[float, Area]] = []

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.comparison.aligning import align
+from scanner_core.comparison.arch_frame import arch_frame
+from scanner_core.comparison.area_words import area_words
 from scanner_core.comparison.areas import find_areas
 from scanner_core.comparison.comparison import Comparison
-from scanner_core.comparison.measuring import measure_deviation
+from scanner_core.comparison.measuring import measure_deviation, vertex_areas
 from scanner_core.comparison.pair_doubts import pair_doubts
 from scanner_core.comparison.parameters import ComparisonParameters
 from scanner_core.comparison.surface import ComparedSurface
@@ -81,6 +83,23 @@ def compare(
     areas = find_areas(before, after, alignment, deviation, parameters, progress=clock.part("areas"), cancelled=cancelled)
     progress(Progress("areas", 1.0, 0.0))
     return Comparison(before, after, parameters, alignment, deviation, areas, mask, null_level_um, doubts)
+
+
+def with_terms(comparison: Comparison, parameters: ComparisonParameters) -> Comparison:
+    """The same measurement told with another jaw and another clinical threshold: nothing is aligned or measured again.
+
+    Jaw and threshold of `parameters` are taken; the words of the areas follow the jaw, and `area_above_mm2` of the statistics
+    holds the threshold, by its whole um, beside the usual ones.
+    """
+    frame = arch_frame(comparison.before.mesh, comparison.before.supported)
+    areas = tuple(replace(area, words=area_words(area, frame, parameters.jaw)) for area in comparison.areas)
+    deviation, after = comparison.deviation, comparison.after
+    with np.errstate(invalid="ignore"):  # no counterpart is nan, and not above
+        over = after.supported & (np.abs(deviation.signed_um) > parameters.tolerance_um)
+    above = {str(round(parameters.tolerance_um)): float(vertex_areas(after.mesh)[over].sum())}
+    statistics = replace(deviation.statistics, area_above_mm2=above | deviation.statistics.area_above_mm2)
+    told = replace(comparison.parameters, jaw=parameters.jaw, tolerance_um=parameters.tolerance_um)
+    return replace(comparison, parameters=told, deviation=replace(deviation, statistics=statistics), areas=areas)
 
 
 class _Clock:

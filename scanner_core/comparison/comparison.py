@@ -23,6 +23,7 @@ class Comparison:
     ----------
     mask : (v_after,) bool, what was painted as stable; None without
     null_level_um : the empirical level of detection of this rig and material (see `null_comparison`); None when none was measured
+    null_area_mm2 : the largest area that seemed to have moved by more than 0.2 mm in that null comparison
     pair : what the two surfaces together give reason to doubt (see `pair_doubts`)
     """
 
@@ -35,6 +36,7 @@ class Comparison:
     mask: NDArray[np.bool_] | None = None
     null_level_um: float | None = None
     pair: tuple[Doubt, ...] = ()
+    null_area_mm2: float | None = None
 
     @property
     def doubts(self) -> tuple[Doubt, ...]:

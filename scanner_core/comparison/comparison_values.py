@@ -10,7 +10,11 @@ from scanner_core.comparison.area import Area, PartMotion
 from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.deviation import Deviation
 from scanner_core.comparison.doubt import Doubt
+from scanner_core.comparison.parameters import Frame
 from scanner_core.comparison.surface import ComparedSurface
+
+_ORIGIN = ("kind", "format", "mesh_id", "order", "side", "type", "date", "rig", "calibration_id", "calibration_date", "null_levels")
+"""What of a surface's origin is written: never its path, which often holds a name, and never the patient's code."""
 
 
 def comparison_values(comparison: Comparison) -> dict[str, object]:
@@ -28,8 +32,9 @@ def comparison_values(comparison: Comparison) -> dict[str, object]:
             "after_to_before": _number(deviation.statistics.hausdorff_after_to_before_um),
             "before_to_after": _number(deviation.statistics.hausdorff_before_to_after_um),
         },
-        "areas": [_area(area, comparison.null_level_um) for area in comparison.areas],
+        "areas": [_area(area, comparison) for area in comparison.areas],
         "null_level_um": _number(comparison.null_level_um),
+        "null_area_mm2": _number(comparison.null_area_mm2),
         "reliable": comparison.reliable,
         "doubts": [doubt_values(doubt) for doubt in comparison.doubts],
         "warnings": warnings(comparison),
@@ -47,7 +52,7 @@ def surface_values(surface: ComparedSurface) -> dict[str, object]:
         "triangles": len(surface.mesh.triangles),
         "supported_vertices": int(surface.supported.sum()),
         "doubts": [doubt_values(doubt) for doubt in surface.doubts],
-        "origin": {key: value for key, value in surface.origin.items() if key not in ("path", "mesh_provenance")},
+        "origin": {key: surface.origin[key] for key in _ORIGIN if key in surface.origin},
     }
 
 
@@ -55,11 +60,25 @@ def doubt_values(doubt: Doubt) -> dict[str, object]:
     return {"code": doubt.code, "words": doubt.words, "serious": doubt.serious}
 
 
+def told_doubts(comparison: Comparison, before: str, after: str) -> list[tuple[Doubt, str]]:
+    """All doubts with their sentences, the serious ones first; those of one surface begin with the name given for it."""
+    surfaces = ((before, comparison.before), (after, comparison.after))
+    told = [(doubt, f"{name}: {doubt.words}") for name, surface in surfaces for doubt in surface.doubts]
+    told += [(doubt, doubt.words) for doubt in (*comparison.pair, *comparison.alignment.doubts)]
+    return sorted(told, key=lambda one: not one[0].serious)
+
+
 def warnings(comparison: Comparison) -> list[str]:
     """All doubts as sentences, the serious ones first; those of one surface name it."""
-    told = [(doubt, f"{surface.name}: {doubt.words}") for surface in (comparison.before, comparison.after) for doubt in surface.doubts]
-    told += [(doubt, doubt.words) for doubt in (*comparison.alignment.doubts, *comparison.pair)]
-    return [words for _, words in sorted(told, key=lambda one: not one[0].serious)]
+    return [words for _, words in told_doubts(comparison, comparison.before.name, comparison.after.name)]
+
+
+def above_null(area: Area, comparison: Comparison) -> bool | None:
+    """Whether an area exceeds, in height and in extent, what seemed to have moved when nothing had; None where that is not known."""
+    level_um, extent_mm2 = comparison.null_level_um, comparison.null_area_mm2
+    if level_um is None:
+        return None
+    return bool(area.p95_um > level_um and (extent_mm2 is None or area.area_mm2 > extent_mm2))
 
 
 def _alignment(alignment: Alignment) -> dict[str, object]:
@@ -68,7 +87,8 @@ def _alignment(alignment: Alignment) -> dict[str, object]:
         "method": alignment.method,
         "stable_area_fraction": _number(alignment.stable_area_fraction),
         "rms_um": _number(alignment.rms_um),
-        "uncertainty_um": _number(alignment.uncertainty_um),
+        # of what was not estimated the uncertainty is not 0, but not known
+        "uncertainty_um": None if alignment.frame is Frame.GIVEN else _number(alignment.uncertainty_um),
         "noise_um": _number(alignment.noise_um),
         "correlation_length_mm": _number(alignment.correlation_length_mm),
         "scale_ratio": _number(alignment.scale_ratio, 7),
@@ -89,7 +109,7 @@ def _deviation(deviation: Deviation) -> dict[str, object]:
     }
 
 
-def _area(area: Area, null_level_um: float | None) -> dict[str, object]:
+def _area(area: Area, comparison: Comparison) -> dict[str, object]:
     return {
         "rank": area.rank,
         "centroid_mm": [_number(value, 4) for value in area.centroid_mm.tolist()],
@@ -101,7 +121,7 @@ def _area(area: Area, null_level_um: float | None) -> dict[str, object]:
         "parts": area.parts,
         "words": area.words,
         "motion": None if area.motion is None else motion_values(area.motion),
-        "above_null": None if null_level_um is None else bool(area.p95_um > null_level_um),
+        "above_null": above_null(area, comparison),
     }
 
 

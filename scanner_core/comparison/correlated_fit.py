@@ -34,7 +34,7 @@ def generalized_step(rows: FitRows, noise: NoiseCorrelation, rng: np.random.Gene
     six = _inverse(information[:6, :6])
     with_growth = _inverse(information)
     growth = -float(with_growth[6] @ pull)
-    return rows.motion(-six @ pull[:6]), state(rows, noise, six, growth, float(with_growth[6, 6]))
+    return rows.motion(-six @ pull[:6] / rows.response), state(rows, noise, six, growth, float(with_growth[6, 6]))
 
 
 def _inverse(information: Array) -> Array:

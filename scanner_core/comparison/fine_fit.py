@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 
 LEAST_VERTICES = 12
 """Fewer do not carry six unknowns."""
-_ROUNDS, _SETTLED_MM = 12, 1e-3
+_ROUNDS, SETTLED_MM = 12, 1e-3
 _LAST_ROUNDS, _STILL_MM = 8, 5e-5
 _CORRELATED_MM = 0.7
 """Correlation length from which it is taken into account in the fit itself; interpolation alone makes 0.3."""
@@ -50,10 +50,9 @@ def fit_at(pairing: MutualPairing, transform: RigidTransform, chosen: Mask, last
     return Fit(transform, pairs, back, chosen & pairs.facing)
 
 
-def fit_stable(pairing: MutualPairing, start: RigidTransform, cancelled: IsCancelled) -> Fit:
-    """Finds the stable region and fits on it, in turn, until it settles."""
+def fit_stable(pairing: MutualPairing, start: RigidTransform, pairs: Pairs, cancelled: IsCancelled) -> Fit:
+    """Finds the stable region and fits on it, in turn, until it settles; `pairs` are the forward ones at the start."""
     transform = start
-    pairs = pairing.forward.at(transform)
     stable = find_stable(pairing.forward, pairs)
     for _ in range(_ROUNDS):
         _check(cancelled)
@@ -64,12 +63,12 @@ def fit_stable(pairing: MutualPairing, start: RigidTransform, cancelled: IsCance
         transform = step @ transform
         pairs = pairing.forward.at(transform, pairs)
         stable = find_stable(pairing.forward, pairs)
-        if moved < _SETTLED_MM:
+        if moved < SETTLED_MM:
             break
-    return fit_at(pairing, transform, stable)
+    return Fit(transform, pairs, pairing.backward.at(transform.inverse()), stable & pairs.facing)
 
 
-def fit_chosen(pairing: MutualPairing, start: Fit, chosen: Mask, cancelled: IsCancelled) -> Fit:
+def fit_chosen(pairing: MutualPairing, start: Fit, chosen: Mask, cancelled: IsCancelled, still_mm: float = _STILL_MM) -> Fit:
     """All chosen vertices (v_after,) that have a counterpart, and those of the before surface opposite to them."""
     fit = Fit(start.transform, start.pairs, start.back, chosen & start.pairs.facing)
     for _ in range(_LAST_ROUNDS):
@@ -79,7 +78,7 @@ def fit_chosen(pairing: MutualPairing, start: Fit, chosen: Mask, cancelled: IsCa
         rows = pairing.rows(fit.transform, fit.pairs, fit.back, chosen)
         step = rows.step()
         fit = fit_at(pairing, step @ fit.transform, chosen, fit)
-        if _moved(step, rows.points) < _STILL_MM:
+        if _moved(step, rows.points) < still_mm:
             break
     return fit
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from scanner_core.comparison.surface import ComparedSurface
-from scanner_core.comparison.surface_pairing import Mask, Pairs, SurfacePairing
+from scanner_core.comparison.surface_pairing import Mask, PairedSurface, Pairs, SurfacePairing
 from scanner_core.geometry.edges import row_cross, row_dot
 from scanner_core.geometry.rigid import RigidTransform
 
@@ -28,6 +28,7 @@ class FitRows:
     weights : (n,)
     centre : (3,) mm
     radius : mm
+    response : mean share of a motion that the distances follow, see :class:`Pairs`
     """
 
     points: Array
@@ -36,6 +37,7 @@ class FitRows:
     weights: Array
     centre: Array
     radius: float
+    response: float = 1.0
 
     def step(self) -> RigidTransform:
         """The motion of the after surface that takes the distances away; directions that nothing determines stay still."""
@@ -44,7 +46,7 @@ class FitRows:
         values, vectors = np.linalg.eigh(weighted.T @ jacobian)
         kept = values > 1e-9 * max(float(values[-1]), 1e-300)
         solution = -(vectors[:, kept] / values[kept]) @ (vectors[:, kept].T @ (weighted.T @ self.distances))
-        return self.motion(solution)
+        return self.motion(solution / self.response)
 
     def motion(self, solution: Array) -> RigidTransform:
         """Of the six unknowns, in units of the jacobian."""
@@ -65,7 +67,8 @@ class MutualPairing:
     """
 
     def __init__(self, before: ComparedSurface, after: ComparedSurface, reach_mm: float) -> None:
-        self.forward, self.backward = SurfacePairing(before, after, reach_mm), SurfacePairing(after, before, reach_mm)
+        one, other = PairedSurface(before), PairedSurface(after)
+        self.forward, self.backward = SurfacePairing(one, other, reach_mm), SurfacePairing(other, one, reach_mm)
 
     def rows(self, transform: RigidTransform, pairs: Pairs, back: Pairs, chosen: Mask) -> FitRows:
         """At a pose with the forward `pairs` and the backward ones there, over the vertices `chosen` (v_after,) and what lies opposite to them."""
@@ -79,7 +82,8 @@ class MutualPairing:
         other = _equations(points[1], transform.rotate(back.normals[there]), -back.distances[there], centre, radius)
         rows = np.concatenate([one, other])
         weights = np.concatenate([_weights(self.forward.areas[here]), _weights(self.backward.areas[there])])
-        return FitRows(np.concatenate(points), rows[:, :7], rows[:, 7], weights, centre, radius)
+        response = float(np.average(np.concatenate([pairs.response[here], back.response[there]]), weights=weights)) if len(weights) else 1.0
+        return FitRows(np.concatenate(points), rows[:, :7], rows[:, 7], weights, centre, radius, response)
 
 
 def _equations(points: Array, normals: Array, distances: Array, centre: Array, radius: float) -> Array:

@@ -36,6 +36,8 @@ _CONVINCING = 0.8
 """Score below which the mirror image is tried as well; a mirrored arch, nearly its own mirror image, reaches 0.63."""
 _LEAST = 0.4
 """Score below which the surfaces are not taken for one object; two different objects reach 0.16."""
+_HOPELESS = 0.6
+"""A rough pose below this share of the best one's score is not improved to the end: it cannot become a rival."""
 _RIVAL = 0.93
 """A different pose that reaches this share of the best one's score leaves the choice open."""
 
@@ -62,8 +64,10 @@ def sample_both(before: ComparedSurface, after: ComparedSurface, cells: int) -> 
     return sample_surface(before, spacing), sample_surface(after, spacing)
 
 
-def find_start(before: ComparedSurface, after: ComparedSurface, *, seed: int, cancelled: IsCancelled) -> Start:
-    """The pose of after on before.
+def find_start(
+    before: ComparedSurface, after: ComparedSurface, fine: tuple[SurfaceSample, SurfaceSample], *, seed: int, cancelled: IsCancelled
+) -> Start:
+    """The pose of after on before; `fine` are the two sampled in `FINE_CELLS`.
 
     Raises
     ------
@@ -71,10 +75,17 @@ def find_start(before: ComparedSurface, after: ComparedSurface, *, seed: int, ca
         E-CMP-01 when no pose fits, E-CMP-03 when the mirror image fits and the surface itself does not.
     Cancelled
     """
-    fine, coarse = sample_both(before, after, FINE_CELLS), sample_both(before, after, COARSE_CELLS)
-    found = _search(*fine, *coarse, seed, cancelled)
+    found = _by_axes(*fine, seed, cancelled)
+    whole = found.score >= _GATE
+    coarse = None if whole else sample_both(before, after, COARSE_CELLS)
+    if coarse is not None:
+        found = _by_features(found, fine, coarse, seed, cancelled)
     if found.score < _CONVINCING:
-        mirrored = _search(fine[0], fine[1].mirrored(), coarse[0], coarse[1].mirrored(), seed, cancelled)
+        image = fine[0], fine[1].mirrored()
+        mirrored = _by_axes(*image, seed, cancelled)
+        # what principal axes place, they place in its mirror image too
+        if coarse is not None and mirrored.score < _GATE:
+            mirrored = _by_features(mirrored, image, (coarse[0], coarse[1].mirrored()), seed, cancelled)
         if mirrored.score > max(found.score + 0.15, _LEAST):
             raise ComparisonError(
                 "E-CMP-03", after=after.name, before=before.name, score=round(100 * found.score), mirrored=round(100 * mirrored.score)
@@ -84,17 +95,23 @@ def find_start(before: ComparedSurface, after: ComparedSurface, *, seed: int, ca
     return found
 
 
-def _search(
-    before: SurfaceSample, after: SurfaceSample, before_coarse: SurfaceSample, after_coarse: SurfaceSample, seed: int, cancelled: IsCancelled
+def _by_axes(before: SurfaceSample, after: SurfaceSample, seed: int, cancelled: IsCancelled) -> Start:
+    return _best(before, *_thinned(after, seed), principal_poses(before, after), "principal axes", cancelled)
+
+
+def _by_features(
+    so_far: Start, fine: tuple[SurfaceSample, SurfaceSample], coarse: tuple[SurfaceSample, SurfaceSample], seed: int, cancelled: IsCancelled
 ) -> Start:
+    """The better one of `so_far` and what features find."""
+    poses = _while_waiting(lambda: feature_poses(*coarse), cancelled)
+    other = _best(fine[0], *_thinned(fine[1], seed), poses, "point-pair features", cancelled)
+    return max(so_far, other, key=lambda start: start.score)
+
+
+def _thinned(sample: SurfaceSample, seed: int) -> tuple[SurfaceSample, SurfaceSample]:
+    """For a first look, and for a second one."""
     rng = np.random.default_rng(seed)
-    thin, medium = after.thinned(300, rng), after.thinned(1200, rng)
-    found = _best(before, thin, medium, principal_poses(before, after), "principal axes", cancelled)
-    if found.score < _GATE:
-        poses = _while_waiting(lambda: feature_poses(before_coarse, after_coarse), cancelled)
-        other = _best(before, thin, medium, poses, "point-pair features", cancelled)
-        found = max(found, other, key=lambda start: start.score)
-    return found
+    return sample.thinned(300, rng), sample.thinned(1200, rng)
 
 
 def _best(
@@ -109,9 +126,12 @@ def _best(
         improved = trimmed_fit(before, thin, rough, share=0.7, rounds=10)
         tried.append(Pose(improved, pose_score(before, thin, improved, close)))
     finished: list[Pose] = []
-    for pose in _different(tried, thin)[:3]:
+    promising = _different(tried, thin)[:3]
+    for pose in promising:
         if cancelled():
             raise Cancelled
+        if pose.score < _HOPELESS * promising[0].score:
+            break
         transform = trimmed_fit(before, medium, pose.transform, share=0.7, rounds=30)
         finished.append(Pose(transform, pose_score(before, medium, transform, close)))
     finished = _different(finished, thin)

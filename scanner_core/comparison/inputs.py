@@ -81,7 +81,7 @@ def _of_file(path: Path, asked: str | None) -> ComparedSurface:
         unit, reason = guess, why
         if unit != "mm":
             words = f"Its numbers were taken as {_NAMES[unit]} ({why}), so it is {largest * MM[unit]:.1f} mm long; say the unit if that is wrong."
-            doubts.append(Doubt("unit-guessed", words, serious=False))
+            doubts.append(Doubt("unit-guessed", words, serious=True))  # another unit multiplies every number
     if asked is None and stated is not None and stated != guess:
         words = f"The file says {_NAMES[stated]}, so it is {largest * MM[stated]:.4g} mm long; by its size it would be in {_NAMES[guess]}."
         doubts.append(Doubt("unit-odd", words, serious=False))
@@ -101,8 +101,8 @@ def case_surface(store: CaseStore) -> ComparedSurface:
     origin: dict[str, object] = {"kind": "case", "path": str(store.path), "mesh_id": store.mesh_id(), "mesh_provenance": provenance}
     order = store.order()
     origin |= {"order": order.number, "side": order.side, "type": order.type}
-    # Whether two cases are of one patient can be told; who that is cannot.
-    origin["patient_digest"] = hashlib.sha256(order.patient_code.encode()).hexdigest()[:12] if order.patient_code else ""
+    # In memory only: to tell patients apart, and for an archive.  `surface_values` writes it nowhere.
+    origin["patient_code"] = order.patient_code
     origin |= _measured_with(store, provenance)
     return _surface(store.path, mesh, mesh_hash(mesh), "mm", "a case is in millimetres", [], origin)
 

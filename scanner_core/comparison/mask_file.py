@@ -19,20 +19,25 @@ from scanner_core.one_line import one_line
 REACH_MM = 0.2
 """A vertex this close to the surface of a mask belongs to it: parts that another program cut out are remeshed a little."""
 
+_RENUMBERED = ("points-joined", "points-loose")
+
 
 def read_mask(path: Path, after: ComparedSurface) -> NDArray[np.bool_]:
     """(v,) bool, the vertices of `after` that a file marks as stable.
 
-    Either JSON, a list of vertex numbers (from 0, in the order of the file of `after`), or a mesh: the stable part cut out of
-    `after`, where it lies in that file; its unit is what its file says, else that of `after`.
+    Either JSON, a list of vertex numbers (from 0, in the order in which the file of `after` names them first), or a mesh: the
+    stable part cut out of `after`, where it lies in that file; its unit is what its file says, else that of `after`.
 
     Raises
     ------
     InputFileError
-        E-FILE-01, -02, -03, -05 as any mesh; E-CMP-23 when it marks nothing, or what is not there.
+        E-FILE-01, -02, -03, -05 as any mesh; E-CMP-23 when it marks nothing, or what is not there, or numbers what was renumbered.
     """
     content = file_content(path)
     if path.suffix.lower() == ".json":
+        if any(doubt.code in _RENUMBERED for doubt in after.doubts):
+            reason = f"points of {after.name} were joined or left out, so the numbers of its file are no longer theirs; give the part as a mesh"
+            raise InputFileError("E-CMP-23", path=path, reason=reason)
         return _listed(path, content, len(after.mesh.vertices))
     part = mesh_of(path, content)
     unit = stated_unit(path.suffix.lower(), content)

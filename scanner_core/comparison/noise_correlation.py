@@ -12,8 +12,8 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 _CENTRES = 2000
-_PAIRS = 1_500_000
-"""Bounds the pairs that are looked at."""
+_PAIRS = 400_000
+"""Bounds the pairs that are looked at: over a long reach the points are thinned, not the centres."""
 _BINS = 16
 _LEAST_PAIRS = 200
 _SMALL = 0.02
@@ -26,7 +26,7 @@ _FURTHEST_MM = 6.0
 class Neighbours:
     """Pairs (centre, other) of different points near each other: some of the points are centres, all may be others.
 
-    `scale` is the number of points over the number of centres.
+    `scale` is the number of pairs that there are over that of those here.
     """
 
     centre: Indices
@@ -105,11 +105,14 @@ def measure_correlation(points: Array, noise: Array, rng: np.random.Generator) -
 def _neighbours(tree: cKDTree, points: Array, reach_mm: float, rng: np.random.Generator) -> Neighbours:
     centres = rng.choice(len(points), min(_CENTRES, len(points)), replace=False)
     about = float(np.mean(tree.query_ball_point(points[centres[:100]], reach_mm, return_length=True)))
-    centres = centres[: max(100, int(_PAIRS / about))]
+    others = np.arange(len(points))
+    if len(centres) * about > _PAIRS:
+        others = rng.choice(len(points), max(int(len(points) * _PAIRS / (len(centres) * about)), 100), replace=False)
+        tree = cKDTree(points[others])
     found = tree.query_ball_point(points[centres], reach_mm)
     count = np.array([len(one) for one in found])
-    centre, other = np.repeat(centres, count).astype(np.int64), np.concatenate([np.asarray(one, np.int64) for one in found])
+    centre, other = np.repeat(centres, count).astype(np.int64), others[np.concatenate([np.asarray(one, np.int64) for one in found])]
     different = centre != other
     centre, other = centre[different], other[different]
     apart = np.sqrt(np.sum((points[centre] - points[other]) ** 2, axis=1))
-    return Neighbours(centre, other, apart, len(points) / len(centres))
+    return Neighbours(centre, other, apart, len(points) ** 2 / (len(centres) * len(others)))

@@ -27,14 +27,16 @@ from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.wall_clock import stamp
 
 
-def null_level_of(comparison: Comparison, material: str) -> NullLevel:
-    """The level of detection that two measurements of one model of a material give.
+def null_level_of(comparison: Comparison, material: str, rig: str) -> NullLevel:
+    """The level of detection that two measurements of one model of a material give the rig of a name.
 
     Raises
     ------
     ComparisonError
-        E-CMP-24 when the comparison is not reliable: then it is no measurement of the rig.
+        E-CMP-24 when the comparison is not reliable, or its surfaces name another rig: then it is no measurement of this one.
     """
+    if others := _other_rigs(comparison, rig):
+        raise ComparisonError("E-CMP-24", reason=f"the surfaces were measured with '{others}', not with '{rig}'")
     if not comparison.reliable:
         reason = next(doubt.words for doubt in comparison.doubts if doubt.serious)
         raise ComparisonError("E-CMP-24", reason=reason.rstrip("."))
@@ -106,8 +108,13 @@ def with_null_level(
             f"The null comparison of '{level.material}' ({level.date[:10]}) is older than the rig's calibration ({calibration_date[:10]}); repeat it."
         )
         doubts.append(Doubt("null-older-than-calibration", words, serious=False))
-    others = {str(surface.origin["rig"]) for surface in (comparison.before, comparison.after) if surface.origin.get("rig")} - {rig}
-    if rig is not None and others:
-        words = f"The null comparison is of the rig '{rig}', but the surfaces were measured with '{', '.join(sorted(others))}'."
+    if rig is not None and (others := _other_rigs(comparison, rig)):
+        words = f"The null comparison is of the rig '{rig}', but the surfaces were measured with '{others}'."
         doubts.append(Doubt("null-other-rig", words, serious=False))
-    return replace(comparison, null_level_um=level.level_um, pair=(*comparison.pair, *doubts))
+    return replace(comparison, null_level_um=level.level_um, null_area_mm2=level.false_area_200_mm2, pair=(*comparison.pair, *doubts))
+
+
+def _other_rigs(comparison: Comparison, rig: str) -> str:
+    """What the surfaces say that they were measured with, if it is not `rig`; a surface out of a file mostly says nothing."""
+    told = {str(surface.origin["rig"]) for surface in (comparison.before, comparison.after) if surface.origin.get("rig")}
+    return ", ".join(sorted(told - {rig}))

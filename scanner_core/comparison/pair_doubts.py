@@ -47,7 +47,7 @@ def _orders(before: ComparedSurface, after: ComparedSurface) -> Iterator[Doubt]:
         if _contradict(first, second):
             words = f"By its order {before.name} {what} '{one_line(first)}', but {after.name} '{one_line(second)}'; choose two that belong together."
             yield Doubt(code, words, serious=True)
-    patients = [surface.origin.get("patient_digest") for surface in (before, after)]
+    patients = [surface.origin.get("patient_code") for surface in (before, after)]
     if all(patients) and patients[0] != patients[1]:
         yield Doubt(
             "patients-differ", f"The orders of {before.name} and {after.name} name different patients; choose two of one patient.", serious=True

@@ -52,6 +52,7 @@ class PartFit:
     weights : (n,) 0 to 1, what each counted at the end
     jacobian : (n, 6) of the residuals by rotation about `centre` and translation
     centre : (3,) mm, about which the rotation is meant: the part's place on the before surface
+    covariance : (6, 6) of rotation (rad, about `centre`) and translation (mm), where the fit knows better than by its points' number
     """
 
     transform: RigidTransform
@@ -59,6 +60,7 @@ class PartFit:
     weights: Array
     jacobian: Array
     centre: Array
+    covariance: Array | None = None
 
     def off(self) -> float:
         """Share of the points that did not go along."""
@@ -134,11 +136,11 @@ class PartFitter:
         residual, jacobian, facing, centre, _ = self._linear(placed, transform.rotate(normals), outward, nearest)
         return PartFit(transform, residual, _tukey(residual, least) * facing, jacobian, centre)
 
-    def loss(self, points: Array, transform: RigidTransform) -> tuple[float, float]:
-        """How badly a motion explains points (n, 3): mean capped distance, mm, and share beyond `OFF_MM`."""
+    def mean_square_mm2(self, points: Array, transform: RigidTransform, most_mm: float) -> float:
+        """How badly a motion explains points (n, 3): the mean square of their distances, none of which counts more than `most_mm`."""
         placed = transform.apply(points)
         far = self._walk.feet(placed, np.asarray(self._tree.query(placed)[1], np.int64)).distances_mm
-        return float(np.minimum(far, 2 * OFF_MM).mean()), float((far > OFF_MM).mean())
+        return float((np.minimum(far, most_mm) ** 2).mean())
 
     def _linear(self, placed: Array, normals: Array, outward: Array, nearest: Indices) -> tuple[Array, Array, Array, Array, Indices]:
         """Of placed points (n, 3) with normals (n, 3), each sought from a vertex `nearest` (n,) of the before surface, facing `outward` (v, 3).

@@ -10,6 +10,7 @@ from scanner_core.comparison.arch_frame import arch_frame
 from scanner_core.comparison.area import PartMotion
 from scanner_core.comparison.concavity import Concavity
 from scanner_core.comparison.part_fit import PartFit, PartFitter
+from scanner_core.comparison.part_refinement import PartRefinement
 from scanner_core.comparison.surface import ComparedSurface
 from scanner_core.comparison.surface_smoothing import SurfaceSmoother
 from scanner_core.errors import ComparisonError
@@ -44,10 +45,13 @@ def part_motion(before: ComparedSurface, after: ComparedSurface, alignment: Alig
     table = EdgeTable.of(mesh.triangles)
     smoother = SurfaceSmoother(mesh, table)
     core = marked & Concavity(mesh, smoother, table).core(marked.astype(np.int64), marked)
-    which = np.flatnonzero(core if core.sum() >= LEAST_VERTICES else marked)
+    rigid = core if core.sum() >= LEAST_VERTICES else marked
+    which = np.flatnonzero(rigid)
     frame = arch_frame(before.mesh, before.supported)
     middle = mesh.vertices[marked].mean(axis=0)
-    fit = PartFitter(before.mesh).fit(mesh.vertices[which], mesh.vertex_normals()[which], alignment.noise_um / 1e3)
+    noise_mm = max(alignment.noise_um, _LEAST_NOISE_UM) / 1e3
+    fit = PartFitter(before.mesh).fit(mesh.vertices[which], mesh.vertex_normals()[which], noise_mm)
+    fit = PartRefinement(before.mesh, mesh).refine(fit, rigid, noise_mm, alignment.correlation_length_mm)
     area = float(smoother.area_mm2[which].sum())
     return motion_of_fit(fit, middle, area, alignment, None if frame is None else frame.up)
 
@@ -61,23 +65,15 @@ def motion_of_fit(fit: PartFit, middle: Array, area_mm2: float, alignment: Align
     ``exp(-d^2 / 2 L^2)``, 1 + 2 pi L^2 per area of a point.  The alignment's own covariance at the part's place is added.  The
     uncertainties that are told are those along the displacement and about the axis.
     """
-    weights = fit.weights
     back = fit.transform
     motion = back.inverse()
     centre = back.apply(middle if up is None else middle - CENTRE_BELOW_MM * up)
     displacement = motion.apply(centre) - centre
-    jacobian = fit.jacobian.copy()
-    jacobian[:, :3] += np.cross(fit.centre - centre, jacobian[:, 3:])
-    rms = float(np.sqrt(np.average(fit.residual_mm**2, weights=weights))) if weights.sum() > 0 else float("nan")
-    # the weights themselves cut the tails off the residuals: the alignment's noise, which did not, is the least
-    noise = max(rms, alignment.noise_um / 1e3 if weights.mean() > 0.5 else 0.0, _LEAST_NOISE_UM / 1e3)
-    shared = 1 + 2 * np.pi * alignment.correlation_length_mm**2 * len(weights) / max(area_mm2, 1e-9)
-    information = (jacobian * weights[:, None]).T @ jacobian
-    own = noise**2 * shared * np.linalg.pinv(information, rcond=1e-12, hermitian=True)
-    placed = _at(alignment, centre)
-    covariance = own + placed
+    own = _moved_to(_covariance(fit, area_mm2, alignment) if fit.covariance is None else fit.covariance, fit.centre, centre)
+    covariance = own + _moved_to(alignment.covariance, alignment.centre, centre)
     angle = motion.angle_deg()
     axis = _axis(motion)
+    rms = float(np.sqrt(np.average(fit.residual_mm**2, weights=fit.weights))) if fit.weights.sum() > 0 else float("nan")
     length = float(np.linalg.norm(displacement))
     direction = displacement / length if length > 1e-9 else np.zeros(3)
     along = direction @ covariance[3:, 3:] @ direction if length > 1e-9 else np.trace(covariance[3:, 3:]) / 3
@@ -85,12 +81,26 @@ def motion_of_fit(fit: PartFit, middle: Array, area_mm2: float, alignment: Align
     return PartMotion(motion, centre, displacement, angle, axis, float(1e3 * np.sqrt(along)), float(np.degrees(np.sqrt(about))), 1e3 * rms)
 
 
-def _at(alignment: Alignment, place: Array) -> Array:
-    """The alignment's covariance (6, 6), its rotation taken about `place` (3,)."""
-    arm = place - alignment.centre
+def _covariance(fit: PartFit, area_mm2: float, alignment: Alignment) -> Array:
+    """(6, 6) about the fit's centre: s^2 (J^T W J)^-1, times the number of points that share one error.
+
+    Noise that is alike as ``exp(-h^2 / l^2)`` counts as one over ``pi l^2``.
+    """
+    weights = fit.weights
+    rms = float(np.sqrt(np.average(fit.residual_mm**2, weights=weights))) if weights.sum() > 0 else float("nan")
+    # the weights themselves cut the tails off the residuals: the alignment's noise, which did not, is the least
+    noise = max(rms, alignment.noise_um / 1e3 if weights.mean() > 0.5 else 0.0, _LEAST_NOISE_UM / 1e3)
+    shared = 1 + np.pi * alignment.correlation_length_mm**2 * len(weights) / max(area_mm2, 1e-9)
+    information = (fit.jacobian * weights[:, None]).T @ fit.jacobian
+    return np.asarray(noise**2 * shared * np.linalg.pinv(information, rcond=1e-12, hermitian=True))
+
+
+def _moved_to(covariance: Array, centre: Array, place: Array) -> Array:
+    """A motion's covariance (6, 6), its rotation taken about `place` (3,) instead of `centre` (3,)."""
+    arm = place - centre
     moving = np.eye(6)
     moving[3:, :3] = -np.array([[0.0, -arm[2], arm[1]], [arm[2], 0.0, -arm[0]], [-arm[1], arm[0], 0.0]])
-    return np.asarray(moving @ alignment.covariance @ moving.T)
+    return np.asarray(moving @ covariance @ moving.T)
 
 
 def _axis(motion: RigidTransform) -> Array:

@@ -26,23 +26,29 @@ LEAST_AREA_MM2 = 3.0
 """An area below this is a speck: noise that is correlated over 1 mm makes patches of 1 to 2 mm^2 at three sigma."""
 _LEAST_MOVED_MM = 0.12
 """Rms displacement of a body below which it stands still."""
-_MOST_APART_MM = 0.8
+_MOST_APART_MM = 1.2
 """Rms difference of the motions of two neighbours above which they are not even tried as one body."""
+_REACH_MM = 10.0
+"""From the middle of a crown: no tooth drags the gum farther along."""
+_LEAST_SHARE_MM2 = 1.0
+"""Less of a patch on a crown than this does not make it that crown's."""
 _NEAR_MM = 1.5
 """A patch without a moved body of its own belongs to an area that is as near."""
-_ENOUGH_OFF = 0.08
-"""Share of a crown's points above which it may hold more than one motion."""
-_ENOUGH_LOSS = 1.0
-"""Mean distance over the noise's standard deviation, 0.8 for a normal one, above which it may too."""
-_OTHER_WAY_MM = 0.3
-"""Difference of two motions at a cusp above which they are two teeth's, where the cusp's own also explains it better."""
-_BETTER = 1.3
-_AS_GOOD = 1.2
-"""Mean distance without any motion over that with the cusp's own, below which the cusp stands still: no tooth stands still in part."""
+_WIDEST_TOOTH_MM = 15.0
+"""Across a molar's crown, corner to corner: what is wider together is two teeth, however alike they moved."""
+_MODEL_MM = 0.03
+"""Standard deviation by which a rigid motion misses tissue that went along with it: facets, and rims that the gum bends."""
+_FEWEST_PER_MM2 = 2.0
+"""Misses of a rigid motion are alike over half a square millimetre, however dense the points are."""
+_WORST = 3.0
+"""Standard deviations beyond which a point has not gone along: how far then says nothing about the motion."""
+_LEAST_NOISE_MM = 0.01
+"""Files without noise do not fit better than this: their facets differ."""
+_UNKNOWNS = 6
+_DEARER = 2.0
+"""Times the criterion's price of a motion: what tells two pieces of one tooth apart is no independent noise alone."""
 _LEAST_TOOTH_MM2 = 12.0
-"""Free area below which a cusp is no tooth."""
-_LEAST_GAIN = 0.2
-"""Share of a cusp's points that its own motion explains and that of the rest of the crown does not, if the two are different teeth."""
+"""Free area below which cusps are no tooth."""
 _LEAST_POINTS = 40
 _FIT_POINTS = 400
 """Enough to tell whether and how a crown moved."""
@@ -79,6 +85,7 @@ def crown_groups(
     over: NDArray[np.bool_],
     seen: NDArray[np.bool_],
     crowns: Crowns,
+    up: Array,
     smoother: SurfaceSmoother,
     table: EdgeTable,
     before: TriangleMesh,
@@ -87,25 +94,24 @@ def crown_groups(
 ) -> list[PatchGroup]:
     """Patches of `over` (v,) by the moved crowns that they lie on or touch; what touches none is grouped as if there were no crowns.
 
-    `mesh` is the aligned after surface, `seen` (v,) its vertices with a counterpart.
+    Of a patch that several moved crowns share, each has its free part, and what lies lower belongs to the one whose middle is nearest,
+    seen along `up` (3,): on the gum between two teeth nothing else tells.  `mesh` is the aligned after surface, `seen` (v,) its
+    vertices with a counterpart.
     """
     area_mm2 = smoother.area_mm2
-    finder = _BodyFinder(mesh, over, seen, crowns, smoother, table, PartFitter(before), alignment.noise_um / 1e3, cancelled)
+    finder = _BodyFinder(mesh, over, seen, crowns, smoother, table, PartFitter(before), alignment, cancelled)
     bodies, still = finder.bodies()
-    inside = bodies[table.edges[:, 0]] == bodies[table.edges[:, 1]]
-    label = connected(over, table.edges[inside])
-    owner = np.full(int(label.max()) + 1, -1, np.int64)
-    owner[label[over]] = np.where(still[over], -1, bodies[over])
-    owner = _spread(owner, label, table.edges[~inside], over)
+    label = connected(over, table.edges)
+    owner = _owners(mesh.vertices - np.outer(mesh.vertices @ up, up), label, bodies, crowns.free & seen & ~still, area_mm2)
     core = finder.core(bodies)
     groups = []
     for body in np.unique(owner[owner >= 0]).tolist():
-        vertices = np.flatnonzero(over & (owner[label] == body))
+        vertices = np.flatnonzero(owner == body)
         if area_mm2[vertices].sum() >= LEAST_AREA_MM2:
             free = np.flatnonzero((bodies == body) & crowns.free & seen)
             fitted = free[core[free]] if core[free].sum() >= _LEAST_POINTS else free
             groups.append(PatchGroup(vertices, free, fitted, finder.fit(fitted, finder.start[body])))
-    rest = over & (owner[label] < 0)
+    rest = over & (owner < 0)
     if not rest.any():
         return groups
     return _with_near_patches(groups, connected(rest, table.edges), mesh.vertices, area_mm2)
@@ -138,11 +144,13 @@ def connected(inside: NDArray[np.bool_], edges: Indices) -> Indices:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Piece:
-    """A crown or a cusp that was fitted: its free vertices, those that were fitted, some points of it and how they went."""
+    """A crown or a cusp that was fitted: its free vertices, those that were fitted, some of their places, how many independent
+    observations these are worth, and how they went."""
 
     vertices: Indices
     fitted: Indices
     points: Array
+    observations: float
     fit: PartFit
 
     def moved_mm(self) -> float:
@@ -174,12 +182,14 @@ class _BodyFinder:
         smoother: SurfaceSmoother,
         table: EdgeTable,
         fitter: PartFitter,
-        noise_mm: float,
+        alignment: Alignment,
         cancelled: IsCancelled,
     ) -> None:
         self._mesh, self._normals, self._over, self._seen = mesh, mesh.vertex_normals(), over, seen
         self._crowns, self._table, self._area_mm2 = crowns, table, smoother.area_mm2
-        self._fitter, self._noise_mm, self._cancelled = fitter, noise_mm, cancelled
+        self._fitter, self._noise_mm, self._cancelled = fitter, max(alignment.noise_um / 1e3, _LEAST_NOISE_MM), cancelled
+        self._alike_mm2 = max(np.pi * alignment.correlation_length_mm**2, 1 / _FEWEST_PER_MM2)
+        self._variance = self._noise_mm**2 + _MODEL_MM**2
         self._concavity = Concavity(mesh, smoother, table)
         self.start: dict[int, RigidTransform] = {}
 
@@ -209,15 +219,14 @@ class _BodyFinder:
             if whole is None:
                 continue
             pieces[crown] = whole
-            loss, off = self._fitter.loss(whole.points, whole.fit.transform)
-            if off > _ENOUGH_OFF or loss > _ENOUGH_LOSS * self._noise_mm:
-                for cluster in self._apart(here, whole, core):
-                    one = here & np.isin(crowns.cusp, cluster)
-                    piece = self._piece(one, core)
-                    if piece is not None:
-                        bodies[one], pieces[following] = following, piece
-                        following += 1
-        moved = {body: piece for body, piece in pieces.items() if piece.moved_mm() > _LEAST_MOVED_MM}
+            if self._cost(whole, whole.fit.transform) > whole.observations:
+                clusters = self._apart(here, whole, core)
+                for cusps, piece in clusters:
+                    bodies[here & np.isin(crowns.cusp, cusps)], pieces[following] = following, piece
+                    following += 1
+                if clusters:
+                    del pieces[crown]
+        moved = {body: piece for body, piece in pieces.items() if self._has_moved(piece)}
         renamed = np.arange(following)
         pairs = np.unique(np.sort(bodies[self._table.edges], axis=1), axis=0)
         for a, b in pairs[pairs[:, 0] != pairs[:, 1]].tolist():
@@ -239,56 +248,102 @@ class _BodyFinder:
             return None
         inner = free[core[free]]
         fitted = inner if len(inner) >= _LEAST_POINTS else free
-        return _Piece(free, fitted, self._mesh.vertices[_some(free)], self.fit(_some(fitted)))
+        return self._fitted(free, fitted, None)
+
+    def _fitted(self, vertices: Indices, fitted: Indices, start: RigidTransform | None) -> _Piece:
+        some = _some(fitted)
+        observations = float(self._area_mm2[fitted].sum()) / self._alike_mm2
+        return _Piece(vertices, fitted, self._mesh.vertices[some], observations, self.fit(some, start))
+
+    def _has_moved(self, piece: _Piece) -> bool:
+        stands = self._cost(piece, RigidTransform.identity()) - self._cost(piece, piece.fit.transform) < _price(piece.observations)
+        return not stands and piece.moved_mm() > _LEAST_MOVED_MM
+
+    def _cost(self, piece: _Piece, motion: RigidTransform) -> float:
+        """Twice the negative logarithm of the likelihood of a piece under a motion, up to a constant."""
+        return piece.observations * self._fitter.mean_square_mm2(piece.points, motion, _WORST * np.sqrt(self._variance)) / self._variance
 
     def _joint(self, one: _Piece, other: _Piece) -> _Piece | None:
-        """Two neighbours as one body; None where one motion explains them worse than two."""
-        if one.apart_mm(other) > _MOST_APART_MM:
+        """Two neighbours as one body; None where two motions explain them better than one (Schwarz, 1978)."""
+        both = np.concatenate([one.points, other.points])
+        if one.apart_mm(other) > _MOST_APART_MM or _width_mm(both) > _WIDEST_TOOTH_MM:
             return None
-        fit = self.fit(np.concatenate([_some(one.fitted), _some(other.fitted)]), one.fit.transform)
-        for piece in (one, other):
-            if self._fitter.loss(piece.points, fit.transform)[0] > _BETTER * self._fitter.loss(piece.points, piece.fit.transform)[0]:
-                return None
-        both = np.concatenate([one.vertices, other.vertices])
-        return _Piece(both, np.concatenate([one.fitted, other.fitted]), self._mesh.vertices[_some(both)], fit)
+        joint = self._fitted(np.concatenate([one.vertices, other.vertices]), np.concatenate([one.fitted, other.fitted]), one.fit.transform)
+        gain = sum(self._cost(piece, joint.fit.transform) - self._cost(piece, piece.fit.transform) for piece in (one, other))
+        return joint if gain < _price(one.observations + other.observations) else None
 
-    def _apart(self, here: NDArray[np.bool_], whole: _Piece, core: NDArray[np.bool_]) -> list[list[int]]:
-        """Cusps of one crown by motion, each cluster a tooth of its own; empty where one motion explains them all.
+    def _apart(self, here: NDArray[np.bool_], whole: _Piece, core: NDArray[np.bool_]) -> list[tuple[list[int], _Piece]]:
+        """Cusps of one crown by motion, each cluster with its own, one cluster where one motion explains them all; empty where there are none.
 
-        Each motion on trial, that of the whole and of every cusp, explains some points of every cusp.  The one that explains most is
-        kept with all cusps that no motion of their own explains much better, then the best one for what is left.
+        Each motion on trial, that of the whole, none and that of every cusp, explains every cusp at a cost.  The one that costs
+        least is kept with all cusps that are not worth a motion of their own, then the best one for what is left.  A cusp that
+        stands still is no part of a tooth that does not.  What is too small for a tooth goes where it costs least.
         """
         found = {int(cusp): self._piece(here & (self._crowns.cusp == cusp), core) for cusp in np.unique(self._crowns.cusp[here])}
-        cusps = {cusp: piece for cusp, piece in found.items() if piece is not None and self._area_mm2[piece.vertices].sum() > _LEAST_TOOTH_MM2}
+        cusps = {cusp: piece for cusp, piece in found.items() if piece is not None}
         if len(cusps) < 2:
             return []
         names, parts = list(cusps), list(cusps.values())
-        count = np.array([len(part.vertices) for part in parts])
         motions = [whole.fit.transform, RigidTransform.identity(), *(part.fit.transform for part in parts)]
-        losses = np.array([[self._fitter.loss(part.points, motion) for part in parts] for motion in motions])  # (n + 2, n, 2)
-        own = losses[np.arange(2, len(parts) + 2), np.arange(len(parts))]
-        stands = losses[1, :, 0] < _AS_GOOD * own[:, 0]
-        left, clusters = np.ones(len(parts), np.bool_), []
+        cost = np.array([[self._cost(part, motion) for part in parts] for motion in motions])
+        price = np.array([_price(part.observations) for part in parts])
+        size = np.array([self._area_mm2[part.vertices].sum() for part in parts])
+        least = np.minimum(cost[np.arange(2, len(parts) + 2), np.arange(len(parts))] + price, cost[1])
+        left, chosen = np.ones(len(parts), np.bool_), []
         while left.any():
-            best = int(np.argmin(losses[:, left, 0] @ count[left]))
-            way = np.array([np.linalg.norm((motions[best].apply(p := part.points) - part.fit.transform.apply(p)).mean(axis=0)) for part in parts])
-            other = losses[best, :, 1] > own[:, 1] + _LEAST_GAIN
-            other |= ((way > _OTHER_WAY_MM) | stands) & (losses[best, :, 0] > _BETTER * own[:, 0])
-            with_it = left & ~other
+            best = int(np.argmin(np.minimum(cost, least)[:, left].sum(axis=1)))
+            with_it = left & (cost[best] <= least)
             with_it = with_it if with_it.any() else left.copy()
-            clusters.append([name for name, in_it in zip(names, with_it.tolist(), strict=True) if in_it])
+            if size[with_it].sum() > _LEAST_TOOTH_MM2:
+                chosen.append(best)
             left &= ~with_it
-        return clusters if len(clusters) > 1 else []
+        if len(chosen) < 2:  # a motion of one of its cusps may be a better beginning than none
+            start = motions[chosen[0]] if chosen else whole.fit.transform
+            again = self._fitted(whole.vertices, whole.fitted, start) if start is not whole.fit.transform else whole
+            return [(list(found), min(whole, again, key=lambda piece: self._cost(piece, piece.fit.transform)))]
+        cheapest = np.argmin(cost[chosen], axis=0)
+        clusters = []
+        for number in np.unique(cheapest).tolist():
+            members = [name for name, one in zip(names, cheapest.tolist(), strict=True) if one == number]
+            if number == cheapest[np.argmax(size)]:
+                members += [cusp for cusp, piece in found.items() if piece is None]
+            one = self._piece(here & np.isin(self._crowns.cusp, members), core)
+            if one is not None:
+                clusters.append((members, one))
+        return clusters
 
 
-def _spread(owner: Indices, label: Indices, edges: Indices, over: NDArray[np.bool_]) -> Indices:
-    """Pieces without an owner take that of the piece with which they share most of their outline, from piece to piece."""
-    touching = label[edges[over[edges].all(axis=1)]]
-    owner = owner.copy()
-    while True:
-        pairs = np.concatenate([touching, touching[:, ::-1]])
-        pairs = pairs[(owner[pairs[:, 0]] < 0) & (owner[pairs[:, 1]] >= 0)]
-        if not len(pairs):
-            return owner
-        for piece in np.unique(pairs[:, 0]):
-            owner[piece] = np.bincount(owner[pairs[pairs[:, 0] == piece, 1]]).argmax()
+def _price(observations: float) -> float:
+    """What a further motion must gain, by the Bayesian information criterion."""
+    return _DEARER * _UNKNOWNS * float(np.log(max(observations, np.e)))
+
+
+def _width_mm(places: Array) -> float:
+    about = places - places.mean(axis=0)
+    return float(np.ptp(about @ np.linalg.eigh(about.T @ about)[1][:, 2]))
+
+
+def _owners(flat: Array, label: Indices, bodies: Indices, standing: NDArray[np.bool_], area_mm2: Array) -> Indices:
+    """Number of the moved body to which each vertex (v,) of a patch belongs, -1 for none.
+
+    `label` (v,) numbers the patches, `bodies` (v,) the bodies, of which those parts that moved freely are `standing` (v,); `flat`
+    (v, 3) are the places as seen along the way up.
+    """
+    owner = np.full(len(label), -1, np.int64)
+    on_body = standing & (label >= 0)
+    if not on_body.any():
+        return owner
+    owner[on_body] = bodies[on_body]
+    count = int(bodies.max()) + 1
+    weight = np.bincount(bodies[standing], area_mm2[standing], minlength=count)
+    middles = np.column_stack([np.bincount(bodies[standing], area_mm2[standing] * flat[standing, axis], minlength=count) for axis in range(3)])
+    middles = np.asarray(middles / np.maximum(weight, 1e-12)[:, None])
+    shared = np.bincount(label[on_body] * count + bodies[on_body], area_mm2[on_body], minlength=(int(label.max()) + 1) * count).reshape(-1, count)
+    for patch in np.flatnonzero(shared.any(axis=1)).tolist():
+        here = np.flatnonzero(label == patch)
+        own = np.flatnonzero(shared[patch] >= _LEAST_SHARE_MM2)
+        own = own if len(own) else np.array([np.argmax(shared[patch])])
+        lower = here[~np.isin(owner[here], own)]
+        far, nearest = cKDTree(middles[own]).query(flat[lower])
+        owner[lower] = np.where(far < _REACH_MM, own[nearest], -1)
+    return owner

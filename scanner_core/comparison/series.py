@@ -7,6 +7,8 @@ neighbours check it: going from one surface to the first over its predecessor mu
 
 from __future__ import annotations
 
+import csv
+import io
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -21,17 +23,18 @@ from scanner_core.comparison.compare import compare
 from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.doubt import Doubt
 from scanner_core.comparison.parameters import ComparisonParameters, Frame
+from scanner_core.comparison.report.table import harmless
 from scanner_core.comparison.surface import ComparedSurface
 from scanner_core.comparison.tracks import Track, tracks_of
-from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.jobs.progress import IsCancelled, OnProgress, Progress
 
 Array = NDArray[np.float64]
 
 NEAR_MM = 1.0
 """Places of two surfaces this close to each other are the same place."""
-LEAST_SHARE = 0.1
-"""Of the first surface's vertices that a common region must have; below it each alignment keeps its own."""
+LEAST_SHARE, LEAST_MM2 = 0.1, 20.0
+"""Of the first surface's vertices, and on each later surface, that a common region must have; below it each alignment keeps its own."""
 CLOSURE_SIGMAS, CLOSURE_SHARE = 3.0, 0.1
 """A closure beyond so many of its standard uncertainties is no chance; below this share of the clinical threshold it changes no answer."""
 
@@ -82,12 +85,27 @@ class Series:
     def csv(self) -> str:
         """One line a track and time; places in mm in the frame of the first surface."""
         head = "track,words,x_mm,y_mm,z_mm,surface,date,listed,mean_um,p95_um,volume_mm3,dx_mm,dy_mm,dz_mm,displacement_uncertainty_um,angle_deg"
-        lines = [head]
+        text = io.StringIO()
+        rows = csv.writer(text, lineterminator="\n")
+        rows.writerow(head.split(","))
         for number, track in enumerate(self.tracks, 1):
             place = [f"{value:.3f}" for value in track.centroid_mm]
             for when, (name, date) in enumerate(zip(self.names[1:], self.dates[1:], strict=True)):
-                lines.append(",".join([str(number), _quoted(track.words), *place, _quoted(name), date, *track.cells(when)]))
-        return "\n".join(lines) + "\n"
+                rows.writerow([number, harmless(track.words), *place, harmless(name), harmless(date), *track.cells(when)])
+        return text.getvalue()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SeriesRequest:
+    """What the worker is asked for; see :func:`measure_series`."""
+
+    surfaces: tuple[ComparedSurface, ...]
+    parameters: ComparisonParameters
+
+
+def run(request: SeriesRequest, *, progress: OnProgress, cancelled: IsCancelled) -> Series:
+    """The job of the worker process."""
+    return measure_series(request.surfaces, request.parameters, progress=progress, cancelled=cancelled)
 
 
 def measure_series(
@@ -117,22 +135,26 @@ def measure_series(
     doubts: list[Doubt] = []
     masks: list[NDArray[np.bool_] | None] = [None] * len(later)
     common: NDArray[np.bool_] | None = None
-    starts: list[RigidTransform | None] = [None] * len(later)
+    found: list[Alignment | None] = [None] * len(later)
     held = parameters
     if parameters.frame is Frame.AUTO:
-        found = [align(first, after, parameters, progress=part(), cancelled=cancelled) for after in later]
-        starts = [alignment.transform for alignment in found]
-        common = _common_region(first, later, found)
-        if common.sum() >= LEAST_SHARE * len(common) and len(later) > 1:
-            masks = [_carried(first, common, after, alignment) for after, alignment in zip(later, found, strict=True)]
+        searched = [align(first, after, parameters, progress=part(), cancelled=cancelled) for after in later]
+        found = [*searched]
+        common = _common_region(first, later, searched)
+        carried = [_carried(first, common, after, alignment) for after, alignment in zip(later, searched, strict=True)]
+        enough = all(_inside_mm2(after.mesh, mask) >= LEAST_MM2 for after, mask in zip(later, carried, strict=True))
+        if common.sum() >= LEAST_SHARE * len(common) and enough and len(later) > 1:
+            masks = [*carried]
             held = replace(parameters, frame=Frame.MASK)
         elif len(later) > 1:
             common = None
             words = "No region was stable throughout the series; each surface was aligned by a region of its own, so small motions may not add up."
             doubts.append(Doubt("series-no-common-region", words, serious=True))
     to_first = [
-        compare(first, after, held, mask=mask, start=start, progress=part(), cancelled=cancelled)
-        for after, mask, start in zip(later, masks, starts, strict=True)
+        _with_search(
+            compare(first, after, held, mask=mask, start=None if search is None else search.transform, progress=part(), cancelled=cancelled), search
+        )
+        for after, mask, search in zip(later, masks, found, strict=True)
     ]
     to_previous = [compare(before, after, parameters, progress=part(), cancelled=cancelled) for before, after in pairwise(later)]
     closures = [_closure(*three) for three in zip(to_first, to_first[1:], to_previous, strict=False)]
@@ -177,6 +199,19 @@ def _carried(first: ComparedSurface, common: NDArray[np.bool_], after: ComparedS
     return mask & after.supported
 
 
+def _inside_mm2(mesh: TriangleMesh, mask: NDArray[np.bool_]) -> float:
+    return float(mesh.areas()[mask[mesh.triangles].all(axis=1)].sum())
+
+
+def _with_search(comparison: Comparison, search: Alignment | None) -> Comparison:
+    """With the method by which its start was found, and the doubts of that search that the alignment from there on cannot know."""
+    if search is None:
+        return comparison
+    known = {doubt.code for doubt in comparison.alignment.doubts}
+    doubts = (*comparison.alignment.doubts, *(doubt for doubt in search.doubts if doubt.code not in known))
+    return replace(comparison, alignment=replace(comparison.alignment, method=search.method, doubts=doubts))
+
+
 def _closure(previous: Comparison, direct: Comparison, step: Comparison) -> tuple[float, float]:
     """Rms over the stable vertices between the direct way of a surface and the way over its predecessor, and its uncertainty, um."""
     points = direct.after.mesh.vertices[direct.alignment.stable]
@@ -184,7 +219,3 @@ def _closure(previous: Comparison, direct: Comparison, step: Comparison) -> tupl
     beside = over - direct.alignment.transform.apply(points)
     closure_um = 1e3 * float(np.sqrt((beside**2).sum(axis=1).mean())) if len(points) else float("nan")
     return closure_um, float(np.sqrt(sum(one.alignment.uncertainty_um**2 for one in (previous, direct, step))))
-
-
-def _quoted(text: str) -> str:
-    return '"' + text.replace('"', '""') + '"'

@@ -101,7 +101,7 @@ class SignedDistance:
                 raise Cancelled
             part = slice(begin, begin + _AT_ONCE)
             for i, (point, reach) in enumerate(zip(points[part].tolist(), bound[part].tolist(), strict=True), begin):
-                if reach > 0 and search(point, reach, found, cell, which, sub, squared) == 1 and which.get() >= 0:
+                if reach > 0 and search(point, reach, found, cell, which, sub, squared) == 1:
                     triangle[i] = which.get()
         return triangle
 

@@ -59,13 +59,18 @@ def core_noise(values: Array, weights: Array) -> tuple[float, float]:
     return centre, sd
 
 
-def find_stable(pairing: SurfacePairing, pairs: Pairs) -> Mask:
-    """(v,) bool: averaged distance below the threshold, off the seams of what changed, in pieces that are large."""
+def find_stable(pairing: SurfacePairing, pairs: Pairs, at: Pairs | None = None) -> Mask:
+    """(v,) bool: averaged distance below the threshold, off the seams of what changed, in pieces that are large.
+
+    The noise is that at the pose of `at`; without it at this pose, where it holds only what a fit to the stable region leaves over.
+    """
     averaged = averaged_distance(pairing, pairs)
     facing = pairs.facing
     if not facing.any():
         return facing.copy()
-    _, noise = core_noise(averaged[facing], pairing.areas[facing])
+    fitted = facing if at is None else at.facing
+    values = averaged if at is None else averaged_distance(pairing, at)
+    _, noise = core_noise(values[fitted], pairing.areas[fitted])
     changed = facing & (np.abs(averaged) > THRESHOLD * noise)
     stable = facing & ~changed & ~_within(pairing, changed, MARGIN_MM)
     return _large_pieces(pairing, stable)

@@ -37,6 +37,8 @@ class Pairs:
     facing : (v,) bool, there is a counterpart
     nearest : (v,) int64, a vertex of the before surface near each; -1 where there is none
     corners : (v, 3) int64, the vertices of the BEFORE surface about the counterpart; where there is one
+    response : (v,) by how much `distances` follow a motion along `normals`, 0 to 1: a noisy triangle is tilted against the
+        surface, the foot slides along it, and the distance grows by the squared cosine of the tilt only
     """
 
     points: Array
@@ -45,6 +47,7 @@ class Pairs:
     facing: Mask
     nearest: NDArray[np.int64]
     corners: NDArray[np.int64]
+    response: Array
 
 
 class MeshAverage:
@@ -66,33 +69,50 @@ class MeshAverage:
         return values
 
 
+class PairedSurface:
+    """What does not depend on the pose, nor on which of two surfaces it is.
+
+    Attributes
+    ----------
+    mesh, supported : of the surface
+    edges : of the mesh
+    areas : (v,) mm^2 of surface round each vertex
+    average : over lengths along the surface
+    normals : (v, 3) unit, smoothed
+    """
+
+    def __init__(self, surface: ComparedSurface) -> None:
+        self.mesh, self.supported = surface.mesh, surface.supported
+        self.edges = EdgeTable.of(self.mesh.triangles)
+        thirds = np.repeat(self.mesh.areas() / 3, 3)
+        self.areas = np.asarray(np.bincount(self.mesh.triangles.ravel(), thirds, minlength=len(self.mesh.vertices)), np.float64)
+        self.average = MeshAverage(self.mesh, self.edges)
+        normals = self.average(self.mesh.vertex_normals(), _NORMALS_OVER_MM)
+        self.normals = np.asarray(normals / np.maximum(np.sqrt(row_dot(normals, normals)), 1e-12)[:, None], np.float64)
+
+
 class SurfacePairing:
-    """Finds counterparts; everything about the two meshes that does not depend on the pose is made once.
+    """Finds counterparts of the after surface's vertices.
 
     Attributes
     ----------
     before, after : the meshes
     supported : (v_after,) bool
-    areas : (v_after,) mm^2 of surface round each vertex
-    average : over lengths along the after surface
-    edges : of the after surface
+    areas, average, edges : of the after surface, see :class:`PairedSurface`
     """
 
-    def __init__(self, before: ComparedSurface, after: ComparedSurface, reach_mm: float) -> None:
+    def __init__(self, before: PairedSurface, after: PairedSurface, reach_mm: float) -> None:
         self.before, self.after = before.mesh, after.mesh
-        self.supported = after.supported
+        self.supported, self.edges, self.average, self.areas = after.supported, after.edges, after.average, after.areas
         self.reach_mm = reach_mm
-        before_table, self.edges = EdgeTable.of(before.mesh.triangles), EdgeTable.of(after.mesh.triangles)
-        self.average = MeshAverage(after.mesh, self.edges)
-        thirds = np.repeat(after.mesh.areas() / 3, 3)
-        self.areas = np.asarray(np.bincount(after.mesh.triangles.ravel(), thirds, minlength=len(after.mesh.vertices)), np.float64)
-        self._walk = SurfaceWalk(before.mesh, before_table)
+        self._walk = SurfaceWalk(before.mesh, before.edges)
         self._tree = cKDTree(before.mesh.vertices)
+        facets = before.mesh.area_vectors()
+        self._facets = facets / np.maximum(np.sqrt(row_dot(facets, facets)), 1e-300)[:, None]
         self._usable: Mask = np.asarray(before.supported[before.mesh.triangles].all(axis=1), np.bool_)
-        alone = np.bincount(before_table.side_edges.ravel(), minlength=len(before_table.edges)) == 1
-        self._border_side: Mask = np.asarray(alone, np.bool_)[before_table.side_edges.ravel()]
-        self._before_normals = _smooth_normals(before.mesh, MeshAverage(before.mesh, before_table))
-        self._after_normals = _smooth_normals(after.mesh, self.average)
+        alone = np.bincount(before.edges.side_edges.ravel(), minlength=len(before.edges.edges)) == 1
+        self._border_side: Mask = np.asarray(alone, np.bool_)[before.edges.side_edges.ravel()]
+        self._before_normals, self._after_normals = before.normals, after.normals
 
     def at(self, transform: RigidTransform, last: Pairs | None = None) -> Pairs:
         """Counterparts at a pose, after to before; `last` are those of a pose a millimetre or less away, which spare a search."""
@@ -101,7 +121,7 @@ class SurfacePairing:
         near = np.flatnonzero(nearest >= 0)
         distances, facing = np.zeros(len(points)), np.zeros(len(points), np.bool_)
         normals = transform.rotate(self._after_normals)
-        around = np.zeros((len(points), 3), np.int64)
+        around, response = np.zeros((len(points), 3), np.int64), np.ones(len(points))
         if len(near):
             feet = self._walk.feet(points[near], nearest[near])
             nearest[near] = feet.vertices
@@ -117,13 +137,10 @@ class SurfacePairing:
             distances[near] = row_dot(points[near] - feet.points, mean)
             normals[near] = mean
             around[near] = corners
-        return Pairs(points, normals, distances, facing, nearest, around)
+            inside = feet.weights.min(axis=1) > 0  # a foot on an edge or a corner stays where it is
+            response[near] = np.where(inside, row_dot(mean, np.take(self._facets, feet.triangles, axis=0)) ** 2, 1.0)
+        return Pairs(points, normals, distances, facing, nearest, around, response)
 
     def _nearest(self, points: Array) -> NDArray[np.int64]:
         away, nearest = self._tree.query(points, distance_upper_bound=2 * self.reach_mm + 1e-9)
         return np.where(np.isfinite(away) & self.supported, nearest, -1).astype(np.int64)
-
-
-def _smooth_normals(mesh: TriangleMesh, average: MeshAverage) -> Array:
-    normals = average(mesh.vertex_normals(), _NORMALS_OVER_MM)
-    return np.asarray(normals / np.maximum(np.sqrt(row_dot(normals, normals)), 1e-12)[:, None], np.float64)

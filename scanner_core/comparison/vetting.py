@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from scanner_core.comparison.doubt import Doubt
 from scanner_core.comparison.shells import Shells, shells_of
 from scanner_core.geometry.checks import MeshChecks, check_mesh
 from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.self_intersection import self_intersecting_triangles
 
-LEAST_TRIANGLES = 50
+LEAST_TRIANGLES = 100
 """With fewer there is no shape that could be aligned."""
 LEAST_FULLNESS = 0.01
 """An open surface that encloses less, for its area, is a sheet: nobody can tell which of its sides is the outer one.
@@ -16,13 +19,33 @@ MOST_TURNED = 0.01
 """Share of the area that may face the other way: triangles at faults of a scan do, and change no number that is told."""
 LARGEST_MM, SMALLEST_MM = 400.0, 5.0
 _ROUNDING = 1e-9
+_FIRST_SAMPLE = 500
+_MOST_CROSSING, _MOST_CROSSING_SHARE = 1000, 0.25
 
 
 def vet(mesh: TriangleMesh) -> tuple[Doubt, ...]:
     """What a person should know of a mesh in mm with at least one triangle, gravest first."""
-    shells, checks = shells_of(mesh), check_mesh(mesh)
-    found = [*_facing(shells), *_parts(shells, mesh), *_faults(checks), *_size(mesh)]
+    crossing, counted = count_crossing(mesh)
+    shells, checks = shells_of(mesh), check_mesh(mesh, self_intersections=crossing)
+    found = [*_facing(shells), *_parts(shells, mesh), *_faults(checks, counted), *_size(mesh)]
     return tuple(sorted(found, key=lambda doubt: not doubt.serious))
+
+
+def count_crossing(mesh: TriangleMesh) -> tuple[int, bool]:
+    """How many triangles intersect another one, and whether all were counted.
+
+    In a soup of large triangles nearly every pair crosses, and counting them all takes time that grows with the square of their number.
+    So samples come first, each four times as large as the one before, until one has too many crossings to go on.
+    """
+    order = np.random.default_rng(0).permutation(len(mesh.triangles))
+    size = _FIRST_SAMPLE
+    while size < len(order):
+        used, triangles = np.unique(mesh.triangles[order[:size]], return_inverse=True)
+        crossing = len(self_intersecting_triangles(TriangleMesh(mesh.vertices[used], triangles.reshape(-1, 3))))
+        if crossing > min(_MOST_CROSSING, _MOST_CROSSING_SHARE * size):
+            return crossing, False
+        size *= 4
+    return len(self_intersecting_triangles(mesh)), True
 
 
 def _facing(shells: Shells) -> list[Doubt]:
@@ -70,7 +93,7 @@ def _percent(share: float) -> str:
     return "more than 99.9 %" if share >= 0.9995 else "less than 0.1 %" if share < 0.0005 else f"{100 * share:.1f} %"
 
 
-def _faults(checks: MeshChecks) -> list[Doubt]:
+def _faults(checks: MeshChecks, counted: bool) -> list[Doubt]:
     found = []
     if checks.nonmanifold_edges or checks.nonmanifold_vertices:
         words = (
@@ -82,7 +105,8 @@ def _faults(checks: MeshChecks) -> list[Doubt]:
         words = f"{checks.degenerate} triangles have no area; they have no normal and are measured only by their neighbours."
         found.append(Doubt("degenerate-triangles", words, serious=False))
     if checks.self_intersections:
-        words = f"It touches or crosses itself: {checks.self_intersections} triangles cut others. Distances near them may go to the wrong layer."
+        crossing = f"{'' if counted else 'more than '}{checks.self_intersections} triangles"
+        words = f"It touches or crosses itself: {crossing} cut others. Distances near them may go to the wrong layer."
         found.append(Doubt("self-touching", words, serious=False))
     return found
 

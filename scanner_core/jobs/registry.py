@@ -20,6 +20,7 @@ from scanner_core.errors import UsageError
 JOBS: dict[str, str] = {
     "reconstruct": "scanner_core.reconstruction.job:run",
     "compare": "scanner_core.comparison.compare:run",
+    "compare-series": "scanner_core.comparison.series:run",
     "comparison-report": "scanner_core.comparison.report.job:run",
 }
 """Name -> ``module:function``; the module is imported in the worker only, when it starts."""

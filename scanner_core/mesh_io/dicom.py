@@ -43,6 +43,11 @@ class DicomSubject:
     made: str
     device: str = ""
 
+    @classmethod
+    def of(cls, patient_code: str, order: str, side: str, made: str, device: str = "") -> DicomSubject:
+        """By the patient's code where there is one, else by the order's number: the same for every file of an order."""
+        return cls(patient_code or order, order, side, made, device)
+
 
 def check_pydicom() -> None:
     """Say before long work whether DICOM files can be written; UsageError E-CMP-40 when not."""

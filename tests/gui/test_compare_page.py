@@ -48,7 +48,7 @@ def page(program: Program) -> ComparePage:
     comparing = program.services.comparing
     comparing.answers.cancel()
     until(lambda: not comparing.answers.running and not comparing.reading.reading, 60, "an idle page")
-    program.undo_stack.clear()
+    program.compare_stack.clear()
     comparing.draft.put(ComparisonChoice())
     program.window.banner.dismiss()
     program.window.show_page("compare")
@@ -172,6 +172,7 @@ def test_everything_chosen_is_undone_by_the_windows_undo(program: Program, page:
     page.findings._say_jaw(Jaw.LOWER)
     program.window.undo()
     assert comparing.draft.choice.jaw is None
+    assert comparing.answers.comparison is first
     page.surfaces._exchange()
     assert comparing.draft.choice.before is not None
     assert comparing.draft.choice.before.surface.name == "after.stl"
@@ -284,9 +285,10 @@ def test_what_cannot_be_compared_is_said_in_a_sentence(program: Program, page: C
     assert "E-CMP" in program.window.banner.details
     assert comparing.answers.comparison is None
     assert comparing.answers.fault is not None
-    assert "three points" in page.foot.text
+    assert "They seem to be different objects" in page.foot.text or "do not overlap" in page.foot.text  # also without the banner
+    assert not page.foot.start.isVisible()  # it would be refused again
     program.window.banner.dismiss()
-    page.alignment.points.click()
+    page.foot.points.click()
     assert comparing.points.active
     assert "Before: 0 of 3" in page.foot.text
 
@@ -327,18 +329,134 @@ def test_three_points_on_each_start_the_comparison_and_are_undone_one_by_one(pro
         place = foot(tooth) + np.array([0.0, 0.0, 4.0])
         for surface, point in (("before", place), ("after", between.apply(POSE.apply(place[None]))[0])):
             page.scene.picked.emit(Pointed(surface, 0, tuple(point), None, None))
-    assert [len(points) for points in comparing.draft.choice.picks] == [3, 3]
     until(lambda: comparing.draft.choice.start is not None, 20, "the start")
+    assert [len(points) for points in comparing.draft.choice.picks] == [3, 3]
     assert not comparing.points.active
     _answered(program)
     assert comparing.answers.comparison is not None
     assert comparing.answers.comparison.alignment.method == "picked points"
-    for left in ([3, 3], [3, 2]):
-        program.window.undo()
-        assert [len(points) for points in comparing.draft.choice.picks] == left
+    program.window.undo()
+    assert [len(points) for points in comparing.draft.choice.picks] == [3, 2]
+    assert comparing.draft.choice.start is None
     assert comparing.points.active
     page.foot.cancel.click()
     assert not comparing.points.active
+
+
+def test_picking_is_a_state_of_its_own_that_ends_where_it_is_ended(program: Program, page: ComparePage, files: PairFiles) -> None:
+    comparing = program.services.comparing
+    _load(program, page, files)
+    first = comparing.answers.comparison
+    assert page.scene is not None
+    page.alignment.points.click()
+    assert page.verdict.text == ""  # nothing of the answer that is not seen
+    assert not page.tabs["findings"].isEnabled()
+    assert not page.findings.tooth.isEnabled()
+    page.scene.picked.emit(Pointed("before", 0, tuple(foot(1)), None, None))
+    page.foot.cancel.click()
+    assert comparing.draft.choice.picks == ((), ())
+    assert comparing.answers.comparison is first
+    comparing.draft.edit("threshold", tolerance_um=300)
+    assert not comparing.points.active
+    assert page.verdict.text.startswith("Reliable")
+    for _ in range(4):  # threshold, cancel, point, begin
+        program.window.undo()
+    assert not comparing.points.active
+    program.window.redo()
+    assert comparing.points.active
+
+
+def test_cancelling_the_points_lets_a_comparison_go_on(program: Program, page: ComparePage, files: PairFiles) -> None:
+    comparing = program.services.comparing
+    _load(program, page, files)
+    comparing.draft.edit("frame", frame=Frame.WHOLE)
+    page.alignment.points.click()
+    asked = not comparing.answers.current
+    page.foot.cancel.click()
+    assert not comparing.answers.cancelling
+    if asked:
+        _answered(program)
+
+
+def test_jaw_and_threshold_tell_the_same_measurement_at_once(program: Program, page: ComparePage, files: PairFiles) -> None:
+    comparing = program.services.comparing
+    _load(program, page, files)
+    first = comparing.answers.comparison
+    assert first is not None
+    page.findings.areas.choose(1)
+    page.stage.section.click()
+    page.show_panel("alignment")
+    page.findings._say_jaw(Jaw.UPPER)
+    page.findings.threshold.setValue(0.50)
+    assert comparing.answers.current
+    assert not comparing.answers.running
+    until(lambda: comparing.answers.settled, 10, "the other terms")
+    told = comparing.answers.comparison
+    assert told is not None
+    assert told.alignment is first.alignment
+    assert told.deviation.signed_um is first.deviation.signed_um
+    assert any("upper" in area.words for area in told.areas)
+    assert page.findings.areas.currentRow() == 0
+    assert page.stage.section.isChecked()
+    assert page.tabs["alignment"].isChecked()
+    assert page.findings._above._unit.text() == "mm² above 0.50 mm"
+    assert float(page.findings._above.text) == pytest.approx(first.deviation.statistics.area_above_mm2["500"], abs=0.6)
+    page.stage.section.click()
+
+
+def test_what_cannot_be_taken_is_told_and_reading_can_be_cancelled(program: Program, page: ComparePage, files: PairFiles) -> None:
+    comparing, banner = program.services.comparing, program.window.banner
+    _drop(page, [files.before.with_suffix(".txt")], QPoint(2, 2))
+    assert "before.txt" in banner.text
+    assert not comparing.reading.reading
+    banner.dismiss()
+    page.take_files([files.before, files.after, files.before.with_name("third.stl")], None)
+    assert "third.stl" in banner.text
+    banner.dismiss()
+    assert page.surfaces.cards["after"].stop.isVisible()
+    for card in page.surfaces.cards.values():
+        card.stop.click()
+    assert not comparing.reading.reading
+    wait_ms(300)
+    assert comparing.draft.choice.before is None
+    assert comparing.draft.choice.after is None
+
+
+def test_the_rail_names_the_surfaces_that_are_compared(program: Program, page: ComparePage, files: PairFiles) -> None:
+    _load(program, page, files)
+    rail = program.window.rail
+    assert rail._pair.text() == "Before: before.stl\nAfter: after.stl"
+    assert not rail._order.isVisible()
+    program.window.show_page("home")
+    assert rail._order.isVisible()
+    assert not rail._pair.isVisible()
+
+
+def test_the_jaw_is_not_said_of_the_next_patient(program: Program, page: ComparePage, files: PairFiles) -> None:
+    comparing = program.services.comparing
+    _load(program, page, files)
+    comparing.draft.edit("jaw", jaw=Jaw.UPPER)
+    page.surfaces._exchange()
+    assert comparing.draft.choice.jaw is Jaw.UPPER
+    comparing.reading.read("after", files.after)
+    until(lambda: not comparing.reading.reading, 30, "another file")
+    assert comparing.draft.choice.jaw is None
+    comparing.answers.cancel()
+
+
+def test_undo_outlives_the_opening_of_a_case(program: Program, page: ComparePage, files: PairFiles, tmp_path: Path) -> None:
+    comparing, case = program.services.comparing, program.services.case
+    _load(program, page, files)
+    path = tmp_path / "other.impronta"
+    with CaseStore.create(path) as store:
+        store.put_order(Order("C-2", "P-2", "left", "arch"))
+    program.window.open_case(path)
+    until(lambda: case.path == path and not case.opening, 30, "the case")
+    program.window.show_page("compare")
+    program.window.undo()
+    assert comparing.draft.choice.after is None
+    case.close()
+    until(lambda: case.path is None, 20, "the closed case")
 
 
 def test_the_open_case_is_compared_and_keeps_the_result(program: Program, page: ComparePage, files: PairFiles, tmp_path: Path) -> None:
@@ -360,6 +478,7 @@ def test_the_open_case_is_compared_and_keeps_the_result(program: Program, page: 
     assert not page.foot.keep.isVisible()
     assert case.store is not None
     assert case.store.comparison_id() is not None
+    until(lambda: "before.stl" in page.surfaces.kept.text(), 20, "the list of what is kept")
     program.window.undo()
     until(lambda: page.foot.keep.isVisible(), 20, "the undone edit")
     assert case.store.comparison_id() is None

@@ -9,7 +9,10 @@ from vtkmodules.vtkCommonCore import vtkVersion
 
 from scanner_core import __version__
 from scanner_core.comparison.area import Area
+from scanner_core.comparison.area_bar import AreaBar
 from scanner_core.comparison.comparison import Comparison
+from scanner_core.comparison.comparison_values import above_null, told_doubts
+from scanner_core.comparison.frame_words import HELD
 from scanner_core.comparison.parameters import Frame
 from scanner_core.comparison.surface import ComparedSurface
 
@@ -18,20 +21,10 @@ PROGRAM = f"Impronta {__version__}"
 VERSIONS = f"{PROGRAM}, Python {platform.python_version()}, numpy {np.__version__}, vtk {vtkVersion.GetVTKVersion()}"
 DIRECTION = "Deviations are those of AFTER against BEFORE: + where AFTER lies outside of BEFORE, − where it lies inside."
 AREA_HEADER = ("", "what was found", "max / mm", "P95 / mm", "area / mm²", "volume / mm³", "motion / mm", "rotation / °", "> null")
-_FRAMES = {
-    Frame.AUTO: "stable region, found automatically",
-    Frame.WHOLE: "best fit of the whole surfaces",
-    Frame.MASK: "painted region",
-    Frame.GIVEN: "as given in the files, nothing aligned",
-}
-_SHIFT_WORDS = {
-    Frame.AUTO: "The automatic stable region",
-    Frame.WHOLE: "Best fit of the whole surfaces",
-    Frame.MASK: "The painted region",
-    Frame.GIVEN: "Taking the files as they lie",
-}
 _CONCERN = {"Order": ("order", "side", "type"), "Date": ("date",), "Measured": ("rig", "calibration_id", "calibration_date")}
 """What of a surface's origin is told.  Never its path, which often holds a patient's name."""
+_COUNTED = "of counterparts only"
+_ABOVE = {None: "–", True: "yes", False: "no"}
 
 Facts = tuple[tuple[str, str], ...]
 
@@ -74,16 +67,18 @@ def remarks(comparison: Comparison) -> tuple[str, ...]:
 
 def _sentences(comparison: Comparison, *, serious: bool) -> list[str]:
     """The doubts of one weight; those of a single surface say of which."""
-    sources = (("BEFORE: ", comparison.before.doubts), ("AFTER: ", comparison.after.doubts), ("", comparison.pair), ("", comparison.alignment.doubts))
-    return [prefix + doubt.words for prefix, doubts in sources for doubt in doubts if doubt.serious is serious]
+    return [words for doubt, words in told_doubts(comparison, "BEFORE", "AFTER") if doubt.serious is serious]
 
 
 def findings(comparison: Comparison) -> str:
     """What was found, in a sentence."""
     areas = comparison.areas
     if not areas:
-        level = comparison.deviation.detection_level_um / 1000
-        return f"No area differs by more than the level of detection of {number(level, 2)} mm."
+        bar = AreaBar.of(comparison.deviation)
+        return (
+            f"No area of {bar.extent_mm2:g} mm² or more differs by more than {number(bar.deviation_um / 1000, 2)} mm, "
+            f"smoothed over {bar.smoothing_mm:g} mm; the map shows smaller differences."
+        )
     first = areas[0]
     count = "One area differs" if len(areas) == 1 else f"{len(areas)} areas differ"
     return f"{count}; the greatest difference: {first.words} (on the map {signed(first.max_um / 1000, 2)} mm at most)."
@@ -119,8 +114,8 @@ def statistics(comparison: Comparison) -> tuple[tuple[str, str, str], ...]:
         ("RMS", mm(s.rms_um), "after → before"),
         ("P50 / P95 / P99", " / ".join(number(value / 1000, 3) for value in (s.p50_um, s.p95_um, s.p99_um)) + " mm", "after → before"),
         ("Greatest", mm(s.max_um), "after → before"),
-        ("Hausdorff", mm(s.hausdorff_after_to_before_um), "after → before"),
-        ("Hausdorff", mm(s.hausdorff_before_to_after_um), "before → after"),
+        ("Hausdorff", f"{mm(s.hausdorff_after_to_before_um)}, {_COUNTED}", "after → before"),
+        ("Hausdorff", f"{mm(s.hausdorff_before_to_after_um)}, {_COUNTED}", "before → after"),
     ]
     for threshold, area in sorted(s.area_above_mm2.items(), key=lambda item: float(item[0])):
         share = f", {100 * area / compared:.1f} %" if compared > 0 else ""
@@ -133,6 +128,8 @@ def detection(comparison: Comparison) -> Facts:
     """What can be told from noise."""
     level = comparison.null_level_um
     null = f"{number(level / 1000, 3)} mm, the same model measured twice" if level is not None else "not measured for this rig and material"
+    if level is not None and comparison.null_area_mm2 is not None:
+        null += f"; {number(comparison.null_area_mm2, 1)} mm² above 0.2 mm"
     return (
         ("Level of detection", f"{number(comparison.deviation.detection_level_um / 1000, 3)} mm (95 %), from noise and alignment"),
         ("Null comparison", null),
@@ -144,22 +141,14 @@ def alignment_card(comparison: Comparison) -> Facts:
     a = comparison.alignment
     correlation = f", correlated over {a.correlation_length_mm:.1f} mm" if a.correlation_length_mm >= 0.05 else ""
     return (
-        ("Held fixed", _FRAMES[a.frame]),
+        ("Held fixed", HELD[a.frame]),
         ("Found by", a.method),
         ("Stable region", f"{100 * a.stable_area_fraction:.0f} % of the common area"),
         ("Overlap", f"{100 * a.overlap:.0f} % of AFTER has a counterpart"),
         ("Residual", f"{number(a.rms_um / 1000, 3)} mm rms on the stable region"),
         ("Noise", f"{number(a.noise_um / 1000, 3)} mm, both surfaces{correlation}"),
-        ("Uncertainty", f"{number(a.uncertainty_um / 1000, 4)} mm (k = 1) of a stable point"),
+        ("Uncertainty", "not estimated" if a.frame is Frame.GIVEN else f"{number(a.uncertainty_um / 1000, 4)} mm (k = 1) of a stable point"),
         ("Scale ratio", f"{a.scale_ratio:.5f} ± {a.scale_ratio_uncertainty:.5f} (k = 1); not applied"),
-    )
-
-
-def shift_sentences(comparison: Comparison) -> tuple[str, ...]:
-    """What other frames would have said."""
-    return tuple(
-        f"{_SHIFT_WORDS[shift.frame]} would have moved AFTER by {number(shift.rms_um / 1000, 2)} mm rms, {number(shift.max_um / 1000, 2)} mm at most."
-        for shift in comparison.alignment.shifts
     )
 
 
@@ -180,20 +169,15 @@ def area_cells(area: Area, comparison: Comparison) -> tuple[str, ...]:
         signed(area.volume_mm3, 1),
         motion,
         angle,
-        above_null(area, comparison),
+        _ABOVE[above_null(area, comparison)],
     )
-
-
-def above_null(area: Area, comparison: Comparison) -> str:
-    """Whether its P95 exceeds what the same model measured twice shows."""
-    if comparison.null_level_um is None:
-        return "–"
-    return "yes" if area.p95_um > comparison.null_level_um else "no"
 
 
 def area_note(comparison: Comparison) -> str:
     """How to read the table."""
-    null = "" if comparison.null_level_um is not None else " “> null” stays open until a null comparison is stored with the rig."
+    null = " “> null”: P95 and area exceed those of the null comparison."
+    if comparison.null_level_um is None:
+        null = " “> null” stays open until a null comparison is stored with the rig."
     return (
         "max is signed, P95 is of the magnitude. Motion is that of the part's centre, fitted as a rigid body, "
         f"± U (k = 2), the alignment included; a map alone shows less than a tooth moved.{null}"

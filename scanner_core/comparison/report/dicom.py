@@ -47,4 +47,4 @@ def _subject(comparison: Comparison, made: str) -> DicomSubject:
     """The order of the after surface, or the beginning of its SHA-256 where it has none."""
     origin = comparison.after.origin
     order = str(origin.get("order") or comparison.after.sha256[:16])
-    return DicomSubject(order, order, str(origin.get("side") or ""), made, str(origin.get("rig") or ""))
+    return DicomSubject.of(str(origin.get("patient_code") or ""), order, str(origin.get("side") or ""), made, str(origin.get("rig") or ""))

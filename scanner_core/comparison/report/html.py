@@ -12,6 +12,7 @@ import numpy as np
 
 from scanner_core.comparison.colour_scale import HATCH, NO_COUNTERPART, WITHIN_LEVEL, DeviationScale
 from scanner_core.comparison.comparison import Comparison
+from scanner_core.comparison.frame_words import shift_sentences
 from scanner_core.comparison.report import content
 from scanner_core.comparison.report.legend import bands, css
 from scanner_core.comparison.report.picture import STABLE, Painter, Picture, fitted_scale
@@ -71,7 +72,7 @@ def report_html(comparison: Comparison, made: str, cancelled: IsCancelled = lamb
     scale = fitted_scale(comparison)
     state = "verdict" if comparison.reliable else "verdict bad"
     policy = "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
-    shifts = "".join(f"<p>{escape(sentence)}</p>" for sentence in content.shift_sentences(comparison))
+    shifts = "".join(f"<p>{escape(sentence)}</p>" for sentence in shift_sentences(comparison))
     hashes = (("SHA-256 before", comparison.before.sha256), ("SHA-256 after", comparison.after.sha256))
     parts = (
         f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"/><meta http-equiv="Content-Security-Policy" content="{policy}"/>',

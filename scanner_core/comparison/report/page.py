@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from scanner_core.comparison.comparison import Comparison
+from scanner_core.comparison.frame_words import shift_sentences
 from scanner_core.comparison.report import content
 from scanner_core.comparison.report.legend import line
 from scanner_core.comparison.report.plates import Plates
@@ -175,7 +176,7 @@ def _numbers(page: Page, comparison: Comparison) -> None:
     page.y_mm += 5.0
     for label, value in content.alignment_card(comparison):
         _fact(page, x, label, value, 21.0, half - 22.0)
-    for sentence in content.shift_sentences(comparison):
+    for sentence in shift_sentences(comparison):
         for words in wrapped(sentence, half, 7.5):
             page.text(x, page.y_mm, words, 7.5)
             page.y_mm += 3.5

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from scanner_core.comparison.comparison import Comparison
+from scanner_core.comparison.comparison_values import above_null
 
 COLUMNS = (
     *("rank", "words", "centroid_x_mm", "centroid_y_mm", "centroid_z_mm", "area_mm2", "mean_um", "p95_um", "max_um", "volume_mm3", "parts"),
@@ -33,8 +34,7 @@ def write_table(comparison: Comparison, path: Path) -> None:
                 m = area.motion
                 motion = [f"{np.linalg.norm(m.displacement_mm):.4f}", f"{2e-3 * m.displacement_uncertainty_um:.4f}"]
                 motion += [f"{m.angle_deg:.3f}", f"{2 * m.angle_uncertainty_deg:.3f}"]
-            null = comparison.null_level_um
-            above = "" if null is None else ("yes" if area.p95_um > null else "no")
+            above = {None: "", True: "yes", False: "no"}[above_null(area, comparison)]
             writer.writerow([area.rank, harmless(area.words), x, y, z, *figures, area.parts, *motion, above])
 
 

@@ -9,9 +9,7 @@ import pytest
 from tests.bench.optics.point_uncertainty import z_scores
 
 
-@pytest.mark.parametrize(
-    ("preset", "changes"), [("bench", {"surface_um": 50.0}), pytest.param("workshop", {"speckle": 0.3}, marks=pytest.mark.long)]
-)
+@pytest.mark.parametrize(("preset", "changes"), [("bench", {"surface_um": 50.0}), pytest.param("workshop", {"speckle": 0.3}, marks=pytest.mark.long)])
 def test_errors_have_the_predicted_size(preset: str, changes: dict[str, Any]) -> None:
     """A short scan: 900 points tell a standard deviation to 3 %; the full tables come from the bench."""
     z, _, noise = z_scores(preset, changes, "sphere", 900, 4, seed=11)

@@ -280,5 +280,3 @@ def test_centroids_that_give_no_points_are_refused(store: CaseStore) -> None:
         except CaseFormatError:
             return
         assert np.isfinite(cloud.points).all()
-
-

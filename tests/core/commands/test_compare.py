@@ -13,11 +13,13 @@ import pytest
 from scanner_core.__main__ import main
 from scanner_core.case.store import CaseStore, Order
 from scanner_core.commands import comparing
-from scanner_core.comparison import compare
 from scanner_core.comparison.keeping import kept_comparisons
+from scanner_core.comparison.report import html, writer
 from scanner_core.devices.rig import load_rig, rig_text
+from scanner_core.errors import WorkerError
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.jobs.registry import resolve, target_of
 from scanner_core.mesh_io import write_mesh
 from scanner_core.virtual.specimens.arch import TREATMENT, foot
 from tests.core.comparison.shapes import cut, egg, scaled, turned_inside_out
@@ -33,8 +35,8 @@ Run = Callable[..., tuple[int, dict[str, Any], str]]
 def impronta(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Run:
     """The command with its job in this process; exit code, JSON, and what it said."""
 
-    def here(_: str, request: compare.CompareRequest, **listeners: Any) -> object:
-        return compare.run(request, **listeners)
+    def here(job: str, request: object, **listeners: Any) -> object:
+        return resolve(target_of(job))(request, **listeners)
 
     monkeypatch.setattr(comparing, "run_in_worker", here)
     monkeypatch.chdir(tmp_path)
@@ -68,7 +70,12 @@ def codes(values: dict[str, Any]) -> list[str]:
     return [doubt["code"] for doubt in values["doubts"]]
 
 
-def test_moved_teeth_are_found_and_the_report_is_written(impronta: Run, files: Callable[..., list[Path]], tmp_path: Path) -> None:
+def test_moved_teeth_are_found_and_the_report_is_written(
+    impronta: Run, files: Callable[..., list[Path]], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # letters on paper take most of the time, and the page has tests of its own
+    monkeypatch.setattr(writer, "write_pdf", lambda comparison, path, made, cancelled: path.write_text(f"%PDF-1.4 {made}"))
+    monkeypatch.setattr(html, "_WIDTH", 90)
     before, after = noisy(small_arch(), 20.0, 1), noisy(small_arch(treated=True, step_mm=0.87), 20.0, 2)
     paths = files(before, placed(after))
     out = tmp_path / "out"
@@ -119,7 +126,7 @@ def test_odd_input_is_compared_and_named(impronta: Run, files: Callable[..., lis
     assert status == 0
     assert code in codes(values)
     assert words in said
-    assert values["reliable"] is (case != "identical")
+    assert values["reliable"] is (case not in ("identical", "inch"))
 
 
 def test_surfaces_that_face_inwards_are_named(impronta: Run, files: Callable[..., list[Path]]) -> None:
@@ -166,6 +173,47 @@ def cut_side(mesh: TriangleMesh) -> TriangleMesh:
     inside = (mesh.vertices[mesh.triangles][:, :, 0] < 8.0).all(axis=1)
     used, index = np.unique(mesh.triangles[inside], return_inverse=True)
     return TriangleMesh(mesh.vertices[used], index.reshape(-1, 3))
+
+
+def test_what_is_odd_is_said_before_anything_fails(impronta: Run, files: Callable[..., list[Path]], monkeypatch: pytest.MonkeyPatch) -> None:
+    """A hundred times as large: whatever the comparison ends with, the sizes were named."""
+
+    def fails(*_: object, **__: object) -> object:
+        raise WorkerError("E-JOB-02", details="IndexError", reason="index 0 is out of bounds")
+
+    monkeypatch.setattr(comparing, "run_in_worker", fails)
+    body = egg(around=48, across=28)
+    status, values, said = impronta(*files(body, scaled(body, 100.0)))
+    assert (status, values) == (1, {})
+    assert said.index("times as large as the earlier one") < said.index("The worker process failed")
+    assert said.count("times as large as the earlier one") == 1
+
+
+def test_a_series_checks_all_its_files_before_it_computes(impronta: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(comparing, "run_in_worker", lambda *_, **__: pytest.fail("computed"))
+    old = tmp_path / "out" / "3-against-1" / "report.pdf"
+    old.parent.mkdir(parents=True)
+    old.write_bytes(b"old")
+    for name in "abc":
+        write_mesh(tmp_path / f"{name}.stl", egg(around=48, across=28))
+    status, _, said = impronta("a.stl", "b.stl", "c.stl", "--out", tmp_path / "out")
+    assert status == 1
+    assert "exists already" in said
+    assert [path for path in (tmp_path / "out").rglob("*") if path.is_file()] == [old]
+
+
+def test_a_series_is_a_job_of_the_worker(impronta: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[str] = []
+
+    def noting(job: str, request: object, **listeners: Any) -> object:
+        asked.append(job)
+        return resolve(target_of(job))(request, **listeners)
+
+    monkeypatch.setattr(comparing, "run_in_worker", noting)
+    for seed, name in enumerate("abc"):
+        write_mesh(tmp_path / f"{name}.stl", noisy(egg(around=48, across=28), 10.0, seed))
+    status, values, _ = impronta("a.stl", "b.stl", "c.stl", "--frame", "given")
+    assert (status, asked, len(values["comparisons"])) == (0, ["compare-series"], 2)
 
 
 def test_units_are_overruled_for_each(impronta: Run, tmp_path: Path) -> None:
@@ -241,7 +289,7 @@ def test_a_null_comparison_is_stored_with_the_rig_and_shown(impronta: Run, twice
     assert "identical files" in said
 
 
-def test_a_case_is_changed_only_when_it_shall_keep_the_comparison(impronta: Run, twice: list[Path]) -> None:
+def test_a_case_is_changed_only_when_it_shall_keep_the_comparison(impronta: Run, twice: list[Path], capsys: pytest.CaptureFixture[str]) -> None:
     before = [path.read_bytes() for path in twice]
     assert impronta("--frame", "given", *twice)[0] == 0
     assert [path.read_bytes() for path in twice] == before
@@ -251,6 +299,13 @@ def test_a_case_is_changed_only_when_it_shall_keep_the_comparison(impronta: Run,
     with CaseStore.open(twice[1], read_only=True) as store:
         (kept,) = kept_comparisons(store)
         assert (kept.id, kept.of_this_mesh, kept.values["deviation"]) == (values["kept"], True, values["deviation"])
+    capsys.readouterr()
+    assert main(["info", "--json", str(twice[1])]) == 0
+    (shown,) = json.loads(capsys.readouterr().out)["comparisons"]
+    assert (shown["id"], shown["before"], shown["frame"], shown["reliable"]) == (values["kept"], "first.impronta", "given", values["reliable"])
+    assert (shown["rms_um"], shown["shown"], shown["of_this_mesh"]) == (values["deviation"]["rms_um"], True, True)
+    assert main(["info", str(twice[1])]) == 0
+    assert "second.impronta against first.impronta, frame given, rms " in capsys.readouterr().out
 
 
 def test_the_worker_process_gives_the_same(files: Callable[..., list[Path]], capsys: pytest.CaptureFixture[str]) -> None:
@@ -260,3 +315,4 @@ def test_the_worker_process_gives_the_same(files: Callable[..., list[Path]], cap
     assert said.out.startswith("after.stl (")
     assert "not aligned" in said.out
     assert "No serious doubt." in said.out
+    assert "Areas of at least 3 mm2 that differ by more than 200 um: none." in said.out

@@ -224,9 +224,7 @@ def test_an_interrupt_keeps_what_was_measured_but_makes_no_history(
     assert not history_path(str(rig)).exists()
 
 
-def test_a_history_that_cannot_be_kept_costs_only_the_history(
-    rig: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_history_that_cannot_be_kept_costs_only_the_history(rig: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
     (rig.parent / "file").write_text("", encoding="utf-8")
     monkeypatch.setattr(verifying, "history_path", lambda _: rig.parent / "file" / "x.jsonl")
     assert _verify("static", "--rig", rig, "--repeats", 60, "--places", 4, "--json") == 0

@@ -19,15 +19,15 @@ from scanner_core.errors import ComparisonError
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.jobs.progress import Cancelled
-from scanner_core.virtual.specimens.arch import arch
 from scanner_core.virtual.specimens.ear import ear
+from tests.core.comparison.small_arch import small_arch
 
 NOISE_MM = 0.05
 
 
 @cache
 def clean(treated: bool) -> TriangleMesh:
-    return arch(treated=treated).mesh
+    return small_arch(treated=treated, step_mm=0.7)
 
 
 @cache

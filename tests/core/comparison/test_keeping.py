@@ -10,12 +10,13 @@ import numpy as np
 import pytest
 
 from scanner_core.case.store import CaseStore
-from scanner_core.comparison.comparison_values import comparison_values
+from scanner_core.comparison.comparison_values import above_null, comparison_values, surface_values
 from scanner_core.comparison.doubt import Doubt
 from scanner_core.comparison.inputs import read_surface
 from scanner_core.comparison.keeping import keep_comparison, kept_comparisons
 from scanner_core.comparison.mask_file import read_mask
 from scanner_core.errors import InputFileError
+from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.mesh_io import write_mesh
 from tests.core.case.test_processing import small_case
 from tests.core.comparison.compared import area_at, compared, named
@@ -39,6 +40,25 @@ def test_the_json_has_what_was_promised_and_no_nan() -> None:
     assert (values["areas"][0]["above_null"], values["reliable"]) == (True, False)
     assert values["warnings"] == ["The stable region is small.", "a: It is open."]
     assert "Jane" not in json.dumps(values)
+
+
+def test_no_more_of_the_origin_is_written_than_was_promised() -> None:
+    """A code of a few letters is found from its hash by trying: neither is written."""
+    surface = named(egg(), "a", path="Jane Doe.stl", patient_code="P-1", order="4711", anything="else")
+    assert surface_values(surface)["origin"] == {"order": "4711"}
+
+
+def test_what_was_not_estimated_is_not_zero() -> None:
+    values = json.loads(json.dumps(comparison_values(compared(named(egg(), "a"), named(egg(60.2), "b")))))
+    assert (values["alignment"]["frame"], values["alignment"]["uncertainty_um"]) == ("given", None)
+
+
+@pytest.mark.parametrize(("level_um", "extent_mm2", "above"), [(280.0, 19.0, True), (280.0, 21.0, False), (320.0, 0.0, False), (280.0, None, True)])
+def test_an_area_is_weighed_by_height_and_extent_of_the_null_comparison(level_um: float, extent_mm2: float | None, above: bool) -> None:
+    after = egg(60.2)
+    comparison = compared(named(egg(), "a"), named(after, "b"), areas=(area_at(after, (0.0, 0.0, 30.0)),))
+    assert above_null(comparison.areas[0], replace(comparison, null_level_um=level_um, null_area_mm2=extent_mm2)) is above
+    assert above_null(comparison.areas[0], comparison) is None
 
 
 def test_a_case_keeps_a_comparison_until_it_is_undone(tmp_path: Path) -> None:
@@ -78,6 +98,19 @@ def test_a_part_cut_out_of_the_later_surface_marks_it(tmp_path: Path) -> None:
     write_mesh(tmp_path / "elsewhere.stl", scaled(part, 5.0))
     with pytest.raises(InputFileError, match="no vertex of after"):
         read_mask(tmp_path / "elsewhere.stl", after)
+
+
+def test_numbers_of_points_that_were_renumbered_are_refused(tmp_path: Path) -> None:
+    """A loose point first in the file shifts all others by one."""
+    mesh = egg()
+    with_loose = TriangleMesh(np.concatenate([[[7.0, 7.0, 7.0]], mesh.vertices]), mesh.triangles + 1)
+    write_mesh(tmp_path / "after.ply", with_loose)
+    (tmp_path / "mask.json").write_text("[1, 2, 3]")
+    after = read_surface(tmp_path / "after.ply")
+    with pytest.raises(InputFileError, match="joined or left out"):
+        read_mask(tmp_path / "mask.json", after)
+    write_mesh(tmp_path / "part.stl", cut(mesh, 12.0))
+    assert read_mask(tmp_path / "part.stl", after).any()
 
 
 def test_numbers_of_vertices_mark_it(tmp_path: Path) -> None:

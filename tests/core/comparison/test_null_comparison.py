@@ -31,7 +31,7 @@ def test_the_level_is_what_seems_to_have_changed() -> None:
         named(before, "a", date="2026-05-01T10:00:00+02:00", calibration_id="c1"),
         named(after, "b", date="2026-05-01T09:00:00+01:00", calibration_id="c2"),
     )
-    level = null_level_of(comparison, "plaster")
+    level = null_level_of(comparison, "plaster", "bench")
     assert (level.material, level.date, level.calibrations) == ("plaster", "2026-05-01T10:00:00+02:00", ("c1", "c2"))
     assert level.level_um == comparison.deviation.statistics.p95_um
     assert level.false_area_100_mm2 == pytest.approx(4.5**2, rel=0.03)  # nine vertices each way, half a millimetre each
@@ -42,7 +42,14 @@ def test_the_level_is_what_seems_to_have_changed() -> None:
 def test_what_is_not_reliable_says_nothing_of_the_rig() -> None:
     doubt = Doubt("stable-region-small", "The stable region is small.", serious=True)
     with pytest.raises(ComparisonError, match="The stable region is small"):
-        null_level_of(compared(named(plane(20, 1), "a"), named(plane(20, 1), "b"), doubts=(doubt,)), "plaster")
+        null_level_of(compared(named(plane(20, 1), "a"), named(plane(20, 1), "b"), doubts=(doubt,)), "plaster", "bench")
+
+
+def test_surfaces_of_another_rig_say_nothing_of_this_one() -> None:
+    comparison = compared(named(plane(20, 1), "a", rig="bench"), named(plane(20, 1), "b"))
+    with pytest.raises(ComparisonError, match="measured with 'bench', not with 'workshop'"):
+        null_level_of(comparison, "plaster", "workshop")
+    assert null_level_of(comparison, "plaster", "bench").material == "plaster"
 
 
 def test_separate_areas_are_not_added_up() -> None:
@@ -99,6 +106,7 @@ def test_the_level_stands_beside_every_change() -> None:
     assert shown(material="wax", calibration_date="2026-05-02T10:00:00+02:00") == (55.0, ["null-older-than-calibration"])
     assert shown(material="wax", rig="workshop") == (55.0, ["null-other-rig"])
     assert with_null_level(comparison, ()).null_level_um is None
+    assert with_null_level(comparison, levels, material="wax").null_area_mm2 == LEVEL.false_area_200_mm2
 
 
 def test_a_case_carries_the_levels_of_its_rig() -> None:

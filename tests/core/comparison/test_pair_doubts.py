@@ -17,8 +17,8 @@ def codes(before: ComparedSurface, after: ComparedSurface) -> list[tuple[str, bo
 
 
 def test_two_good_surfaces_give_no_doubt() -> None:
-    before = named(egg(), "a", side="left", type="arch", date="2026-01-01T10:00:00+00:00", patient_digest="x")
-    after = named(cut(egg(), 15.0), "b", side="", type="Arch ", date="2026-03-01T10:00:00+00:00", patient_digest="x")
+    before = named(egg(), "a", side="left", type="arch", date="2026-01-01T10:00:00+00:00", patient_code="x")
+    after = named(cut(egg(), 15.0), "b", side="", type="Arch ", date="2026-03-01T10:00:00+00:00", patient_code="x")
     assert codes(before, after) == []
 
 
@@ -35,7 +35,7 @@ def test_identical_files_are_named() -> None:
         ("type", "upper arch", "lower arch", "types-differ"),
         ("side", "left", "right", "sides-differ"),
         ("type", "arch", "ear", "types-differ"),
-        ("patient_digest", "a1", "b2", "patients-differ"),
+        ("patient_code", "a1", "b2", "patients-differ"),
     ],
 )
 def test_orders_that_contradict_each_other(key: str, first: str, second: str, code: str) -> None:

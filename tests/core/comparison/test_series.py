@@ -12,7 +12,9 @@ import numpy as np
 import pytest
 
 from scanner_core.comparison import series as series_module
+from scanner_core.comparison.alignment import Alignment
 from scanner_core.comparison.comparison import Comparison
+from scanner_core.comparison.doubt import Doubt
 from scanner_core.comparison.parameters import ComparisonParameters, Frame
 from scanner_core.comparison.series import Series, measure_series
 from scanner_core.comparison.surface import ComparedSurface
@@ -65,12 +67,43 @@ def test_the_ways_close(series: Series) -> None:
     assert series.reliable
 
 
+def test_the_search_is_not_forgotten(series: Series) -> None:
+    """Its result is handed on as a start, which is no point that anybody picked."""
+    assert {one.alignment.frame for one in series.to_first} == {Frame.MASK}
+    assert {one.alignment.method for one in series.to_first} <= {"principal axes", "point-pair features"}
+
+
+def test_doubts_of_the_search_stay_and_a_speck_is_no_common_region(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of three balls no pose is sure; where the carried region is too small, each keeps its own and nobody is asked to paint."""
+    doubt = Doubt("pose-ambiguous", "Another pose fits about as well.", serious=True)
+    bodies = [named(noisy(egg(around=32, across=20), 5.0, seed), name) for seed, name in enumerate("abc")]
+
+    def searched(first: ComparedSurface, after: ComparedSurface, *rest: Any, **more: Any) -> Alignment:
+        return replace(compared(first, after).alignment, method="principal axes", doubts=(doubt,))
+
+    monkeypatch.setattr(series_module, "align", searched)
+    for least, frame, codes in ((20.0, Frame.MASK, []), (1e6, Frame.AUTO, ["series-no-common-region"])):
+        monkeypatch.setattr(series_module, "LEAST_MM2", least)
+        found = measure_series(bodies)
+        assert [one.code for one in found.doubts if one.code == "series-no-common-region"] == codes
+        for one in found.to_first:
+            assert (one.alignment.frame, one.alignment.method) == (frame, "principal axes")
+            assert [one.code for one in one.alignment.doubts].count("pose-ambiguous") == 1
+        assert not found.reliable
+
+
 def test_as_json_and_table(series: Series) -> None:
     values = json.loads(json.dumps(series.as_dict(), allow_nan=False))
     assert [one["name"] for one in values["surfaces"]] == ["visit 0", "visit 1", "visit 2"]
     rows = list(csv.DictReader(io.StringIO(series.csv())))
     assert [(row["surface"], row["listed"]) for row in rows] == [("visit 1", "1"), ("visit 2", "1")]
     assert float(rows[1]["p95_um"]) == pytest.approx(series.tracks[0].p95_um[1], rel=1e-3)
+
+
+def test_no_text_of_a_series_becomes_a_formula(series: Series) -> None:
+    evil = replace(series, names=("a", "=1+1", "+x"), dates=("", "@now", "2026"), tracks=(replace(series.tracks[0], words='-"cmd", a'),))
+    rows = list(csv.DictReader(io.StringIO(evil.csv())))
+    assert [(row["words"], row["surface"], row["date"]) for row in rows] == [('\'-"cmd", a', "'=1+1", "'@now"), ('\'-"cmd", a', "'+x", "2026")]
 
 
 def test_a_series_can_be_stopped(surfaces: list[ComparedSurface]) -> None:

@@ -57,9 +57,7 @@ def detected_once(monkeypatch: pytest.MonkeyPatch, recording: Recording) -> None
 
 
 def calibrate(replay: Replay, settings: CalibrationSettings = SETTINGS, target: CharucoTarget | None = None, **more: Any) -> CalibrationResult:
-    return run_calibration(
-        replay.camera(0), replay.camera(1), replay.table, replay, target or CharucoTarget(), settings, date="2026-01-01", **more
-    )
+    return run_calibration(replay.camera(0), replay.camera(1), replay.table, replay, target or CharucoTarget(), settings, date="2026-01-01", **more)
 
 
 def test_the_bench_is_calibrated_from_rendered_boards(recording: Recording, bench: VirtualBench) -> None:

@@ -22,6 +22,7 @@ from scanner_core.comparison.report.viewpoint import viewpoints
 from scanner_core.comparison.report.writer import NAMES, write_report
 from scanner_core.errors import StorageError
 from scanner_core.jobs.progress import Cancelled
+from scanner_core.mesh_io.dicom import DicomSubject, write_encapsulated_stl
 from scanner_core.mesh_io.ply import parse_ply
 from scanner_core.mesh_io.stl import parse_stl
 from tests.core.comparison.made import POSE, REMARK, SERIOUS, made
@@ -162,6 +163,12 @@ def test_the_archive_gets_page_and_surface_in_the_frame_of_before(tmp_path: Path
     assert np.allclose(mesh.vertices[mesh.triangles], POSE.apply(after.vertices)[after.triangles], atol=1e-4)
     assert page.PatientID == surface.PatientID == "2026-0417"
     assert page.StudyInstanceUID == surface.StudyInstanceUID
+    exported = DicomSubject.of("P-1", "2026-0417", "", MADE)  # as the case's own mesh
+    write_encapsulated_stl(tmp_path / "mesh.dcm", after, exported, "Surface")
+    of_case = replace(comparison, after=replace(comparison.after, origin={**comparison.after.origin, "patient_code": "P-1"}))
+    write_dicom(of_case, page_file, folder, made=MADE, force=True)
+    mesh_file, page = dcmread(tmp_path / "mesh.dcm"), dcmread(folder / "report.dcm")
+    assert (page.PatientID, page.StudyInstanceUID) == (mesh_file.PatientID, mesh_file.StudyInstanceUID) == ("P-1", mesh_file.StudyInstanceUID)
     with pytest.raises(StorageError, match="E-DISK-03"):
         write_dicom(comparison, page_file, folder, made=MADE)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from itertools import combinations
 from pathlib import Path
 
@@ -10,8 +11,10 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from scanner_core.comparison.comparison import Comparison
+from scanner_core.comparison.comparison_values import warnings
 from scanner_core.comparison.doubt import Doubt
-from scanner_core.comparison.report import plates
+from scanner_core.comparison.parameters import Frame
+from scanner_core.comparison.report import content, plates
 from scanner_core.comparison.report.page import report_pages, write_pdf
 from scanner_core.metrology.certificate_page import page_style
 from tests.core.comparison.made import REMARK, SERIOUS, made
@@ -53,7 +56,7 @@ def test_it_tells_what_a_record_needs() -> None:
         "principal axes",
         "0.041 mm rms",
     ]
-    expected += ["1.00020 ± 0.00015", "0.12 mm rms, 0.60 mm at most", "0.061 mm, the same model measured twice", "a3" * 32, "5b" * 32]
+    expected += ["1.00020 ± 0.00015", "everything by 0.12 mm rms, 0.60 mm at most", "0.061 mm, the same model measured twice", "a3" * 32, "5b" * 32]
     expected += ["Clinical threshold: 0.250 mm", "Seed: 0", "Impronta", "numpy", "10 mm", "threshold 0.25 mm", "(k = 1)", "yes"]
     assert [told for told in expected if told not in words] == []
     assert "Jane Doe" not in words
@@ -68,8 +71,27 @@ def test_an_unreliable_result_says_so_first_and_why() -> None:
 
 def test_without_areas_and_without_null_comparison() -> None:
     words = _words(made(areas=0, null_level_um=None))
-    assert "No area differs by more than the level of detection of 0.09 mm." in words
+    assert "No area of 3 mm² or more differs by more than 0.20 mm, smoothed over 0.4 mm" in words
+    assert "0.900 mm, of counterparts only" in words
     assert "not measured for this rig and material" in words
+
+
+def test_a_rough_pair_raises_the_bar_and_what_was_given_has_no_uncertainty() -> None:
+    comparison = made(areas=0)
+    rough = replace(comparison, deviation=replace(comparison.deviation, detection_level_um=310.0))
+    given = replace(rough, alignment=replace(rough.alignment, frame=Frame.GIVEN, uncertainty_um=0.0))
+    assert "differs by more than 0.31 mm" in content.findings(rough)
+    assert dict(content.alignment_card(given))["Uncertainty"] == "not estimated"
+    assert dict(content.alignment_card(rough))["Uncertainty"].startswith("0.0042 mm")
+
+
+def test_doubts_are_told_in_one_order_everywhere() -> None:
+    pair, alignment = Doubt("p", "Of the pair.", False), Doubt("a", "Of the alignment.", False)
+    comparison = made(doubts=(REMARK, SERIOUS))
+    comparison = replace(comparison, pair=(pair,), alignment=replace(comparison.alignment, doubts=(alignment,)))
+    told = [words.partition(": ")[2] or words for words in warnings(comparison)]
+    assert told == [SERIOUS.words, REMARK.words, pair.words, alignment.words]
+    assert [words.partition(": ")[2] or words for words in content.remarks(comparison)] == told[1:]
 
 
 _DOUBTS = [Doubt(f"d{i}", f"Sentence {i}, about something that was noticed. " * 3, i % 2 == 0) for i in range(12)]
