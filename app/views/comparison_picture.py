@@ -92,10 +92,10 @@ class ComparisonPicture(QObject):
             return
         self._shown = comparison
         self._chosen = None
-        self._stage.show_section(False)
-        self.take_tool("look")
         known = None if self._drawn is None else self._drawn[0]
         self._begin_drawing()
+        self._stage.show_section(False)
+        self.take_tool("look")
         if comparison is None:
             scene.clear()
             return

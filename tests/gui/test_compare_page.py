@@ -141,6 +141,7 @@ def test_views_and_modes_by_key(program: Program, page: ComparePage, files: Pair
         QTest.keyClick(page, key)
         assert scene.mode == mode
         assert page.stage.amount.isVisible() == (mode in ("curtain", "blend", "morph"))
+        assert page.stage.legend.isVisible() == (mode in ("map", "side_by_side", "curtain"))
     QTest.keyClick(page, Qt.Key.Key_Space)
     assert scene.shows_other
     QTest.keyClick(page, Qt.Key.Key_Space)
@@ -202,6 +203,12 @@ def test_a_painted_region_is_held_fixed_when_it_is_asked_for(program: Program, p
     assert choice.mask.sum() == len(stable) - 80
     assert not comparing.answers.running
     assert page.verdict.text.startswith("Out of date")
+    assert page.picture._painted is choice.mask
+    page.picture.take_tool("look")
+    assert page.picture._painted is None  # it would cover the map
+    page.alignment.stable.setChecked(True)
+    assert page.picture._painted is choice.mask
+    page.alignment.stable.setChecked(False)
     page.foot.start.click()
     _answered(program)
     assert comparing.answers.comparison is not None

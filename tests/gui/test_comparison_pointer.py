@@ -110,6 +110,13 @@ def test_the_lasso_takes_only_what_is_visible(view: ComparisonScene) -> None:
     assert (mesh.vertex_normals()[taken, 2] > -0.3).all()
     top = np.nonzero((mesh.vertices[:, 2] > 9.0) & (mesh.vertices[:, 0] < -5) & (mesh.vertex_normals()[:, 2] > 0.5))[0]
     assert np.isin(top, taken).mean() > 0.98
+    held = np.arange(len(mesh.vertices))[::9]
+    places = seen[1].project(mesh.vertices[held])
+    held = held[(np.abs(places - [109, 200]) < [99, 190]).all(axis=1)]  # well within the outline
+    lifted = mesh.vertices[held] + 0.05 * drawn.normals[held]
+    rays = [drawn.picker.seen(lifted[i : i + 1], seen[1].near(lifted[i : i + 1])) == 0 for i in range(len(held))]
+    assert len(held) > 300
+    assert (np.isin(held, taken) == rays).mean() > 0.96  # as a ray to each of them says
 
 
 def test_a_click_with_the_lasso_picks_the_point(view: ComparisonScene) -> None:
@@ -158,6 +165,46 @@ def test_areas_have_outlines_and_ranks_that_can_be_clicked(view: ComparisonScene
     QTest.mouseClick(pane_of(view), Qt.MouseButton.LeftButton, pos=pixel(view, np.array([8.0, -8.0, 0.0])) + outwards)
     assert spy.count() == 1
     assert spy.at(0)[0] == 2
+
+
+def test_a_rank_stands_where_its_area_is_seen_and_nowhere_else(view: ComparisonScene) -> None:
+    areas = [replace(_area(1, -8.0, -8.0), centroid_mm=np.array([8.0, -8.0, 0.0])), _area(2, 8.0, -8.0)]  # the first one's middle lies beside it
+    view.show_areas(areas, [None, None])
+    view.grab_picture()
+    at = {tag.key: tag.at for tag in overlay(view).tags}
+    assert at[1].x() < pixel(view, np.array([-4.0, -8.0, 0.0])).x()
+    assert at[2].x() > pixel(view, np.array([4.0, -8.0, 0.0])).x()
+    view.set_mode("curtain")
+    view.set_amount(0.5)
+    view.grab_picture()
+    assert [tag.key for tag in overlay(view).tags] == [2]
+    view.set_mode("map")
+    view.look("underside")
+    view.grab_picture()
+    assert overlay(view).tags == []
+    view.look("occlusal")
+    view.set_section((0.0, 0.0, 0.0), (1.0, 0.0, 0.2))
+    view.grab_picture()
+    assert [tag.key for tag in overlay(view).tags] == [1]
+    view.set_section((0.0, 0.0, 0.0), None)
+
+
+def test_a_section_is_faced_without_perspective_and_contours_that_coincide_do_not_alternate(view: ComparisonScene) -> None:
+    view.set_section((0.0, 8.0, 0.0), (0.0, 1.0, 0.0))
+    view.face_section(None)
+    wait_ms(320)
+    view.paint()
+    until(lambda: not view.flying, 3)
+    picture = view.grab_picture()
+    assert overlay(view).bar is not None
+    assert np.array(view.camera_position)[[0, 2]] == pytest.approx([0.0, 1.0], abs=0.3)
+    start, end = sorted(pixel(view, np.array([x, 8.0, 0.0])).x() for x in (-14.0, 2.0))
+    both = near(picture, AFTER_LINE, 40).any(axis=0)[start:end]
+    assert end - start > 100
+    assert both.mean() > 0.97
+    view.set_section((0.0, 0.0, 0.0), None)
+    view.grab_picture()
+    assert overlay(view).bar is None
 
 
 def test_the_camera_flies_to_an_area_and_a_hand_on_it_ends_the_flight(view: ComparisonScene) -> None:

@@ -13,8 +13,10 @@ from app.views.comparison_scene import BEFORE_COLOUR, ComparisonScene
 from app.views.drawn_comparison import outline, threshold_lines
 from app.views.drawn_surface import DrawnSurface
 from scanner_core.comparison.colour_scale import HATCH, NO_COUNTERPART
+from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.rigid import RigidTransform
 from tests.gui import compare_plates
-from tests.gui.compare_plates import AFTER, BEFORE, COUNT, DRAWN_AFTER, DRAWN_BEFORE, RIGHT, SCALE, bright, pane_of, pixel, plate, shown
+from tests.gui.compare_plates import AFTER, BEFORE, COUNT, DRAWN_AFTER, DRAWN_BEFORE, RIGHT, SCALE, bright, overlay, pane_of, pixel, plate, shown
 from tests.gui.pictures import coloured, near
 from tests.gui.waiting import until, wait_ms
 
@@ -208,6 +210,39 @@ def test_the_views_stand_where_their_names_say(view: ComparisonScene) -> None:
     view.set_axes(axes * [1, 1, -1], upper=True)
     view.look("occlusal")
     assert pixel(view, axes @ np.array([0, 10.0, 0])).y() < 190
+
+
+def _oblique() -> tuple[DrawnSurface, RigidTransform]:
+    """A plate in a file that lies anyhow."""
+    pose = RigidTransform.from_vector([0.7, -0.5, 0.6], [20.0, -30.0, 10.0])
+    return DrawnSurface.of(TriangleMesh(pose.apply(BEFORE.vertices), BEFORE.triangles)), pose
+
+
+def test_a_surface_that_lies_obliquely_fills_the_picture_and_its_sides_stand_beside_it(view: ComparisonScene) -> None:
+    drawn, pose = _oblique()
+    view.set_axes(pose.rotation, upper=False)
+    view.show_pair(drawn, drawn)
+    picture = bright(view.grab_picture())[60:]
+    columns = np.nonzero(picture.any(axis=0))[0]
+    assert 0.8 * view.width() < np.ptp(columns) < view.width() - 10
+    sides = {word: place for place, word in overlay(view).sides}
+    assert sides["R"].x() <= columns.min()
+    assert sides["L"].x() >= columns.max()
+    view.set_mode("side_by_side")
+    view.grab_picture()
+    placed = [(word, place.x()) for place, word in overlay(view).sides]
+    assert [word for word, _ in placed] == ["R", "L", "R", "L"]
+    assert (np.diff([0.0, *(x for _, x in placed), view.width()]) >= 19).all()  # in its own picture, and no letter on another
+    assert placed[1][1] <= 210 - 19
+    assert placed[2][1] >= 210 + 19
+    view.set_axes(pose.rotation, upper=None)
+    view.grab_picture()
+    assert overlay(view).sides == []  # which side it is, is not known
+    view.set_axes(pose.rotation, upper=False)
+    view.set_mode("map")
+    view.look("left")
+    view.grab_picture()
+    assert overlay(view).sides == []  # seen along the line between them
 
 
 # ------------------------------------------------------------------------------------ the pace
