@@ -139,7 +139,7 @@ class FindingsPanel(QWidget):
 
     @property
     def texts(self) -> dict[str, str]:
-        return self._facts.texts | {"motion": self._motion.text(), "count": self._count.text, "none": self._none.text()}
+        return self._facts.texts | {"motion": self._motion.text(), "count": self._count.text}
 
     # -------------------------------------------------------------------------------- inside
     def _numbers(self, comparison: Comparison) -> list[Fact]:

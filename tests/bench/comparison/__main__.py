@@ -76,6 +76,7 @@ def _clean(given: argparse.Namespace, moved: int, seed: int) -> CleanPair:
             af=pair.after.triangles,
             moved=pair.moved_mm,
             tooth=pair.tooth,
+            crown=pair.crown_mm,
             centres=pair.centres,
             shifts=pair.shifts_mm,
             turns=np.array([motion.matrix() for motion in pair.motions]),

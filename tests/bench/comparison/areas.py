@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,14 +10,19 @@ from numpy.typing import NDArray
 
 from scanner_core.comparison.area import Area, PartMotion
 from scanner_core.comparison.compare import compare
+from scanner_core.comparison.part_motion import part_motion
 from scanner_core.geometry.rigid import RigidTransform
 from tests.bench.comparison.clean_pair import CleanPair
 from tests.bench.comparison.scan_pair import Disturbance, ScanPair, scan
+
+Array = NDArray[np.float64]
 
 FALSE_UM = 200.0
 """An entry that reads more than this where nothing moved is false."""
 MOVED_MM = 0.2
 """Tissue counts as moved from here on: the bound of the entries and of the truth that they are held against."""
+CROWN_MM = 0.1
+"""What lies this near to a crown's own shape is crown; farther out begins the rounding towards gum and neighbours."""
 TIE_MM = 0.05
 """Teeth whose displacements differ by less may stand in either order."""
 
@@ -49,11 +54,13 @@ class AreaFigures:
 
 
 def report(pairs: Iterable[tuple[int, CleanPair]], disturbance: Disturbance, title: str) -> list[dict[str, object]]:
-    """Print a line of all pairs; every pair's figures."""
-    figures = []
+    """Print lines of all pairs; every pair's figures."""
+    figures, marked = [], []
     for seed, clean in pairs:
         pair = scan(clean, disturbance, seed)
-        figures.append((seed, look(pair, compare(pair.before, pair.after).areas)))
+        result = compare(pair.before, pair.after)
+        figures.append((seed, look(pair, result.areas)))
+        marked += [_motion_errors(part_motion(pair.before, pair.after, result.alignment, mark), *true) for mark, *true in _marks(pair)]
     names = ("teeth", "found", "false", "surplus", "out_of_order")
     teeth, found, false, surplus, wrong = (sum(getattr(f, name) for _, f in figures) for name in names)
     overlap = np.concatenate([f.overlap for _, f in figures])
@@ -62,14 +69,26 @@ def report(pairs: Iterable[tuple[int, CleanPair]], disturbance: Disturbance, tit
         f"{false} false at {FALSE_UM:.0f} um, {surplus} more; IoU median {np.median(overlap):.3f}, worst {overlap.min():.3f}",
         flush=True,
     )
-    place, angle, z = (np.concatenate([getattr(f, name) for _, f in figures]) for name in ("place_um", "angle_deg", "z"))
-    if len(place):
+    _print_motions(f"entries' motions: {title}", *(np.concatenate([getattr(f, name) for _, f in figures]) for name in ("place_um", "angle_deg", "z")))
+    _print_motions(f"marked crowns: {title}", *np.reshape(marked, (-1, 3)).T)
+    return [{"what": "areas", "title": title, "seed": seed} | {name: getattr(f, name) for name in AreaFigures.__slots__} for seed, f in figures]
+
+
+def _print_motions(title: str, place_um: Array, angle_deg: Array, z: Array) -> None:
+    if len(place_um):
         print(
-            f"motion: {title}: median {np.median(place):.1f}, worst {place.max():.1f} um; "
-            f"median {np.median(angle):.2f}, worst {angle.max():.2f} deg; z sd {z.std():.2f} (n={len(z)})",
+            f"{title}: median {np.median(place_um):.1f}, 90 % {np.percentile(place_um, 90):.0f}, worst {place_um.max():.1f} um; "
+            f"median {np.median(angle_deg):.2f}, 90 % {np.percentile(angle_deg, 90):.1f}, worst {angle_deg.max():.2f} deg; "
+            f"z rms {np.sqrt((z**2).mean()):.2f} (n={len(z)})",
             flush=True,
         )
-    return [{"what": "areas", "title": title, "seed": seed} | {name: getattr(f, name) for name in AreaFigures.__slots__} for seed, f in figures]
+
+
+def _marks(pair: ScanPair) -> Iterator[tuple[NDArray[np.bool_], RigidTransform, Array]]:
+    """Each moved crown as a person would mark it: the crown itself, or, where that is not told, what of it has moved."""
+    for tooth, (motion, centre) in enumerate(zip(pair.motions, pair.centres, strict=False)):
+        crown = pair.crown_mm < CROWN_MM if np.isfinite(pair.crown_mm).all() else np.abs(pair.moved_mm) > MOVED_MM
+        yield crown & (pair.tooth == tooth), motion, centre
 
 
 def look(pair: ScanPair, areas: Iterable[Area]) -> AreaFigures:

@@ -37,6 +37,7 @@ class CleanPair:
     moved_mm : (v_after,) signed distance of the after surface's vertices from the surface before; 0 where nothing moved
     motions : (k) rigid motion of each moved tooth in the object frame; none where the generator does not tell them
     tooth : (v_after,) int64, index of the moved tooth whose crown is nearest in the after state; of other generators the nearest middle of one
+    crown_mm : (v_after,) how far outside of that crown; NaN where the generator does not tell
     centres : (k, 3) mm, the middle of each moved crown before
     shifts_mm : (k,) how far it moved
     """
@@ -45,6 +46,7 @@ class CleanPair:
     after: TriangleMesh
     moved_mm: Array
     tooth: NDArray[np.int64]
+    crown_mm: Array
     motions: tuple[RigidTransform, ...]
     centres: Array
     shifts_mm: Array
@@ -71,14 +73,15 @@ def arch_pair(moved: int, seed: int) -> CleanPair:
     vertices = meshes["after"].vertices
     moved_mm = before_solid(vertices) / np.linalg.norm(gradient(before_solid, vertices), axis=1)
     return CleanPair(
-        meshes["before"], meshes["after"], moved_mm, nearest_crown(moved, seed, vertices), tuple(motions), np.array(centres), np.array(shifts)
+        meshes["before"], meshes["after"], moved_mm, *nearest_crown(moved, seed, vertices), tuple(motions), np.array(centres), np.array(shifts)
     )
 
 
-def nearest_crown(moved: int, seed: int, vertices: Array) -> NDArray[np.int64]:
-    """See `CleanPair.tooth`."""
+def nearest_crown(moved: int, seed: int, vertices: Array) -> tuple[NDArray[np.int64], Array]:
+    """`CleanPair.tooth` and `CleanPair.crown_mm`."""
     treatment, _ = _treatment(moved, seed)
-    return np.argmin([crown(vertices, tooth, treatment) for tooth in treatment], axis=0).astype(np.int64)
+    outside = np.array([crown(vertices, tooth, treatment) for tooth in treatment])
+    return np.argmin(outside, axis=0).astype(np.int64), outside.min(axis=0)
 
 
 def _treatment(moved: int, seed: int) -> tuple[dict[int, RigidTransform], np.random.Generator]:
@@ -94,7 +97,7 @@ def _treatment(moved: int, seed: int) -> tuple[dict[int, RigidTransform], np.ran
 
 
 def stored_pair(path: Path) -> CleanPair:
-    """A pair of another generator: an .npz with bv, bf, av, af (vertices and triangles), moved, centres, shifts, perhaps turns (k, 4, 4), tooth."""
+    """A pair of another generator, .npz with bv, bf, av, af (vertices, triangles), moved, centres, shifts, perhaps turns (k, 4, 4), tooth, crown."""
     with np.load(path) as stored:
         turns = stored.get("turns", ())
         nearest = cKDTree(stored["centres"]).query(stored["av"])[1]
@@ -103,6 +106,7 @@ def stored_pair(path: Path) -> CleanPair:
             TriangleMesh(stored["av"], stored["af"].astype(np.int64)),
             stored["moved"],
             np.asarray(stored.get("tooth", nearest), np.int64),
+            np.asarray(stored.get("crown", np.full(len(nearest), np.nan))),
             tuple(RigidTransform.from_matrix(turn) for turn in turns),
             stored["centres"],
             stored["shifts"],

@@ -44,7 +44,7 @@ class ScanPair:
     ----------
     transform : the true one, after to before
     clean_after : (v, 3) mm, the after surface's vertices without noise, frame of BEFORE
-    moved_mm, tooth : (v,) see `CleanPair`
+    moved_mm, tooth, crown_mm : (v,) see `CleanPair`
     stable : (v,) bool, did not move
     motions, centres, shifts_mm : as in `CleanPair`, frame of BEFORE
     """
@@ -55,6 +55,7 @@ class ScanPair:
     clean_after: Array
     moved_mm: Array
     tooth: NDArray[np.int64]
+    crown_mm: Array
     stable: NDArray[np.bool_]
     motions: tuple[RigidTransform, ...]
     centres: Array
@@ -89,6 +90,7 @@ def scan(clean: CleanPair, disturbance: Disturbance, seed: int) -> ScanPair:
         to_before.apply(after.vertices),
         moved_mm,
         clean.tooth[numbers],
+        clean.crown_mm[numbers],
         np.abs(moved_mm) < STABLE_MM,
         tuple(to_before @ motion @ to_before.inverse() for motion in clean.motions),
         to_before.apply(clean.centres),

@@ -30,6 +30,7 @@ def clean() -> CleanPair:
         after,
         np.linalg.norm(after.vertices, axis=1) - RADIUS_MM,
         np.zeros(len(after.vertices), np.int64),
+        np.full(len(after.vertices), np.nan),
         (motion,),
         np.array([[0.0, 0.0, 8.0]]),
         np.array([0.5]),
