@@ -313,7 +313,8 @@ SENTENCES: dict[str, Sentence] = {
         "There is not enough memory for '{command}'.", "Nothing was written; close other programs, or ask for fewer points or triangles."
     ),
     "E-JOB-01": Sentence(
-        "The worker process ended unexpectedly during {phase} ({reason}).", "Everything measured so far is safe and a new worker was started; run it again."
+        "The worker process ended unexpectedly during {phase} ({reason}).",
+        "Everything measured so far is safe and a new worker was started; run it again.",
     ),
     "E-JOB-02": Sentence("The worker process failed: {reason}.", "Everything measured so far is safe; send the log if it happens again."),
 }
