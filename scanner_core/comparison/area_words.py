@@ -1,14 +1,13 @@
-"""Areas of difference and shifts of the frame in words."""
+"""Areas of difference in words."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.comparison.alignment import Alignment, FrameShift
 from scanner_core.comparison.arch_frame import ArchFrame
 from scanner_core.comparison.area import Area, PartMotion
-from scanner_core.comparison.parameters import Frame, Jaw
+from scanner_core.comparison.parameters import Jaw
 
 Array = NDArray[np.float64]
 _REGIONS = ((0.40, "front tooth"), (0.65, "premolar"), (np.inf, "molar"))
@@ -17,13 +16,6 @@ Only the region is told, not the tooth: a gap or a missing tooth moves the other
 _SECOND = 0.5
 """A second direction is told when its part is at least this share of the first one's."""
 _LEAST_TURN_DEG = 1.0
-_LEAST_SHIFT_UM = 100.0
-_FRAMES = {
-    Frame.WHOLE: "whole best fit",
-    Frame.AUTO: "the stable region found automatically",
-    Frame.MASK: "the painted region",
-    Frame.GIVEN: "the frame of the files",
-}
 
 
 def area_words(area: Area, frame: ArchFrame | None, jaw: Jaw | None) -> str:
@@ -51,28 +43,6 @@ def region_words(place: Array, frame: ArchFrame | None, jaw: Jaw | None) -> str:
     # seen from a lower jaw's teeth the patient's head is up, from an upper jaw's it is down
     right = (share > 0) == (jaw is Jaw.LOWER)
     return f"{jaw.value} {'right' if right else 'left'} {region}"
-
-
-def shift_words(shift: FrameShift, alignment: Alignment, after_vertices: Array, frame: ArchFrame | None) -> str | None:
-    """What another frame would have done, in words, for example "whole best fit would shift the molars by 0.60 mm".
-
-    None where it is below 0.1 mm everywhere.  `after_vertices` (v, 3) mm are in the after surface's own frame; on an arch the region
-    that shifts most is named, with its mean shift.
-    """
-    if shift.max_um < _LEAST_SHIFT_UM:
-        return None
-    name = _FRAMES[shift.frame]
-    if frame is None or frame.forward is None:
-        return f"{name} would shift the surface by up to {shift.max_um / 1e3:.2f} mm"
-    share = np.abs(frame.shares(alignment.transform.apply(after_vertices)))
-    low, most = 0.0, ("", 0.0)
-    for high, region in _REGIONS:
-        inside = (share >= low) & (share < high)
-        mean = float(shift.displacement_um[inside].mean()) if inside.any() else 0.0
-        most = max(most, (region, mean), key=lambda entry: entry[1])
-        low = high
-    teeth = "front teeth" if most[0] == "front tooth" else f"{most[0]}s"
-    return f"{name} would shift the {teeth} by {most[1] / 1e3:.2f} mm"
 
 
 def _region(share: float) -> str:

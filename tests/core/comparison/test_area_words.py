@@ -5,14 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from scanner_core.comparison.alignment import FrameShift
 from scanner_core.comparison.arch_frame import ArchFrame, arch_frame
 from scanner_core.comparison.area import Area, PartMotion
-from scanner_core.comparison.area_words import area_words, region_words, shift_words
-from scanner_core.comparison.parameters import Frame, Jaw
+from scanner_core.comparison.area_words import area_words, region_words
+from scanner_core.comparison.parameters import Jaw
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.rigid import RigidTransform
-from tests.core.comparison.aligned import given, pose
+from tests.core.comparison.aligned import pose
 from tests.core.geometry.solids import sphere
 
 
@@ -102,15 +101,3 @@ def test_what_did_not_move_as_a_body_stands_out_or_lies_deeper() -> None:
     assert area_words(bump, None, Jaw.LOWER) == "stands out by 0.31 mm"
     assert area_words(replace(bump, mean_um=-310.0), frame_of(horseshoe()), None) == "lies deeper by 0.31 mm; molar region"
     assert region_words(np.zeros(3), None, Jaw.UPPER) == ""
-
-
-def test_a_frame_that_turns_the_arch_about_its_front_is_said_to_shift_the_molars() -> None:
-    mesh = horseshoe()
-    frame, alignment = frame_of(mesh), given(mesh)
-    displacement = 20.0 * np.abs(mesh.vertices[:, 1] - 22.0)
-    shift = FrameShift(Frame.WHOLE, RigidTransform.identity(), 500.0, float(displacement.max()), displacement)
-    words = shift_words(shift, alignment, mesh.vertices, frame)
-    molars = displacement[np.abs(frame.shares(mesh.vertices)) >= 0.65].mean()
-    assert words == f"whole best fit would shift the molars by {molars / 1e3:.2f} mm"
-    assert shift_words(replace(shift, max_um=40.0), alignment, mesh.vertices, frame) is None
-    assert shift_words(shift, alignment, mesh.vertices, None) == f"whole best fit would shift the surface by up to {displacement.max() / 1e3:.2f} mm"
