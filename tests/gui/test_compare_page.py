@@ -6,12 +6,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
-from PySide6.QtGui import QDragEnterEvent, QDropEvent
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
 
-from app.comparison_draft import ComparisonChoice
 from app.program import Program
 from app.views.compare_page import ComparePage
 from app.views.pointed import Pointed
@@ -21,11 +18,10 @@ from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.mesh_io import read_mesh, write_mesh
 from scanner_core.virtual.specimens.arch import TREATMENT, foot
 from scanner_core.virtual.specimens.implicit import mesh_implicit
+from tests.gui.compare_page_kit import answered, drop, empty_page, load, with_worker
 from tests.gui.compare_pair import MOVED, POSE, PairFiles, nearest_tooth, write_pair
 from tests.gui.pictures import coloured
 from tests.gui.waiting import until, wait_ms
-
-_LOADED: dict[PairFiles, ComparisonChoice] = {}
 
 
 @pytest.fixture(scope="module")
@@ -35,69 +31,26 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> PairFiles:
 
 @pytest.fixture(scope="module")
 def program(shared_program: Program) -> Program:
-    """With the worker that compares: it stays."""
-    answers = shared_program.services.comparing.answers
-    answers.prewarm()
-    until(lambda: answers.worker_pid is not None, 60, "the worker")
-    return shared_program
+    return with_worker(shared_program)
 
 
 @pytest.fixture
 def page(program: Program) -> ComparePage:
-    """The page, empty."""
-    comparing = program.services.comparing
-    comparing.answers.cancel()
-    until(lambda: not comparing.answers.running and not comparing.reading.reading, 60, "an idle page")
-    program.compare_stack.clear()
-    comparing.draft.put(ComparisonChoice())
-    program.window.banner.dismiss()
-    program.window.show_page("compare")
-    found = program.window.pages["compare"]
-    assert isinstance(found, ComparePage)
-    return found
-
-
-def _drop(page: ComparePage, paths: list[Path], place: QPoint) -> None:
-    """As from a file manager."""
-    data = QMimeData()
-    data.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
-    buttons, keys = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
-    QApplication.sendEvent(page, QDragEnterEvent(place, Qt.DropAction.CopyAction, data, buttons, keys))
-    QApplication.sendEvent(page, QDropEvent(QPointF(place), Qt.DropAction.CopyAction, data, buttons, keys))
-
-
-def _answered(program: Program) -> None:
-    answers, banner = program.services.comparing.answers, program.window.banner
-    until(lambda: answers.current or banner.text, 120, "the comparison")
-    assert banner.text == ""
-
-
-def _load(program: Program, page: ComparePage, files: PairFiles) -> None:
-    """Both surfaces; those of a test before, whose answer is known, when there are any."""
-    draft = program.services.comparing.draft
-    if files in _LOADED:
-        draft.edit("before", before=_LOADED[files].before)
-        draft.edit("after", after=_LOADED[files].after)
-    else:
-        page.take_files([files.before, files.after], None)
-    _answered(program)
-    _LOADED[files] = draft.choice
-    until(lambda: page.scene is not None, 60, "the 3D view")
-    wait_ms(50)
+    return empty_page(program)
 
 
 def test_from_two_dropped_files_to_what_moved(program: Program, page: ComparePage, files: PairFiles) -> None:
     comparing = program.services.comparing
     middle = page.targets["after"].mapTo(page, page.targets["after"].rect().center())
-    _drop(page, [files.after], middle)
+    drop(page, [files.after], middle)
     until(lambda: comparing.draft.choice.after is not None, 30, "the surface after")
     assert comparing.draft.choice.before is None
     assert page.surfaces.cards["after"].unit.currentData() == "mm"
     assert not comparing.answers.running
-    _drop(page, [files.before], QPoint(2, 2))  # beside both targets: into the free place
+    drop(page, [files.before], QPoint(2, 2))  # beside both targets: into the free place
     until(lambda: comparing.answers.running or comparing.answers.current, 30, "the comparison by itself")
-    _answered(program)
-    until(lambda: page.scene is not None, 60, "the 3D view")
+    answered(program)
+    until(lambda: page.scene is not None and page.picture.drawn, 60, "the 3D view")
     comparison = comparing.answers.comparison
     assert comparison is not None
     assert {nearest_tooth(area.centroid_mm) for area in comparison.areas} >= set(MOVED)
@@ -112,7 +65,7 @@ def test_from_two_dropped_files_to_what_moved(program: Program, page: ComparePag
 
 
 def test_an_entry_of_the_list_flies_the_camera_there(program: Program, page: ComparePage, files: PairFiles) -> None:
-    _load(program, page, files)
+    load(program, page, files)
     scene = page.scene
     assert scene is not None
     before = scene.camera_position
@@ -122,7 +75,7 @@ def test_an_entry_of_the_list_flies_the_camera_there(program: Program, page: Com
 
 
 def test_views_and_modes_by_key(program: Program, page: ComparePage, files: PairFiles) -> None:
-    _load(program, page, files)
+    load(program, page, files)
     window, scene = program.window, page.scene
     assert scene is not None
     window.activateWindow()
@@ -141,6 +94,7 @@ def test_views_and_modes_by_key(program: Program, page: ComparePage, files: Pair
         QTest.keyClick(page, key)
         assert scene.mode == mode
         assert page.stage.amount.isVisible() == (mode in ("curtain", "blend", "morph"))
+        assert page.stage.legend.isVisible() == (mode in ("map", "side_by_side", "curtain"))
     QTest.keyClick(page, Qt.Key.Key_Space)
     assert scene.shows_other
     QTest.keyClick(page, Qt.Key.Key_Space)
@@ -149,12 +103,12 @@ def test_views_and_modes_by_key(program: Program, page: ComparePage, files: Pair
 
 def test_everything_chosen_is_undone_by_the_windows_undo(program: Program, page: ComparePage, files: PairFiles) -> None:
     comparing = program.services.comparing
-    _load(program, page, files)
+    load(program, page, files)
     first = comparing.answers.comparison
     undo = program.window.actions_by_id["undo"]
     comparing.draft.edit("frame", frame=Frame.WHOLE)
     assert "held fixed" in undo.text()
-    _answered(program)
+    answered(program)
     whole = comparing.answers.comparison
     assert whole is not None
     assert whole is not first
@@ -186,7 +140,7 @@ def test_everything_chosen_is_undone_by_the_windows_undo(program: Program, page:
 
 def test_a_painted_region_is_held_fixed_when_it_is_asked_for(program: Program, page: ComparePage, files: PairFiles) -> None:
     comparing = program.services.comparing
-    _load(program, page, files)
+    load(program, page, files)
     first = comparing.answers.comparison
     assert first is not None
     assert page.scene is not None
@@ -202,8 +156,14 @@ def test_a_painted_region_is_held_fixed_when_it_is_asked_for(program: Program, p
     assert choice.mask.sum() == len(stable) - 80
     assert not comparing.answers.running
     assert page.verdict.text.startswith("Out of date")
+    assert page.picture._painted is choice.mask
+    page.picture.take_tool("look")
+    assert page.picture._painted is None  # it would cover the map
+    page.alignment.stable.setChecked(True)
+    assert page.picture._painted is choice.mask
+    page.alignment.stable.setChecked(False)
     page.foot.start.click()
-    _answered(program)
+    answered(program)
     assert comparing.answers.comparison is not None
     assert comparing.answers.comparison.alignment.frame is Frame.MASK
     program.window.undo()
@@ -213,7 +173,7 @@ def test_a_painted_region_is_held_fixed_when_it_is_asked_for(program: Program, p
 
 def test_a_click_marks_a_tooth_and_its_motion_is_told(program: Program, page: ComparePage, files: PairFiles) -> None:
     comparing = program.services.comparing
-    _load(program, page, files)
+    load(program, page, files)
     comparison, scene = comparing.answers.comparison, page.scene
     assert comparison is not None
     assert scene is not None
@@ -244,7 +204,7 @@ def test_a_click_marks_a_tooth_and_its_motion_is_told(program: Program, page: Co
 
 
 def test_the_report_is_written_into_a_folder_of_its_own(program: Program, page: ComparePage, files: PairFiles, tmp_path: Path) -> None:
-    _load(program, page, files)
+    load(program, page, files)
     report, comparison = program.services.comparing.report, program.services.comparing.answers.comparison
     assert comparison is not None
     report.write(comparison, tmp_path)
@@ -266,7 +226,7 @@ def test_a_cancelled_comparison_ends_without_a_sentence_and_is_asked_again(progr
     assert answers.comparison is None
     assert program.window.banner.text == ""
     page.foot.start.click()
-    _answered(program)
+    answered(program)
 
 
 def test_what_cannot_be_compared_is_said_in_a_sentence(program: Program, page: ComparePage, files: PairFiles, tmp_path: Path) -> None:
@@ -317,21 +277,22 @@ def test_the_unit_of_a_file_is_guessed_shown_and_overruled(program: Program, pag
 
 def test_three_points_on_each_start_the_comparison_and_are_undone_one_by_one(program: Program, page: ComparePage, files: PairFiles) -> None:
     comparing = program.services.comparing
-    _load(program, page, files)
+    load(program, page, files)
     assert page.scene is not None
     assert comparing.draft.choice.before is not None
     assert comparing.draft.choice.after is not None
     page.alignment.points.click()
-    before, after = comparing.draft.choice.before.surface.mesh, comparing.draft.choice.after.surface.mesh
-    apart = 0.5 * (sum(before.bounds()) - sum(after.bounds()))
+    between = page.picture.between
+    assert between is not None
+    assert np.abs(between.rotation @ POSE.rotation - np.eye(3)).max() < 0.2  # both arches to the same side
     for tooth in (1, 6, 12):
         place = foot(tooth) + np.array([0.0, 0.0, 4.0])
-        for surface, point in (("before", place), ("after", POSE.apply(place) + apart)):
+        for surface, point in (("before", place), ("after", between.apply(POSE.apply(place[None]))[0])):
             page.scene.picked.emit(Pointed(surface, 0, tuple(point), None, None))
     until(lambda: comparing.draft.choice.start is not None, 20, "the start")
     assert [len(points) for points in comparing.draft.choice.picks] == [3, 3]
     assert not comparing.points.active
-    _answered(program)
+    answered(program)
     assert comparing.answers.comparison is not None
     assert comparing.answers.comparison.alignment.method == "picked points"
     program.window.undo()
@@ -340,122 +301,6 @@ def test_three_points_on_each_start_the_comparison_and_are_undone_one_by_one(pro
     assert comparing.points.active
     page.foot.cancel.click()
     assert not comparing.points.active
-
-
-def test_picking_is_a_state_of_its_own_that_ends_where_it_is_ended(program: Program, page: ComparePage, files: PairFiles) -> None:
-    comparing = program.services.comparing
-    _load(program, page, files)
-    first = comparing.answers.comparison
-    assert page.scene is not None
-    page.alignment.points.click()
-    assert page.verdict.text == ""  # nothing of the answer that is not seen
-    assert not page.tabs["findings"].isEnabled()
-    assert not page.findings.tooth.isEnabled()
-    page.scene.picked.emit(Pointed("before", 0, tuple(foot(1)), None, None))
-    page.foot.cancel.click()
-    assert comparing.draft.choice.picks == ((), ())
-    assert comparing.answers.comparison is first
-    comparing.draft.edit("threshold", tolerance_um=300)
-    assert not comparing.points.active
-    assert page.verdict.text.startswith("Reliable")
-    for _ in range(4):  # threshold, cancel, point, begin
-        program.window.undo()
-    assert not comparing.points.active
-    program.window.redo()
-    assert comparing.points.active
-
-
-def test_cancelling_the_points_lets_a_comparison_go_on(program: Program, page: ComparePage, files: PairFiles) -> None:
-    comparing = program.services.comparing
-    _load(program, page, files)
-    comparing.draft.edit("frame", frame=Frame.WHOLE)
-    page.alignment.points.click()
-    asked = not comparing.answers.current
-    page.foot.cancel.click()
-    assert not comparing.answers.cancelling
-    if asked:
-        _answered(program)
-
-
-def test_jaw_and_threshold_tell_the_same_measurement_at_once(program: Program, page: ComparePage, files: PairFiles) -> None:
-    comparing = program.services.comparing
-    _load(program, page, files)
-    first = comparing.answers.comparison
-    assert first is not None
-    page.findings.areas.choose(1)
-    page.stage.section.click()
-    page.show_panel("alignment")
-    page.findings._say_jaw(Jaw.UPPER)
-    page.findings.threshold.setValue(0.50)
-    assert comparing.answers.current
-    assert not comparing.answers.running
-    until(lambda: comparing.answers.settled, 10, "the other terms")
-    told = comparing.answers.comparison
-    assert told is not None
-    assert told.alignment is first.alignment
-    assert told.deviation.signed_um is first.deviation.signed_um
-    assert any("upper" in area.words for area in told.areas)
-    assert page.findings.areas.currentRow() == 0
-    assert page.stage.section.isChecked()
-    assert page.tabs["alignment"].isChecked()
-    assert page.findings._above._unit.text() == "mm² above 0.50 mm"
-    assert float(page.findings._above.text) == pytest.approx(first.deviation.statistics.area_above_mm2["500"], abs=0.6)
-    page.stage.section.click()
-
-
-def test_what_cannot_be_taken_is_told_and_reading_can_be_cancelled(program: Program, page: ComparePage, files: PairFiles) -> None:
-    comparing, banner = program.services.comparing, program.window.banner
-    _drop(page, [files.before.with_suffix(".txt")], QPoint(2, 2))
-    assert "before.txt" in banner.text
-    assert not comparing.reading.reading
-    banner.dismiss()
-    page.take_files([files.before, files.after, files.before.with_name("third.stl")], None)
-    assert "third.stl" in banner.text
-    banner.dismiss()
-    assert page.surfaces.cards["after"].stop.isVisible()
-    for card in page.surfaces.cards.values():
-        card.stop.click()
-    assert not comparing.reading.reading
-    wait_ms(300)
-    assert comparing.draft.choice.before is None
-    assert comparing.draft.choice.after is None
-
-
-def test_the_rail_names_the_surfaces_that_are_compared(program: Program, page: ComparePage, files: PairFiles) -> None:
-    _load(program, page, files)
-    rail = program.window.rail
-    assert rail._pair.text() == "Before: before.stl\nAfter: after.stl"
-    assert not rail._order.isVisible()
-    program.window.show_page("home")
-    assert rail._order.isVisible()
-    assert not rail._pair.isVisible()
-
-
-def test_the_jaw_is_not_said_of_the_next_patient(program: Program, page: ComparePage, files: PairFiles) -> None:
-    comparing = program.services.comparing
-    _load(program, page, files)
-    comparing.draft.edit("jaw", jaw=Jaw.UPPER)
-    page.surfaces._exchange()
-    assert comparing.draft.choice.jaw is Jaw.UPPER
-    comparing.reading.read("after", files.after)
-    until(lambda: not comparing.reading.reading, 30, "another file")
-    assert comparing.draft.choice.jaw is None
-    comparing.answers.cancel()
-
-
-def test_undo_outlives_the_opening_of_a_case(program: Program, page: ComparePage, files: PairFiles, tmp_path: Path) -> None:
-    comparing, case = program.services.comparing, program.services.case
-    _load(program, page, files)
-    path = tmp_path / "other.impronta"
-    with CaseStore.create(path) as store:
-        store.put_order(Order("C-2", "P-2", "left", "arch"))
-    program.window.open_case(path)
-    until(lambda: case.path == path and not case.opening, 30, "the case")
-    program.window.show_page("compare")
-    program.window.undo()
-    assert comparing.draft.choice.after is None
-    case.close()
-    until(lambda: case.path is None, 20, "the closed case")
 
 
 def test_the_open_case_is_compared_and_keeps_the_result(program: Program, page: ComparePage, files: PairFiles, tmp_path: Path) -> None:
@@ -470,7 +315,7 @@ def test_the_open_case_is_compared_and_keeps_the_result(program: Program, page: 
     assert page.targets["after"]._case.isVisible()
     comparing.reading.take_open_case("after")
     page.take_files([files.before], "before")
-    _answered(program)
+    answered(program)
     assert page.foot.keep.isVisible()
     page.foot.keep.click()
     until(lambda: case.undo_words is not None and "Compared" in case.undo_words, 20, "the edit")
