@@ -273,8 +273,9 @@ SENTENCES: dict[str, Sentence] = {
         "Both files are untouched; let the program find the pose, or pick three points on both.",
     ),
     "E-CMP-03": Sentence(
-        "One of {after} and {before} is mirrored: {score} % of the surface agrees as it is, {mirrored} % of its mirror image.",
-        "Both files are untouched and nothing was mirrored; export the mirrored one again without mirroring.",
+        "One of {after} and {before} is mirrored, or they show opposite sides: {score} % of the surface agrees as it is, "
+        "{mirrored} % of its mirror image.",
+        "Both files are untouched and nothing was mirrored; choose the same side, or export the mirrored one again without mirroring.",
     ),
     "E-CMP-04": Sentence(
         "{name} holds too few measured triangles with an area: {triangles}, but a comparison needs at least {least}.",
