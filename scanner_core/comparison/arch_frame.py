@@ -21,6 +21,8 @@ _LEAST_HEIGHT_MM = 4.0
 """Of teeth over the rim of a scan."""
 _HIGH = 0.5
 """Share of the height above which a vertex belongs to the row of teeth."""
+_TOOTHED = 0.2
+"""Share of the height by which a place's highest point may lie below the median one of the row, and still be a tooth's."""
 _SECTORS = 72
 _EMPTY = 2e-3
 """Share of the row's area that a sector may hold and count as empty."""
@@ -42,7 +44,7 @@ class ArchFrame:
     centre : (3,) mm, in the middle of the row of teeth
     up : (3,) out of the gum, to the occlusal side
     forward : (3,) to the front teeth; None where the shape does not tell (half an arch)
-    ridge : (k, 3) mm, points along the middle of the row from end to end, empty without `forward`
+    ridge : (k, 3) mm, points along the middle of the row from its last tooth on one side to that on the other, empty without `forward`
     """
 
     centre: Array
@@ -117,6 +119,8 @@ def arch_frame(mesh: TriangleMesh, supported: NDArray[np.bool_]) -> ArchFrame | 
     row = (height > low + _HIGH * (high - low)) & (area > 0)
     flat = np.column_stack([about[row] @ axes[:, 1], about[row] @ axes[:, 2]])
     forward, ridge = _front_and_ridge(flat, area[row])
+    if forward is not None:
+        ridge = _toothed(ridge, flat, height[row], _TOOTHED * (high - low))
     if forward is None:
         return ArchFrame(centre, up, None, np.empty((0, 3)))
     level = float(np.median(height[row]))
@@ -175,6 +179,17 @@ def _front_and_ridge(flat: Array, area: Array) -> tuple[Array | None, Array]:
     if ahead < _LEAST_DEPTH * apart or abs(depth[-1]) > _MOST_UNEVEN * ahead:
         return None, np.empty((0, 2))
     return forward, ridge
+
+
+def _toothed(ridge: Array, flat: Array, height: Array, lower_mm: float) -> Array:
+    """The ridge (k, 2) without its ends that bear no tooth: base, or the gum behind the last molar.
+
+    `flat` (n, 2) and `height` (n,) are those of the row's vertices, `lower_mm` how much lower than the others a tooth may be.
+    """
+    top = np.full(len(ridge), -np.inf)
+    np.maximum.at(top, cKDTree(ridge).query(flat)[1], height)
+    teeth = np.flatnonzero(top > np.median(top) - lower_mm)
+    return ridge[teeth[0] : teeth[-1] + 1]
 
 
 def _longest_gap(held: NDArray[np.bool_]) -> tuple[int, int]:

@@ -10,8 +10,10 @@ from scanner_core.comparison.area import Area, PartMotion
 from scanner_core.comparison.parameters import Jaw
 
 Array = NDArray[np.float64]
-_REGIONS = ((0.40, "front tooth"), (0.65, "premolar"), (np.inf, "molar"))
-"""Up to which share of the half arch a region goes: the mean widths of the teeth from the middle to the second molar, laid side by side.
+_REGIONS = ((0.37, "front tooth"), (0.64, "premolar"), (np.inf, "molar"))
+"""Up to which share of the half arch a region goes, by the mean widths of the teeth laid side by side from the middle to the second
+molar: between the middles of canine and first premolar (0.34 and 0.47 in an upper jaw, 0.26 and 0.40 in a lower one), and of second
+premolar and first molar (0.60 and 0.75, 0.53 and 0.70), so that the limit serves both jaws.
 Only the region is told, not the tooth: a gap or a missing tooth moves the others along."""
 _SECOND = 0.5
 """A second direction is told when its part is at least this share of the first one's."""

@@ -11,7 +11,9 @@ from scanner_core.comparison.area_words import area_words, region_words
 from scanner_core.comparison.parameters import Jaw
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.virtual.specimens.arch import foot
 from tests.core.comparison.aligned import pose
+from tests.core.comparison.small_arch import small_arch
 from tests.core.geometry.solids import sphere
 
 
@@ -104,6 +106,15 @@ def test_what_did_not_move_as_a_body_stands_out_or_lies_deeper() -> None:
     assert area_words(both, None, None) == "differs by up to 1.31 mm in both directions"
     assert area_words(both, frame_of(horseshoe()), None) == "changed by up to 1.31 mm, not as one rigid part; molar region"
     assert region_words(np.zeros(3), None, Jaw.UPPER) == ""
+
+
+@pytest.mark.parametrize("step_mm", [0.6, 0.7, 0.8])
+def test_every_tooth_of_an_arch_is_in_its_own_region(step_mm: float) -> None:
+    """The base goes on behind the last molars."""
+    frame = frame_of(small_arch(step_mm=step_mm))
+    names = ["molar", "molar", "premolar", "premolar", "front tooth", "front tooth", "front tooth"]
+    for tooth, name in enumerate(names + names[::-1]):
+        assert region_words(foot(tooth), frame, None) == f"{name} region", tooth
 
 
 def test_no_part_moved_by_zero() -> None:
