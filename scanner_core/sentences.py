@@ -272,8 +272,9 @@ SENTENCES: dict[str, Sentence] = {
         "Both files are untouched; let the program find the pose, or pick three points on both.",
     ),
     "E-CMP-03": Sentence(
-        "One of {after} and {before} is mirrored: {score} % of the surface agrees as it is, {mirrored} % of its mirror image.",
-        "Both files are untouched and nothing was mirrored; export the mirrored one again without mirroring.",
+        "One of {after} and {before} is mirrored, or they show opposite sides: {score} % of the surface agrees as it is, "
+        "{mirrored} % of its mirror image.",
+        "Both files are untouched and nothing was mirrored; choose the same side, or export the mirrored one again without mirroring.",
     ),
     "E-CMP-04": Sentence(
         "{name} holds {triangles} measured triangles with an area; a comparison needs at least {least}.",

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.comparison.alignment import Alignment, FrameShift
-from scanner_core.comparison.alignment_doubts import frame_doubts, pose_doubts, region_doubts
+from scanner_core.comparison.alignment_doubts import frame_doubts, noise_doubts, pose_doubts, region_doubts
 from scanner_core.comparison.coarse_fit import trimmed_fit
 from scanner_core.comparison.doubt import Doubt
 from scanner_core.comparison.fine_fit import LEAST_VERTICES, SETTLED_MM, Fit, fit_at, fit_best, fit_chosen, fit_stable, with_uncertainty
@@ -27,6 +27,8 @@ Array = NDArray[np.float64]
 
 _LEAST_TRIANGLES = 100
 _LEAST_PAINTED_MM2 = 5.0
+_LEAST_SAMPLE = 50
+"""Fewer points of a surface, at the spacing that suits the other one, say nothing of its shape."""
 
 
 def align(
@@ -71,6 +73,8 @@ def align(
         transform, method = start or RigidTransform.identity(), "given"
     else:
         fine_before, fine_after = fine = sample_both(before, after, FINE_CELLS)
+        if min(len(fine_before), len(fine_after)) < _LEAST_SAMPLE:  # of one so little is left at the other's scale
+            raise ComparisonError("E-CMP-01", after=after.name, before=before.name, score=0)
         if start is None:
             found = find_start(before, after, fine, seed=parameters.seed, cancelled=cancelled)
             transform, method, ambiguous = found.transform, found.method, is_ambiguous(found)
@@ -86,9 +90,11 @@ def align(
     auto = fit_stable(pairing, transform, here, cancelled)
     tell("fit", 0.7)
     others: dict[Frame, RigidTransform] = {}
+    settled = True
     if frame is Frame.AUTO:
-        chosen = auto.used if auto.used.sum() >= LEAST_VERTICES else auto.pairs.facing
-        fit = fit_best(pairing, auto, chosen, rng, cancelled)
+        # without a stable region something has to be shown, but it does not rest on anything
+        settled = auto.used.sum() >= LEAST_VERTICES
+        fit = fit_best(pairing, auto, auto.used if settled else auto.pairs.facing, rng, cancelled)
     else:
         others[Frame.AUTO] = fit_chosen(pairing, auto, auto.used, cancelled).transform
         if painted is not None:
@@ -105,7 +111,7 @@ def align(
         tell("fit the whole for comparison", 0.85)
         others[Frame.WHOLE] = fit_chosen(pairing, fit, everything, cancelled, still_mm=SETTLED_MM).transform
     tell("judge", 0.95)
-    return _assemble(pairing.forward, fit, measured, others, frame, method, ambiguous)
+    return _assemble(pairing.forward, fit if settled else replace(fit, used=auto.used), measured, others, frame, method, ambiguous)
 
 
 def _as_given(pairing: MutualPairing, transform: RigidTransform, auto: Fit, rng: np.random.Generator) -> tuple[Fit, Fit]:
@@ -138,6 +144,8 @@ def _assemble(
     doubts: list[Doubt] = region_doubts(frame, share, float(areas[stable].sum()), overlap)
     doubts += pose_doubts(uncertainty, pairs.points[counted], ambiguous)
     doubts += frame_doubts(frame, shifts)
+    noise_um = 1e3 * 1.4826 * float(np.median(np.abs(noise_mm)))
+    doubts += noise_doubts(noise_um)
     return Alignment(
         transform=fit.transform,
         frame=frame,
@@ -145,7 +153,7 @@ def _assemble(
         stable=stable,
         stable_area_fraction=share,
         rms_um=1e3 * float(np.sqrt(np.average(noise_mm**2, weights=areas[measured.used]))),
-        noise_um=1e3 * 1.4826 * float(np.median(np.abs(noise_mm))),
+        noise_um=noise_um,
         correlation_length_mm=uncertainty.noise.length_mm,
         covariance=uncertainty.covariance,
         centre=uncertainty.centre,

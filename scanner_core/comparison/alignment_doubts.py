@@ -16,8 +16,11 @@ _SMALL_SHARE = 0.25
 _SMALL_MM2 = 100.0
 _LOW_OVERLAP = 0.3
 _FAR_END_UM = 100.0
-_SCALE = 0.005
+_SCALE_UM = 50.0
+"""What a difference of size may do at the rim of the surface before it is told: it looks like teeth that moved outwards."""
 _HIDDEN_UM = 100.0
+_LOUD_UM = 250.0
+"""The usual clinical threshold: what differs by more than this where nothing moved says nothing at that threshold."""
 _NOTHING_SHARE = 0.10
 
 
@@ -49,6 +52,21 @@ def region_doubts(frame: Frame, stable_share: float, stable_mm2: float, overlap:
     return doubts
 
 
+def noise_doubts(noise_um: float) -> list[Doubt]:
+    """About how far the surfaces differ, standard deviation, where they are taken for the same."""
+    level_um = 1.96 * noise_um
+    if level_um <= _LOUD_UM:
+        return []
+    return [
+        Doubt(
+            "stable-region-loud",
+            f"What is taken for unchanged differs by up to {_length(level_um)} (95 %): either the scans are that noisy, or it changed "
+            "everywhere and nothing is fixed. Smaller changes cannot be told.",
+            True,
+        )
+    ]
+
+
 def pose_doubts(uncertainty: AlignmentUncertainty, surface: Array, ambiguous: bool) -> list[Doubt]:
     """About how well six freedoms are held; `surface` (n, 3) are the after surface's points in the frame of BEFORE."""
     doubts = []
@@ -72,13 +90,14 @@ def pose_doubts(uncertainty: AlignmentUncertainty, surface: Array, ambiguous: bo
             )
         )
     deviation, sd = uncertainty.scale_ratio - 1.0, uncertainty.scale_ratio_uncertainty
-    if abs(deviation) > _SCALE and abs(deviation) > 3 * sd:
+    reach_um = 1e3 * float(np.sqrt(((surface - uncertainty.centre) ** 2).sum(axis=1).max(initial=0.0)))
+    if abs(deviation) * reach_um > _SCALE_UM and abs(deviation) > 3 * sd:
         word = "larger" if deviation > 0 else "smaller"
         doubts.append(
             Doubt(
                 "scale-differs",
                 f"The after surface is {100 * abs(deviation):.2f} % (+- {100 * sd:.2f} %) {word} than the before surface where nothing should have "
-                "changed: check units and the calibration of both scanners; nothing was rescaled.",
+                f"changed, {_length(abs(deviation) * reach_um)} at its rim: check units and the calibration of both scanners; nothing was rescaled.",
                 True,
             )
         )
@@ -102,4 +121,4 @@ def frame_doubts(frame: Frame, shifts: tuple[FrameShift, ...]) -> list[Doubt]:
 
 
 def _length(micrometres: float) -> str:
-    return f"{micrometres:.0f} um" if micrometres < 1000 else f"{micrometres / 1e3:.1f} mm"
+    return f"{micrometres / 1e3:.2f} mm"

@@ -34,6 +34,8 @@ _GATE = 0.6
 moved and half of one side missing 0.72; wrong poses of a like object 0.05-0.47."""
 _CONVINCING = 0.8
 """Score below which the mirror image is tried as well; a mirrored arch, nearly its own mirror image, reaches 0.63."""
+_MIRRORED = 0.65
+"""Score from which a mirror image is believed: an opposite side, nearly the mirror image of this one, reaches 0.51."""
 _LEAST = 0.4
 """Score below which the surfaces are not taken for one object; two different objects reach 0.16."""
 _HOPELESS = 0.6
@@ -86,7 +88,7 @@ def find_start(
         # what principal axes place, they place in its mirror image too
         if coarse is not None and mirrored.score < _GATE:
             mirrored = _by_features(mirrored, image, (coarse[0], coarse[1].mirrored()), seed, cancelled)
-        if mirrored.score > max(found.score + 0.15, _LEAST):
+        if mirrored.score > max(found.score + 0.15, _MIRRORED):
             raise ComparisonError(
                 "E-CMP-03", after=after.name, before=before.name, score=round(100 * found.score), mirrored=round(100 * mirrored.score)
             )

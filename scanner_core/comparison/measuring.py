@@ -40,9 +40,9 @@ def measure_deviation(
     """
     moved = TriangleMesh(alignment.transform.apply(after.mesh.vertices), after.mesh.triangles)
     progress(Progress("deviation", 0.0))
-    feet = SignedDistance(before.mesh).feet(moved.vertices, cancelled)
+    feet = SignedDistance(before.mesh).feet(moved.vertices, cancelled, parameters.no_counterpart_mm)
     progress(Progress("deviation", 0.4))
-    back = SignedDistance(moved).feet(before.mesh.vertices, cancelled)
+    back = SignedDistance(moved).feet(before.mesh.vertices, cancelled, parameters.no_counterpart_mm)
     progress(Progress("deviation", 0.9))
     signed = _with_counterpart(feet, after.supported, before, parameters)
     before_signed = _with_counterpart(back, before.supported, after, parameters)

@@ -73,11 +73,14 @@ class SignedDistance:
         self._locator.SetNumberOfCellsPerNode(1)
         self._locator.BuildLocator()
 
-    def feet(self, points: Array, cancelled: IsCancelled = lambda: False) -> SignedFeet:
-        """Signed distances and feet of points (n, 3) mm, finite; raises `Cancelled`."""
+    def feet(self, points: Array, cancelled: IsCancelled = lambda: False, reach_mm: float = np.inf) -> SignedFeet:
+        """Signed distances and feet of points (n, 3) mm, finite; raises `Cancelled`.
+
+        Of a point that is farther than `reach_mm` from the mesh only that is certain: its distance may be too large, never within reach.
+        """
         points = np.ascontiguousarray(points, np.float64)
         near = closest_near(self.mesh, points)
-        triangle = self._exact(points, near, cancelled)
+        triangle = self._exact(points, near, cancelled, reach_mm)
         a, b, c = (np.take(self.mesh.vertices, np.take(column, triangle), axis=0) for column in self.mesh.triangles.T)
         weights, squared = closest_in_triangles(points, a, b, c)
         foot = weights[:, :1] * a + weights[:, 1:2] * b + weights[:, 2:] * c
@@ -87,10 +90,10 @@ class SignedDistance:
         length = np.sqrt(row_dot(normals, normals))
         return SignedFeet(signed, foot, triangle, weights, normals / np.maximum(length, 1e-300)[:, None], on_border)
 
-    def _exact(self, points: Array, near: Feet, cancelled: IsCancelled) -> NDArray[np.int64]:
+    def _exact(self, points: Array, near: Feet, cancelled: IsCancelled, reach_mm: float) -> NDArray[np.int64]:
         triangle = near.triangles.copy()
         # the walk's own foot is within the bound, so that a search without a finding leaves a right answer
-        bound = near.distances_mm * (1 + 1e-12)
+        bound = np.minimum(near.distances_mm, reach_mm) * (1 + 1e-12)
         cell, found = vtkGenericCell(), [0.0, 0.0, 0.0]
         which: Any = reference(0)
         sub: Any = reference(0)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from scanner_core.comparison.arch_frame import arch_frame
 from scanner_core.comparison.doubt import Doubt
 from scanner_core.comparison.shells import Shells, shells_of
 from scanner_core.geometry.checks import MeshChecks, check_mesh
@@ -17,6 +18,8 @@ LEAST_FULLNESS = 0.01
 A spherical cap of this fullness is as high as a twenty-eighth of its width."""
 MOST_TURNED = 0.01
 """Share of the area that may face the other way: triangles at faults of a scan do, and change no number that is told."""
+LEAST_FACING = 0.1
+"""The area vectors of an arch add up, along its own up and over its area, to 0.3 to 0.5, and to as much below 0 when it faces inwards."""
 LARGEST_MM, SMALLEST_MM = 400.0, 5.0
 _ROUNDING = 1e-9
 _FIRST_SAMPLE = 500
@@ -27,7 +30,7 @@ def vet(mesh: TriangleMesh) -> tuple[Doubt, ...]:
     """What a person should know of a mesh in mm with at least one triangle, gravest first."""
     crossing, counted = count_crossing(mesh)
     shells, checks = shells_of(mesh), check_mesh(mesh, self_intersections=crossing)
-    found = [*_facing(shells), *_parts(shells, mesh), *_faults(checks, counted), *_size(mesh)]
+    found = [*_facing(shells, mesh), *_parts(shells, mesh), *_faults(checks, counted), *_size(mesh)]
     return tuple(sorted(found, key=lambda doubt: not doubt.serious))
 
 
@@ -48,7 +51,7 @@ def count_crossing(mesh: TriangleMesh) -> tuple[int, bool]:
     return len(self_intersecting_triangles(mesh)), True
 
 
-def _facing(shells: Shells) -> list[Doubt]:
+def _facing(shells: Shells, mesh: TriangleMesh) -> list[Doubt]:
     if shells.turned_share > MOST_TURNED:
         words = (
             f"{_percent(shells.turned_share)} of its area faces the other way than its neighbours, so + and - cannot be told apart; "
@@ -59,20 +62,35 @@ def _facing(shells: Shells) -> list[Doubt]:
     if shells.turned_share > _ROUNDING:
         words = f"Some triangles ({_percent(shells.turned_share)} of its area) face the other way than their neighbours; + and - are exchanged there."
         faults.append(Doubt("winding-faults", words, serious=False))
-    return faults + _inverted(shells)
+    return faults + _inverted(shells, mesh)
 
 
-def _inverted(shells: Shells) -> list[Doubt]:
-    if shells.closed and shells.fullness < 0:
+def _inverted(shells: Shells, mesh: TriangleMesh) -> list[Doubt]:
+    if shells.closed:
+        if shells.fullness >= 0:
+            return []
         words = "Its normals point inwards: + and - would be exchanged; turn them round in the program that wrote it."
         return [Doubt("normals-inverted", words, serious=True)]
-    if not shells.closed and shells.fullness < -LEAST_FULLNESS:
+    facing = _arch_facing(mesh)
+    if facing < -LEAST_FACING:
+        words = (
+            "Its normals point inwards: they look to the side of the gum, not of the teeth. If it is no impression (a negative), "
+            "+ and - are exchanged; turn them round in the program that wrote it."
+        )
+        return [Doubt("normals-inverted", words, serious=True)]
+    if facing <= LEAST_FACING and shells.fullness < -LEAST_FULLNESS:
         words = (
             "Its normals seem to point inwards: it is open, but what it encloses lies on their side. If it is no impression (a negative), "
             "+ and - are exchanged; turn them round in the program that wrote it."
         )
-        return [Doubt("normals-seem-inverted", words, serious=False)]
+        return [Doubt("normals-seem-inverted", words, serious=True)]
     return []
+
+
+def _arch_facing(mesh: TriangleMesh) -> float:
+    """How far an open arch faces to the side of its teeth: the sum of the area vectors along it, over the area; 0 for what is no whole arch."""
+    frame = arch_frame(mesh, np.ones(len(mesh.vertices), np.bool_))
+    return 0.0 if frame is None or frame.forward is None else float(mesh.area_vectors().sum(axis=0) @ frame.up) / mesh.area()
 
 
 def _parts(shells: Shells, mesh: TriangleMesh) -> list[Doubt]:
@@ -93,16 +111,23 @@ def _percent(share: float) -> str:
     return "more than 99.9 %" if share >= 0.9995 else "less than 0.1 %" if share < 0.0005 else f"{100 * share:.1f} %"
 
 
+def _count(number: int, thing: str) -> str:
+    return f"{number} {thing}{'' if number == 1 else 's'}"
+
+
 def _faults(checks: MeshChecks, counted: bool) -> list[Doubt]:
     found = []
     if checks.nonmanifold_edges or checks.nonmanifold_vertices:
-        words = (
-            f"{checks.nonmanifold_edges} edges belong to more than two triangles and {checks.nonmanifold_vertices} corners join separate parts; "
-            "inside and outside are not defined there."
-        )
+        edges, corners = checks.nonmanifold_edges, checks.nonmanifold_vertices
+        told = [f"{_count(edges, 'edge')} {'belongs' if edges == 1 else 'belong'} to more than two triangles"] if edges else []
+        told += [f"{_count(corners, 'corner')} {'joins' if corners == 1 else 'join'} separate parts"] if corners else []
+        words = f"{' and '.join(told)}; inside and outside are not defined there."
         found.append(Doubt("non-manifold", words, serious=False))
     if checks.degenerate:
-        words = f"{checks.degenerate} triangles have no area; they have no normal and are measured only by their neighbours."
+        if checks.degenerate == 1:
+            words = "1 triangle has no area; it has no normal and is measured only by its neighbours."
+        else:
+            words = f"{checks.degenerate} triangles have no area; they have no normal and are measured only by their neighbours."
         found.append(Doubt("degenerate-triangles", words, serious=False))
     if checks.self_intersections:
         crossing = f"{'' if counted else 'more than '}{checks.self_intersections} triangles"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -56,9 +57,9 @@ def cut(mesh: TriangleMesh, keep: np.ndarray[tuple[int], np.dtype[np.bool_]]) ->
     return TriangleMesh(mesh.vertices[used], new.reshape(-1, 3))
 
 
-def aligned(before: TriangleMesh, after: TriangleMesh, frame: Frame = Frame.AUTO, **more: object) -> Alignment:
+def aligned(before: TriangleMesh, after: TriangleMesh, frame: Frame = Frame.AUTO, **more: Any) -> Alignment:
     parameters = ComparisonParameters(frame=frame)
-    return align(surface(before, "before"), surface(after, "after"), parameters, progress=lambda _: None, cancelled=lambda: False, **more)  # type: ignore[arg-type]
+    return align(surface(before, "before"), surface(after, "after"), parameters, progress=lambda _: None, cancelled=lambda: False, **more)
 
 
 def error_um(found: RigidTransform, truth: RigidTransform, points: np.ndarray[tuple[int, int], np.dtype[np.float64]]) -> float:
@@ -115,6 +116,15 @@ def test_a_mirrored_file_is_named() -> None:
     with pytest.raises(ComparisonError) as told:
         aligned(mesh, mirrored)
     assert told.value.code == "E-CMP-03"
+
+
+def test_opposite_sides_are_not_only_called_mirrored() -> None:
+    """The specimen's are each other's mirror image, so that geometry cannot tell."""
+    mesh = clean(False)
+    right, left = cut(mesh, mesh.vertices[:, 0] > 4), cut(mesh, mesh.vertices[:, 0] < -4)
+    with pytest.raises(ComparisonError) as told:
+        aligned(posed(right, RigidTransform.identity(), 1), posed(left, pose(3), 2))
+    assert "opposite sides" in str(told.value)
 
 
 def test_surfaces_apart_in_a_given_frame_do_not_overlap() -> None:

@@ -8,6 +8,7 @@ import pytest
 from scanner_core.comparison.aligning import align
 from scanner_core.comparison.alignment import Alignment
 from scanner_core.comparison.parameters import ComparisonParameters, Frame
+from scanner_core.errors import ComparisonError
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.rigid import RigidTransform
 from tests.core.comparison.aligned import surface
@@ -42,8 +43,9 @@ def test_another_size_is_named_with_its_sign() -> None:
     doubt = next(doubt for doubt in found.doubts if doubt.code == "scale-differs")
     assert "larger" in doubt.words
     assert found.scale_ratio == pytest.approx(1.01, abs=0.002)
+    assert "scale-differs" in codes(aligned(before, noisy(scaled(small_arch(), 1.0045), 10.0, 2)))  # 0.17 mm at the rim
     assert not found.reliable
-    assert "scale-differs" not in codes(aligned(before, noisy(scaled(small_arch(), 1.002), 10.0, 2), Frame.WHOLE))
+    assert "scale-differs" not in codes(aligned(before, noisy(scaled(small_arch(), 1.0005), 10.0, 2), Frame.WHOLE))
 
 
 def test_little_overlap_is_named() -> None:
@@ -60,6 +62,27 @@ def test_where_everything_moved_nothing_is_taken_for_stable() -> None:
     moved = RigidTransform.from_vector([0.02, 0.03, 0.01], [0.6, 0.5, 0.8]).apply(small_arch().vertices)
     after = noisy(TriangleMesh(moved, small_arch().triangles), 20.0, 2)
     assert "everything-moved" in codes(aligned(before, after))
+
+
+@pytest.mark.parametrize(("half_wave_mm", "code"), [(2.0, "stable-region-loud"), (8.0, "everything-moved")])
+def test_where_everything_changed_one_way_or_the_other_it_is_not_reliable(half_wave_mm: float, code: str) -> None:
+    before, mesh = noisy(small_arch(), 20.0, 1), noisy(small_arch(), 20.0, 2)
+    checks = np.sign(np.prod(np.sin(mesh.vertices[:, :2] * np.pi / half_wave_mm), axis=1))
+    after = TriangleMesh(mesh.vertices + 0.3 * checks[:, None] * mesh.vertex_normals(), mesh.triangles)
+    found = align(surface(before), surface(after), ComparisonParameters(), progress=lambda _: None, cancelled=lambda: False)
+    assert code in codes(found)
+
+
+def test_sizes_that_have_nothing_in_common_are_refused_in_a_sentence() -> None:
+    for factor in (0.01, 100.0):
+        with pytest.raises(ComparisonError, match="E-CMP-01"):
+            align(
+                surface(small_arch()),
+                surface(scaled(small_arch(), factor)),
+                ComparisonParameters(),
+                progress=lambda _: None,
+                cancelled=lambda: False,
+            )
 
 
 def test_one_lump_does_not_hold_the_far_end() -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from scanner_core.case.store import CaseStore, Order
 from scanner_core.comparison.aligning import align
@@ -24,6 +25,7 @@ from scanner_core.mesh_io import write_mesh
 from tests.core.case.test_processing import small_case
 from tests.core.comparison.compared import named
 from tests.core.comparison.shapes import cut, egg, scaled, turned_inside_out
+from tests.core.comparison.small_arch import small_arch
 from tests.core.geometry.solids import box, joined, moved
 from tests.core.mesh_io.test_meshes import ascii_stl, ply_text
 
@@ -96,7 +98,7 @@ def test_what_is_odd_is_named_and_left(tmp_path: Path) -> None:
         "open": (cut(whole, 10.0), False),
         "several-shells": (joined(whole, moved(egg(6.0), (80, 0, 0))), False),
         "normals-inverted": (turned_inside_out(whole), True),
-        "normals-seem-inverted": (turned_inside_out(cut(whole, 10.0)), False),
+        "normals-seem-inverted": (turned_inside_out(cut(whole, 10.0)), True),
         "winding-inconsistent": (TriangleMesh(whole.vertices, np.concatenate([whole.triangles[:40, ::-1], whole.triangles[40:]])), True),
         "non-manifold": (joined(whole, scaled(box(), 20.0)), False),
         "self-touching": (joined(whole, moved(whole, (20, 0, 0))), False),
@@ -111,6 +113,23 @@ def test_what_is_odd_is_named_and_left(tmp_path: Path) -> None:
         assert doubt.serious is serious
         assert (surface.mesh.triangles == mesh.triangles).all()
         assert np.abs(surface.mesh.vertices - mesh.vertices).max() < 1e-5
+
+
+def test_an_open_arch_that_faces_inwards_is_not_reliable(tmp_path: Path) -> None:
+    """All signs and colours would be exchanged."""
+    for mesh, pose in ((small_arch(), np.eye(3)), (cut(small_arch(), 4.0), Rotation.from_rotvec([0.4, 2.0, -1.0]).as_matrix())):
+        lying = TriangleMesh(mesh.vertices @ pose.T, mesh.triangles)
+        assert not any("inverted" in doubt.code for doubt in vet(lying))
+        (doubt,) = (doubt for doubt in vet(turned_inside_out(lying)) if "inverted" in doubt.code)
+        assert (doubt.code, doubt.serious) == ("normals-inverted", True)
+
+
+def test_faults_are_counted_in_words() -> None:
+    whole = egg()
+    triangles = np.concatenate([whole.triangles, [[*whole.triangles[0, :2], len(whole.vertices)]]])
+    fin = TriangleMesh(np.concatenate([whole.vertices, [[0.0, 0.0, 70.0]]]), triangles)
+    words = next(doubt.words for doubt in vet(fin) if doubt.code == "non-manifold")
+    assert words.startswith("1 edge belongs to more than two triangles; inside")
 
 
 def test_shells_are_counted_and_weighed(tmp_path: Path) -> None:

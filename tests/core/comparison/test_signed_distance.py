@@ -76,6 +76,16 @@ def test_a_rigid_motion_of_both_changes_nothing_and_turned_triangles_flip_the_si
     assert turned == pytest.approx(-here, abs=1e-9)
 
 
+def test_within_reach_a_bounded_search_is_exact_and_beyond_it_says_beyond() -> None:
+    mesh = torus()
+    points = np.random.default_rng(5).uniform(-4, 4, (500, 3))
+    free, bounded = SignedDistance(mesh).feet(points), SignedDistance(mesh).feet(points, reach_mm=1.0)
+    near = np.abs(free.signed_mm) <= 1.0
+    assert 50 < near.sum() < 450
+    assert np.array_equal(bounded.signed_mm[near], free.signed_mm[near])
+    assert (np.abs(bounded.signed_mm[~near]) > 1.0).all()
+
+
 def test_a_search_stops_when_asked() -> None:
     with pytest.raises(Cancelled):
         SignedDistance(box()).feet(np.zeros((5, 3)), lambda: True)
