@@ -82,7 +82,7 @@ class BodyFinder:
         self,
         mesh: TriangleMesh,
         over: NDArray[np.bool_],
-        seen: NDArray[np.bool_],
+        measured: NDArray[np.bool_],
         crowns: Crowns,
         smoother: SurfaceSmoother,
         table: EdgeTable,
@@ -90,7 +90,7 @@ class BodyFinder:
         alignment: Alignment,
         cancelled: IsCancelled,
     ) -> None:
-        self._mesh, self._normals, self._over, self._seen = mesh, mesh.vertex_normals(), over, seen
+        self._mesh, self._normals, self._over, self._measured = mesh, mesh.vertex_normals(), over, measured
         self._crowns, self._table, self._area_mm2 = crowns, table, smoother.area_mm2
         self._cusp = crowns.cusp.copy()
         self._fitter, self._noise_mm, self._cancelled = fitter, max(alignment.noise_um / 1e3, _LEAST_NOISE_MM), cancelled
@@ -149,7 +149,7 @@ class BodyFinder:
         return renamed[bodies], still[bodies]
 
     def _piece(self, here: NDArray[np.bool_], core: NDArray[np.bool_]) -> _Piece | None:
-        free = np.flatnonzero(here & self._crowns.free & self._seen)
+        free = np.flatnonzero(here & self._crowns.free & self._measured)
         if len(free) < LEAST_POINTS:
             return None
         inner = free[core[free]]
