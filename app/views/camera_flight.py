@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 FLIGHT_S: Final = 0.28
-_TAN_HALF_VIEW = float(np.tan(np.radians(15.0)))
+TAN_HALF_VIEW: Final = float(np.tan(np.radians(15.0)))
 """VTK's camera sees 30 degrees from top to bottom."""
 VIEWS: Final = ("occlusal", "frontal", "left", "right", "lingual", "underside")
 
@@ -39,14 +39,12 @@ class Stand:
 
     def around(self, points: Array, aspect: float, margin: float, least_mm: float) -> Stand:
         """The same direction, so that points (n, 3) fill a picture of that aspect with a margin, and at least so many mm to every side."""
-        right = np.cross(self.up, self.towards)
-        low, high = points.min(axis=0), points.max(axis=0)
-        focus = 0.5 * (low + high)
-        corners = np.array([[x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])]) - focus
-        half = max(float(np.abs(corners @ self.up).max()), float(np.abs(corners @ right).max()) / aspect)
-        half = max(margin * half, least_mm / min(aspect, 1.0))
-        depth = float(np.abs(corners @ self.towards).max())
-        return Stand(focus, self.towards, self.up, half / _TAN_HALF_VIEW + depth, half)
+        axes = np.column_stack([np.cross(self.up, self.towards), self.up, self.towards])
+        along = points @ axes  # and not the box along the axes of a file, which may lie anyhow
+        low, high = along.min(axis=0), along.max(axis=0)
+        half_width, half_height, depth = 0.5 * (high - low)
+        half = max(margin * max(half_height, half_width / aspect), least_mm / min(aspect, 1.0))
+        return Stand(axes @ (0.5 * (low + high)), self.towards, self.up, float(half / TAN_HALF_VIEW + depth), float(half))
 
     def put(self, camera: Any) -> None:
         camera.SetFocalPoint(*self.focus)

@@ -3,27 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkBinnedDecimation
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 from app.views.compared_shader import MOST_BANDS, install
+from app.views.drawn_surface import DrawnSurface
 from app.views.height_colours import rgb
-from app.views.vtk_arrays import copied, copied_ids
+from app.views.vtk_arrays import copied
 from scanner_core.comparison.colour_scale import HATCH, NO_COUNTERPART, WITHIN_LEVEL, DeviationScale
-from scanner_core.geometry.mesh import TriangleMesh
 
 STABLE = "#1f8f7d"
 BACK = "#5d5a58"
 _ALL_BUT_TRANSPARENT = 0.002
 """VTK leaves out what is wholly transparent, its depth too."""
-_COARSE_TRIANGLES = 18_000
-"""Drawn of each surface while the camera moves on a machine that is slow at it."""
 
 
 class ComparedActor:
@@ -31,13 +25,10 @@ class ComparedActor:
 
     def __init__(self, colour: str) -> None:
         """`colour` is that of the plain surface."""
-        self.mesh: TriangleMesh | None = None
-        self.normals = np.zeros((0, 3), np.float32)
-        self.poly: Any = None
+        self.drawn: DrawnSurface | None = None
         self._values = np.zeros((0, 4), np.float32)
         self._mapper, self._coarse_mapper = _mapper(), _mapper()
         self._first_mapper = _mapper()
-        self._coarse: Any = None
         self.actor = _actor(self._mapper)
         self.first = _actor(self._first_mapper)
         """The same surface, all but transparent: drawn before a translucent one, it keeps what lies behind out of it."""
@@ -45,40 +36,29 @@ class ComparedActor:
         for actor in (self.actor, self.first):
             self._declare(actor, colour)
 
-    def show(self, mesh: TriangleMesh | None) -> None:
+    def show(self, drawn: DrawnSurface | None) -> None:
         """Draw this one from now on, or none."""
-        self.mesh = mesh
-        self.actor.SetVisibility(mesh is not None)
-        self.poly = self._coarse = None
+        self.drawn = drawn
+        self.actor.SetVisibility(drawn is not None)
         self.actor.SetMapper(self._mapper)
-        if mesh is None:
+        if drawn is None:
             return
-        places = vtkPoints()
-        places.SetData(copied(mesh.vertices.astype(np.float32)))
-        triangles = np.ascontiguousarray(mesh.triangles, np.int64)
-        cells = vtkCellArray()
-        cells.SetData(copied_ids(np.arange(0, 3 * len(triangles) + 1, 3, dtype=np.int64)), copied_ids(triangles.ravel()))
-        self.poly = vtkPolyData()
-        self.poly.SetPoints(places)
-        self.poly.SetPolys(cells)
-        self.normals = mesh.vertex_normals().astype(np.float32)
-        self.poly.GetPointData().SetNormals(copied(self.normals))
-        count = len(mesh.vertices)
+        count = len(drawn.mesh.vertices)
         self._values = np.zeros((count, 4), np.float32)
         self._values[:, 2] = 1.0
         self._put("deviation", self._values)
         self._put("painted", np.zeros(count, np.float32))
         self._put("foot", np.zeros((count, 3), np.float32))
         for mapper in (self._mapper, self._first_mapper):
-            mapper.SetInputData(self.poly)
+            mapper.SetInputData(drawn.poly)
+        if drawn.coarse is not None:
+            self._coarse_mapper.SetInputData(drawn.coarse)
 
     def set_coarse(self, on: bool) -> None:
         """Fewer triangles between the same vertices."""
-        if on and self.mesh is not None and len(self.mesh.triangles) > 1.5 * _COARSE_TRIANGLES:
-            if self._coarse is None:
-                self._coarse = _thinned(self.mesh, self.poly)
-                self._coarse_mapper.SetInputData(self._coarse)
-            self._coarse.GetPointData().ShallowCopy(self.poly.GetPointData())
+        drawn = self.drawn
+        if on and drawn is not None and drawn.coarse is not None:
+            drawn.coarse.GetPointData().ShallowCopy(drawn.poly.GetPointData())
             self.actor.SetMapper(self._coarse_mapper)
         else:
             self.actor.SetMapper(self._mapper)
@@ -97,13 +77,13 @@ class ComparedActor:
 
     def show_feet(self, feet_mm: NDArray[np.float64]) -> None:
         """(v, 3) mm: where each vertex stands at the beginning of the morph; NaN stays in place."""
-        assert self.mesh is not None
-        self._put("foot", np.nan_to_num(feet_mm - self.mesh.vertices).astype(np.float32))
+        assert self.drawn is not None
+        self._put("foot", np.nan_to_num(feet_mm - self.drawn.mesh.vertices).astype(np.float32))
 
     def show_painted(self, painted: NDArray[np.bool_] | None) -> None:
         """(v,): what a person has painted."""
-        if self.mesh is not None:
-            self._put("painted", np.zeros(len(self.mesh.vertices), np.float32) if painted is None else painted.astype(np.float32))
+        if self.drawn is not None:
+            self._put("painted", np.zeros(len(self.drawn.mesh.vertices), np.float32) if painted is None else painted.astype(np.float32))
 
     def show_scale(self, scale: DeviationScale | None) -> None:
         """Map or, with None, the plain surface."""
@@ -145,10 +125,11 @@ class ComparedActor:
             actor.GetShaderProperty().GetFragmentCustomUniforms().SetUniform4f("cut", (*normal, offset))
 
     def _put(self, name: str, values: NDArray[np.float32]) -> None:
+        assert self.drawn is not None
         array = copied(values)
         array.SetName(name)
-        self.poly.GetPointData().AddArray(array)
-        self.poly.Modified()
+        self.drawn.poly.GetPointData().AddArray(array)
+        self.drawn.poly.Modified()
 
     def _declare(self, actor: vtkActor, colour: str) -> None:
         shader = actor.GetShaderProperty()
@@ -197,19 +178,3 @@ def _actor(mapper: vtkPolyDataMapper) -> vtkActor:
     actor.ForceOpaqueOn()
     actor.GetProperty().SetInterpolationToPhong()
     return actor
-
-
-def _thinned(mesh: TriangleMesh, poly: Any) -> Any:
-    """The same vertices with fewer triangles between them: one vertex a cell of a grid (Lindstrom 2000), a few ten milliseconds."""
-    low, high = mesh.bounds()
-    edge_mm = np.sqrt(2.3 * mesh.area() / _COARSE_TRIANGLES)
-    thin = vtkBinnedDecimation()
-    thin.SetInputData(poly)
-    thin.AutoAdjustNumberOfDivisionsOff()
-    thin.SetNumberOfDivisions(*(int(max(extent / edge_mm, 1)) for extent in high - low))
-    thin.SetPointGenerationModeToUseInputPoints()
-    thin.Update()
-    coarse = vtkPolyData()
-    coarse.SetPoints(poly.GetPoints())
-    coarse.SetPolys(thin.GetOutput().GetPolys())
-    return coarse

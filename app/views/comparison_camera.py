@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from app.views.camera_flight import Flight, Stand, directions
+from app.views.camera_flight import TAN_HALF_VIEW, Flight, Stand, directions
 from scanner_core.comparison.area import Area
 
 Array = NDArray[np.float64]
@@ -63,11 +63,25 @@ class ComparisonCamera:
 
     def fly_to(self, area: Area, points: Array, aspect: float) -> None:
         """Begin a flight to a view of an area, whose points (n, 3) shall be in the picture, from outside and a little from above."""
+        self._fly(np.asarray(area.normal, np.float64) + 0.35 * self._axes[:, 2], points, aspect)
+
+    def face(self, normal: Array, points: Array, aspect: float) -> None:
+        """Begin a flight to where a direction (3,) comes straight to the eye, points (n, 3) in the picture."""
+        self._fly(normal, points, aspect)
+
+    def set_parallel(self, on: bool) -> None:
+        """Without perspective, or with it; what the camera looks at keeps its size."""
+        if bool(self._camera.GetParallelProjection()) == on:
+            return
+        stand = Stand.of(self._camera)
+        scale = stand.distance * TAN_HALF_VIEW if on else stand.scale
+        replace(stand, scale=scale, distance=scale / TAN_HALF_VIEW).put(self._camera)
+        self._camera.SetParallelProjection(on)
+
+    def _fly(self, towards: Array, points: Array, aspect: float) -> None:
         start = Stand.of(self._camera)
-        occlusal = self._axes[:, 2]
-        towards = np.asarray(area.normal, np.float64) + 0.35 * occlusal
         towards = towards / np.sqrt(towards @ towards)
-        up = -occlusal if self._upper else occlusal
+        up = -self._axes[:, 2] if self._upper else self._axes[:, 2]
         end = replace(start, towards=towards, up=up if abs(towards @ up) < 0.94 else start.up).upright()
         self._flight = Flight(start, end.around(points, aspect, _AREA_MARGIN, _AREA_MM), time.perf_counter())
 

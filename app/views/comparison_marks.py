@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,18 +12,24 @@ from PySide6.QtCore import QPointF
 from app.theme import GROUND, TEXT
 from app.views.compared_actor import ComparedActor
 from app.views.comparison_overlay import ComparisonOverlay, Tag
-from app.views.line_actor import LineActor, level_lines, outlines
-from app.views.surface_picker import SurfacePicker
+from app.views.line_actor import LineActor, together
 from app.views.viewpoint import Viewpoint
 from scanner_core.comparison.area import Area
 from scanner_core.comparison.colour_scale import THRESHOLD_LINE
+from scanner_core.geometry.edges import row_dot
 
 Array = NDArray[np.float64]
 Landmark = tuple[str, Sequence[float]] | tuple[str, Sequence[float], str]
 """Name, place (mm, frame of BEFORE), and the surface in whose picture it stands: ``after`` unless ``before`` is said."""
 _PART = "#a45cff"
 _AWAY_PX = 34.0
-"""From the middle of an area to its rank, so that the rank covers nothing of it."""
+"""From what an area shows of itself to its rank, so that the rank covers nothing of it."""
+_INSIDE_PX = 14.0
+"""From a rank to the edge of its picture."""
+_SPOTS = 96
+"""Vertices of an area that may carry its rank; of those that face the eye, `_TRIES` are looked for behind the rest of the surface."""
+_TRIES = 10
+_LIFT_MM = 0.15
 
 
 class ComparisonMarks:
@@ -34,70 +41,89 @@ class ComparisonMarks:
         self._chosen_outline = (LineActor(GROUND, 6.0, behind=True), LineActor("#ffffff", 3.2))
         self._threshold = LineActor("#{:02x}{:02x}{:02x}".format(*THRESHOLD_LINE), 1.8, behind=True)
         self.lines = (self._threshold, *self._chosen_outline, self._outlines, self._part_outline)
-        self._areas: tuple[Area, ...] = ()
+        self._areas: list[tuple[Area, NDArray[np.int64], Any]] = []
         self._chosen: int | None = None
         self._landmarks: list[tuple[str, Array, str]] = []
-        self._landmark_lines: list[tuple[int, int]] = []
 
     def clear(self) -> None:
-        self.show_areas(())
+        self.show_areas((), ())
         self.show_part(None)
-        self.show_landmarks((), ())
+        self.show_landmarks(())
+        self.show_threshold(None)
 
-    def show_areas(self, areas: Sequence[Area]) -> None:
-        self._areas = tuple(areas)
+    def show_areas(self, areas: Sequence[Area], outlines: Sequence[Any]) -> None:
+        """With the outline of each, lines as VTK has them or None."""
+        spots = [area.vertices[:: max(len(area.vertices) // _SPOTS, 1)] for area in areas]
+        self._areas = list(zip(areas, spots, outlines, strict=True))
         self.choose(None)
 
     def choose(self, rank: int | None) -> None:
         self._chosen = rank
-        self._draw((self._outlines,), [area.vertices for area in self._areas if area.rank != rank])
-        self._draw(self._chosen_outline, [area.vertices for area in self._areas if area.rank == rank])
+        self._outlines.show_poly(together([outline for area, _, outline in self._areas if area.rank != rank]))
+        chosen = next((outline for area, _, outline in self._areas if area.rank == rank), None)
+        for line in self._chosen_outline:
+            line.show_poly(chosen)
 
-    def show_part(self, vertices: NDArray[np.int64] | None) -> None:
-        self._draw((self._part_outline,), [] if vertices is None else [vertices])
+    def show_part(self, outline: Any) -> None:
+        """Lines as VTK has them, or None."""
+        self._part_outline.show_poly(outline)
 
-    def show_landmarks(self, points: Sequence[Landmark], lines: Sequence[tuple[int, int]]) -> None:
+    def show_threshold(self, lines: Any) -> None:
+        """Where the deviation reaches the threshold; None for no line."""
+        self._threshold.show_poly(lines)
+
+    def show_landmarks(self, points: Sequence[Landmark]) -> None:
         self._landmarks = [(mark[0], np.asarray(mark[1], np.float64), mark[2] if len(mark) > 2 else "after") for mark in points]
-        self._landmark_lines = list(lines)
 
     def set_seen(self, after: bool, coloured: bool) -> None:
         """Whether the after surface is in the picture at its place, and as a map."""
         for line in self.lines:
             line.set_shown(after and (coloured or line is not self._threshold))
 
-    def show_threshold(self, signed_um: Array, threshold_um: float) -> None:
-        """Where the deviation (v,) um reaches the threshold to either side; 0 for no line."""
-        mesh = self._after.mesh
-        shown = mesh is not None and len(signed_um) == len(mesh.vertices) and threshold_um > 0
-        self._threshold.show_poly(level_lines(mesh.vertices, mesh.triangles, signed_um, (-threshold_um, threshold_um)) if mesh and shown else None)
+    def place(self, first: Viewpoint, view: Viewpoint, kept: tuple[Array, float], curtain_x: float) -> None:
+        """The words where the camera has their points now, before in the `first` picture.
 
-    @property
-    def worded(self) -> bool:
-        """Something has a word in the picture."""
-        return bool(self._areas or self._landmarks)
-
-    def place(self, first: Viewpoint, view: Viewpoint, picker: SurfacePicker | None) -> None:
-        """The words where the camera has their points now, before in the `first` picture; what is hidden is faint."""
+        An area has its rank where it is seen, and none where it is not: behind the surface, beside its picture, left of the
+        curtain, or cut away: `kept` is the half space ``normal . p <= offset`` that a section has left.
+        """
         tags: list[Tag] = []
-        middle = np.zeros(2) if self._after.mesh is None else view.project(0.5 * np.sum(self._after.mesh.bounds(), axis=0)[None])[0]
-        for area in self._areas:
-            place = view.project(np.asarray(area.centroid_mm)[None])[0]
+        drawn = self._after.drawn
+        middle = np.zeros(2) if drawn is None else view.project(0.5 * np.sum(drawn.mesh.bounds(), axis=0)[None])[0]
+        low = np.array([view.left, view.top]) + _INSIDE_PX
+        high = np.array([view.left + view.width, view.top + view.height]) - _INSIDE_PX
+        for area, spots, _ in self._areas:
+            place = self._seen(spots, view, kept, curtain_x)
+            if place is None:
+                continue
             out = place - middle
-            at, spot = QPointF(*place), QPointF(*(place + _AWAY_PX * out / max(float(np.hypot(*out)), 1e-6)))
-            above = np.asarray(area.centroid_mm) + 0.8 * np.asarray(area.normal)
-            faint = picker is not None and not picker.visible(above, view)
-            tags.append(Tag(str(area.rank), at, _free(spot, tags), faint, area.rank == self._chosen, area.rank))
+            spot = np.clip(place + _AWAY_PX * out / max(float(np.hypot(*out)), 1e-6), low, high)
+            tags.append(Tag(str(area.rank), QPointF(*place), _free(QPointF(*spot), tags), area.rank == self._chosen, area.rank))
         places = [QPointF(*(first if surface == "before" else view).project(point[None])[0]) for _, point, surface in self._landmarks]
         tags += [Tag(name, place, place + QPointF(0, -18)) for (name, *_), place in zip(self._landmarks, places, strict=True) if name]
-        self._overlay.points, self._overlay.lines = places, [(places[a], places[b]) for a, b in self._landmark_lines]
-        self._overlay.tags = tags
+        self._overlay.points, self._overlay.tags = places, tags
         self._overlay.update()
 
-    def _draw(self, lines: Sequence[LineActor], groups: list[NDArray[np.int64]]) -> None:
-        mesh = self._after.mesh
-        poly = None if mesh is None or not groups else outlines(mesh.vertices, self._after.normals, mesh.triangles, groups)
-        for line in lines:
-            line.show_poly(poly)
+    def _seen(self, spots: NDArray[np.int64], view: Viewpoint, kept: tuple[Array, float], curtain_x: float) -> Array | None:
+        """Where (2,), pixels, the most central of those of some vertices of the after surface appears that are seen."""
+        drawn = self._after.drawn
+        if drawn is None or not len(spots):
+            return None
+        normal, offset = kept
+        points = drawn.mesh.vertices[spots] + _LIFT_MM * drawn.normals[spots]
+        places, starts = view.project(points), view.near(points)
+        over = starts @ normal - offset
+        cut = points @ normal - offset
+        facing = row_dot(np.asarray(drawn.normals[spots], np.float64), starts - points) > 0
+        seen = facing & view.ahead(points) & view.within(places) & (places[:, 0] >= curtain_x) & (cut <= 0)
+        if not seen.any():
+            return None
+        away = np.where(seen, ((places - np.median(places[seen], axis=0)) ** 2).sum(axis=1), np.inf)
+        order = np.argsort(away)[: np.count_nonzero(seen)]
+        order = order[:: -(-len(order) // _TRIES)]
+        share = np.where(over > 0, over / np.maximum(over - cut, 1e-12), 0.0)  # the line of sight begins where the section is
+        starts = starts + share[:, None] * (points - starts)
+        found = drawn.picker.seen(points[order], starts[order])
+        return None if found is None else np.asarray(places[order[found]])
 
 
 def _free(place: QPointF, taken: Sequence[Tag]) -> QPointF:

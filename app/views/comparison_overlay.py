@@ -24,8 +24,6 @@ class Tag:
     text: str
     at: QPointF
     spot: QPointF
-    faint: bool = False
-    """The surface hides what it belongs to."""
     chosen: bool = False
     key: int = 0
 
@@ -46,7 +44,6 @@ class ComparisonOverlay(QWidget):
         self.curtain_x: float | None = None
         self.tags: list[Tag] = []
         self.points: list[QPointF] = []
-        self.lines: list[tuple[QPointF, QPointF]] = []
         self.brush: tuple[QPointF, float, bool] | None = None
         """Middle, radius in pixels, and whether it erases."""
         self.lasso: list[QPointF] = []
@@ -128,8 +125,12 @@ class ComparisonOverlay(QWidget):
 
     def _paint_measures(self, painter: QPainter) -> None:
         for place, word in self.sides:
-            painter.setPen(QColor(MUTED))
-            painter.drawText(QRectF(place.x() - 12, place.y() - 12, 24, 24), Qt.AlignmentFlag.AlignCenter, word)
+            box = QRectF(place.x() - 12, place.y() - 12, 24, 24)
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(_glass())
+            painter.drawRoundedRect(box, 5, 5)
+            painter.setPen(QColor(TEXT))
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, word)
         if self.bar is None:
             return
         length, word = self.bar
@@ -140,10 +141,6 @@ class ComparisonOverlay(QWidget):
         painter.drawText(QRectF(start.x(), end.y() - 26, length, 18), Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextDontClip, word)
 
     def _paint_landmarks(self, painter: QPainter) -> None:
-        painter.setPen(QPen(QColor(GROUND), 4))
-        painter.drawLines([point for line in self.lines for point in line])
-        painter.setPen(QPen(QColor(TEXT), 1.8))
-        painter.drawLines([point for line in self.lines for point in line])
         painter.setPen(QPen(QColor(GROUND), 1.5))
         painter.setBrush(QColor(TEXT))
         for point in self.points:
@@ -199,14 +196,14 @@ def _paint_tag(painter: QPainter, tag: Tag) -> None:
     painter.setFont(font)
     if tag.at != tag.spot:
         for colour, width in ((GROUND, 3.5), (TEXT, 1.2)):
-            painter.setPen(QPen(QColor(colour), width, Qt.PenStyle.DotLine if tag.faint else Qt.PenStyle.SolidLine))
+            painter.setPen(QPen(QColor(colour), width))
             painter.drawLine(tag.at, tag.spot)
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(MUTED if tag.faint else TEXT))
+        painter.setBrush(QColor(TEXT))
         painter.drawEllipse(tag.at, 2.5, 2.5)
     painter.setPen(QPen(QColor(TEXT if tag.chosen else SEAM), 1.2))
     painter.setBrush(QColor(ACCENT) if tag.chosen else _glass())
     box = _box(tag)
     painter.drawRoundedRect(box, 11, 11)
-    painter.setPen(QColor(GROUND if tag.chosen else MUTED if tag.faint else TEXT))
+    painter.setPen(QColor(GROUND if tag.chosen else TEXT))
     painter.drawText(box, Qt.AlignmentFlag.AlignCenter, tag.text)

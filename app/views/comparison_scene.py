@@ -7,7 +7,7 @@ surface before and, above it, the surface after with a depth of its own.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,13 +23,13 @@ from app.views.comparison_captions import ComparisonCaptions
 from app.views.comparison_marks import ComparisonMarks, Landmark
 from app.views.comparison_overlay import ComparisonOverlay
 from app.views.comparison_tools import ComparisonTools
+from app.views.drawn_surface import DrawnSurface
 from app.views.interactor import InteractorView
 from app.views.section_cut import SectionCut
 from app.views.surface_picker import SurfacePicker
 from app.views.viewpoint import Viewpoint
 from scanner_core.comparison.area import Area
 from scanner_core.comparison.colour_scale import DeviationScale
-from scanner_core.geometry.mesh import TriangleMesh
 
 Array = NDArray[np.float64]
 
@@ -80,10 +80,8 @@ class ComparisonScene(InteractorView):
         self._over.AddActor(self._after.actor)
         for line in (*self._marks.lines, *self._section.lines):
             self._over.AddActor(line.actor)
-        self._pickers: dict[str, SurfacePicker] = {}
         self._mode, self._amount, self._other = "map", 0.5, False
         self._scale: DeviationScale | None = None
-        self._threshold_um = 250.0
         self._signed = self._level = np.zeros(0)
         self._camera = ComparisonCamera(engine.camera)
         self._coarse = False
@@ -92,12 +90,12 @@ class ComparisonScene(InteractorView):
         self._arrange()
 
     # -------------------------------------------------------------------------------- what is shown
-    def show_pair(self, before: TriangleMesh, after: TriangleMesh) -> None:
+    def show_pair(self, before: DrawnSurface, after: DrawnSurface) -> None:
         """Both surfaces, `after` already in the frame of BEFORE; no map yet.
 
         The camera sees everything, or stays where it is when `before` is the surface that is shown already.
         """
-        known = self._before.mesh is before
+        known = self._before.drawn is not None and self._before.drawn.mesh is before.mesh
         self.clear()
         self._before.show(before)
         self._after.show(after)
@@ -110,7 +108,6 @@ class ComparisonScene(InteractorView):
         self._open()
         self._before.show(None)
         self._after.show(None)
-        self._pickers.clear()
         self._scale, self._signed, self._level = None, np.zeros(0), np.zeros(0)
         self._camera.stop()
         self._marks.clear()
@@ -123,10 +120,8 @@ class ComparisonScene(InteractorView):
         """Colour the after surface: (v_after,) deviation um (NaN without counterpart), level of detection um, stable, counterpart."""
         self._open()
         self._signed, self._level, self._scale = np.where(counterpart, signed_um, np.nan), level_um, scale
-        self._threshold_um = scale.threshold_um if scale is not None else self._threshold_um
         self._after.show_values(signed_um, level_um, counterpart & np.isfinite(signed_um))
         self._after.show_stable(stable)
-        self._marks.show_threshold(self._signed, self._threshold_um)
         self._arrange()
 
     def show_feet(self, feet_mm: Array) -> None:
@@ -147,14 +142,14 @@ class ComparisonScene(InteractorView):
         self._after.show_painted(mask)
         self._dirty = True
 
-    def show_part(self, vertices: NDArray[np.int64] | None) -> None:
-        """The marked tooth: vertices of the after surface."""
-        self._marks.show_part(vertices)
+    def show_part(self, outline: Any) -> None:
+        """The marked tooth: its outline, lines as VTK has them or None."""
+        self._marks.show_part(outline)
         self._dirty = True
 
-    def show_areas(self, areas: Sequence[Area]) -> None:
-        """Outlines and ranks."""
-        self._marks.show_areas(areas)
+    def show_areas(self, areas: Sequence[Area], outlines: Sequence[Any]) -> None:
+        """Ranks, and the outline of each as VTK has it or None."""
+        self._marks.show_areas(areas, outlines)
         self._dirty = True
 
     def select_area(self, rank: int | None) -> None:
@@ -162,16 +157,15 @@ class ComparisonScene(InteractorView):
         self._marks.choose(rank)
         self._dirty = True
 
-    def show_landmarks(self, points: Sequence[Landmark], lines: Sequence[tuple[int, int]] = ()) -> None:
-        """Named points and lines between them by their numbers."""
-        self._marks.show_landmarks(points, lines)
+    def show_landmarks(self, points: Sequence[Landmark]) -> None:
+        """Named points."""
+        self._marks.show_landmarks(points)
         self._dirty = True
 
-    def set_threshold_um(self, threshold_um: float) -> None:
-        """Where the line on the map runs; 0 for none."""
-        self._threshold_um = threshold_um
-        self._marks.show_threshold(self._signed, threshold_um)
-        self._arrange()
+    def show_threshold(self, lines: Any) -> None:
+        """The line on the map, as VTK has it; None for none."""
+        self._marks.show_threshold(lines)
+        self._dirty = True
 
     # -------------------------------------------------------------------------------- ways to look
     @property
@@ -211,12 +205,13 @@ class ComparisonScene(InteractorView):
         """``look``, ``pick``, ``paint``, ``erase`` or ``lasso``: what the left button of the mouse does."""
         self._tools.set_tool(tool)
 
-    def set_brush_mm(self, radius_mm: float) -> None:
-        self._tools.radius_mm = radius_mm
-
     def set_section(self, origin: Sequence[float] | Array, normal: Sequence[float] | Array | None) -> None:
-        """A plane through `origin` (mm) across `normal`: the near half goes, both contours show; no normal, no section."""
+        """A plane through `origin` (mm) across `normal`: the near half goes, both contours show; no normal, no section.
+
+        Without perspective while there is one: lengths across the line of sight are then true, and a bar tells them.
+        """
         self._section.set_plane(np.asarray(origin, np.float64), None if normal is None else np.asarray(normal, np.float64))
+        self._camera.set_parallel(self._section.active)
         self._cut()
 
     def set_section_offset_mm(self, offset_mm: float) -> None:
@@ -242,19 +237,19 @@ class ComparisonScene(InteractorView):
 
     def fly_to(self, area: Area) -> None:
         """Look at an area from outside, in a moment; a person's hand on the camera ends the flight."""
-        mesh = self._after.mesh
-        points = np.asarray(area.centroid_mm)[None] if mesh is None or not len(area.vertices) else mesh.vertices[area.vertices]
-        self._camera.fly_to(area, points, self._aspect())
+        self._camera.fly_to(area, self._places(area), self._aspect())
         self._dirty = True
+
+    def face_section(self, area: Area | None) -> None:
+        """Look straight at the section, from the side to which its normal points, at an area or at all of the contours."""
+        points = self._section.contour if area is None else self._places(area)
+        if len(points):
+            self._camera.face(self._section.normal, points, self._aspect())
+            self._dirty = True
 
     @property
     def flying(self) -> bool:
         return self._camera.flying
-
-    def set_parallel(self, on: bool) -> None:
-        """Without perspective: lengths in the picture are true across the line of sight."""
-        self._open().camera.SetParallelProjection(on)
-        self._dirty = True
 
     # -------------------------------------------------------------------------------- painting
     def paint(self) -> float:
@@ -267,6 +262,7 @@ class ComparisonScene(InteractorView):
         super().resizeEvent(event)
         self._overlay.setGeometry(self.rect())
         self._overlay.raise_()
+        self._tools.brush.stand()
         self._arrange()
 
     # -------------------------------------------------------------------------------- for the tools
@@ -282,13 +278,20 @@ class ComparisonScene(InteractorView):
         return ("after", after) if self._mode in ("map", "flicker", "after", "blend") or self._amount >= 1 else None
 
     def picker(self, surface: str) -> SurfacePicker | None:
-        """Rays into a surface; made when it is first asked for."""
-        actor = self._before if surface == "before" else self._after
-        if actor.mesh is None:
-            return None
-        if surface not in self._pickers:
-            self._pickers[surface] = SurfacePicker(actor.mesh, actor.poly, actor.normals)
-        return self._pickers[surface]
+        """Rays into a surface."""
+        drawn = (self._before if surface == "before" else self._after).drawn
+        return None if drawn is None else drawn.picker
+
+    def after_depth(self) -> NDArray[np.float32]:
+        """How far the after surface is at every device pixel (h, w), 0 near to 1 far."""
+        self._marks.set_seen(False, False)
+        for line in self._section.lines:
+            line.set_shown(False)
+        depth = self.grab_depth()
+        for line in self._section.lines:
+            line.set_shown(True)
+        self._arrange()
+        return depth
 
     def ray(self, view: Viewpoint, x: float, y: float) -> tuple[Array, Array]:
         """The line of sight through a pixel, as far as the section leaves it."""
@@ -338,7 +341,7 @@ class ComparisonScene(InteractorView):
         for line in (*self._marks.lines, *self._section.lines):
             line.set_pixel_ratio(ratio)
         first, second = self._viewpoints()
-        self._marks.place(first, second, self.picker("after") if self._marks.worded else None)
+        self._marks.place(first, second, (normal, offset), self.curtain_x if self._mode == "curtain" else 0.0)
         views = (first, second) if self._mode == "side_by_side" else (second,)
         self._captions.measure(views, points, self._camera.right, bool(camera.GetParallelProjection()))
 
@@ -347,12 +350,12 @@ class ComparisonScene(InteractorView):
         self._coarse = moving and (self._coarse or self.paint_s > _SLOW_S)
         for actor in (self._before, self._after):
             actor.set_coarse(self._coarse)
-        self._after.first.SetVisibility(self._mode == "blend" and self._after.mesh is not None and not self._coarse)
+        self._after.first.SetVisibility(self._mode == "blend" and self._after.drawn is not None and not self._coarse)
         self._dirty = True
 
     def _arrange(self) -> None:
         """Everything that mode and amount decide."""
-        mode, amount, pair = self._mode, self._amount, self._after.mesh is not None
+        mode, amount, pair = self._mode, self._amount, self._after.drawn is not None
         before = pair and (mode in ("side_by_side", "curtain", "blend", "before") or self._other)
         after = pair and mode != "before" and not self._other
         halves = mode == "side_by_side"
@@ -390,12 +393,16 @@ class ComparisonScene(InteractorView):
         return whole, whole
 
     def _points(self) -> Array | None:
-        meshes = [actor.mesh for actor in (self._before, self._after) if actor.mesh is not None]
-        return np.concatenate([np.stack(mesh.bounds()) for mesh in meshes]) if meshes else None
+        few = [actor.drawn.few for actor in (self._before, self._after) if actor.drawn is not None]
+        return np.concatenate(few) if few else None
+
+    def _places(self, area: Area) -> Array:
+        drawn = self._after.drawn
+        return np.asarray(area.centroid_mm)[None] if drawn is None or not len(area.vertices) else drawn.mesh.vertices[area.vertices]
 
     def _aspect(self) -> float:
         return self.width() * (0.5 if self._mode == "side_by_side" else 1.0) / max(self.height(), 1)
 
     def _cut(self) -> None:
-        self._section.show((self._before.poly, self._after.poly))
+        self._section.show((self._before.drawn, self._after.drawn))
         self._arrange()

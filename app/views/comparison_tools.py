@@ -10,6 +10,7 @@ from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
+from app.views.brush_size import BrushSize
 from app.views.comparison_overlay import ComparisonOverlay
 from app.views.pointed import Pointed
 from app.views.surface_picker import Hit, SurfacePicker
@@ -32,7 +33,8 @@ class ComparisonTools(QObject):
     def __init__(self, scene: ComparisonScene, engine: QWidget, overlay: ComparisonOverlay) -> None:
         super().__init__(scene)
         self._scene, self._engine, self._overlay = scene, engine, overlay
-        self.radius_mm = 2.0
+        self._radius_mm = 2.0
+        self.brush = BrushSize(scene, self._radius_mm, self._set_radius_mm)
         self._tool = "look"
         self._pressed: QPointF | None = None
         self._drag: str | None = None
@@ -51,6 +53,8 @@ class ComparisonTools(QObject):
         self._overlay.brush = None
         self._overlay.lasso = []
         self._overlay.update()
+        self.brush.setVisible(tool in ("paint", "erase"))
+        self.brush.stand()
         self._engine.setCursor(Qt.CursorShape.ArrowCursor if tool == "look" else Qt.CursorShape.CrossCursor)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
@@ -197,24 +201,27 @@ class ComparisonTools(QObject):
     def _stroke(self, place: QPointF) -> None:
         """Everything that the brush passes between two events of the mouse."""
         found = self._hit(place)
-        pixels = 6.0 if found is None else max(0.5 * self.radius_mm * found[3].pixels_per_mm(found[2].point), 2.0)
+        pixels = 6.0 if found is None else max(0.5 * self._radius_mm * found[3].pixels_per_mm(found[2].point), 2.0)
         way = place - self._last
         count = max(int(np.hypot(way.x(), way.y()) / pixels), 1)
         covered = []
         for i in range(1, count + 1):
             met = self._hit(self._last + way * (i / count))
             if met is not None and met[0] == "after":
-                covered.append(met[1].brush(met[2], self.radius_mm))
+                covered.append(met[1].brush(met[2], self._radius_mm))
         vertices = np.unique(np.concatenate(covered)) if covered else np.zeros(0, np.int64)
         if len(vertices):
             self._scene.painted.emit(vertices, self._drag == "paint")
+
+    def _set_radius_mm(self, radius_mm: float) -> None:
+        self._radius_mm = radius_mm
 
     def _show_brush(self, place: QPointF) -> None:
         if self._tool not in ("paint", "erase"):
             return
         found = self._hit(place)
         met = found is not None and found[0] == "after"
-        self._overlay.brush = (place, self.radius_mm * found[3].pixels_per_mm(found[2].point), self._tool == "erase") if found and met else None
+        self._overlay.brush = (place, self._radius_mm * found[3].pixels_per_mm(found[2].point), self._tool == "erase") if found and met else None
         self._overlay.update()
 
     def _show_twin(self, place: QPointF) -> None:
@@ -236,6 +243,7 @@ class ComparisonTools(QObject):
         picker = self._scene.picker("after")
         if len(path) < 3 or seen is None or picker is None or seen[0] != "after":
             return
-        vertices = picker.lasso(np.array([[p.x(), p.y()] for p in path]), seen[1])
+        outline = np.array([[p.x(), p.y()] for p in path])
+        vertices = picker.lasso(outline, seen[1], self._scene.after_depth(), self._scene.devicePixelRatioF())
         if len(vertices):
             self._scene.lassoed.emit(vertices)

@@ -23,7 +23,9 @@ class DeviationLegend(QWidget):
         self._threshold_um: float | None = None
         self._value_um: float | None = None
         self.setMinimumSize(300, _HEIGHT)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        policy = QSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        policy.setRetainSizeWhenHidden(True)  # the picture above it keeps its size where no map is shown
+        self.setSizePolicy(policy)
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         return QSize(420, _HEIGHT)

@@ -17,10 +17,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QCloseEvent, QKeyEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 from pyvistaqt import QtInteractor
+from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 from app.theme import GROUND, RAISED
-from app.views.vtk_arrays import bytes_of
+from app.views.vtk_arrays import bytes_of, reals_of
 
 
 class SceneClosedError(RuntimeError):
@@ -123,6 +124,17 @@ class InteractorView(QWidget):
         width, height, _ = image.GetDimensions()
         pixels: NDArray[np.uint8] = bytes_of(image.GetPointData().GetScalars()).reshape(height, width, 3)[::-1].copy()
         return pixels
+
+    def grab_depth(self) -> NDArray[np.float32]:
+        """How far what is seen is at every device pixel (H, W), 0 near to 1 far, of the scene drawn anew; of the uppermost layer."""
+        engine = self._open()
+        self._prepare_picture()
+        engine.render()
+        window = engine.render_window
+        width, height = window.GetSize()
+        depth = vtkFloatArray()
+        window.GetZbufferData(0, 0, width - 1, height - 1, depth)
+        return reals_of(depth).reshape(height, width)[::-1].copy()
 
     def close_scene(self) -> None:
         """Release the graphics; may be called again."""

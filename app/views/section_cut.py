@@ -6,10 +6,9 @@ from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.vtkCommonDataModel import vtkPlane
-from vtkmodules.vtkFiltersCore import vtkCutter
 
-from app.views.line_actor import LineActor
+from app.views.drawn_surface import DrawnSurface
+from app.views.line_actor import LineActor, plane_lines
 
 Array = NDArray[np.float64]
 BEFORE_LINE: Final = "#ffe14d"
@@ -21,14 +20,24 @@ class SectionCut:
     """A plane, or none."""
 
     def __init__(self) -> None:
-        self.lines = (LineActor(BEFORE_LINE, 3.0), LineActor(AFTER_LINE, 3.0))
-        """The contours before and after."""
+        self.lines = (LineActor(BEFORE_LINE, 5.0, behind=True), LineActor(AFTER_LINE, 2.0))
+        """The contours before and after: where they coincide, the wide one is the rim of the narrow one."""
         self._origin, self._normal = np.zeros(3), np.zeros(3)
         self._offset_mm = 0.0
 
     @property
     def active(self) -> bool:
         return bool(self._normal.any())
+
+    @property
+    def normal(self) -> Array:
+        """(3,) unit; zeros without a section."""
+        return self._normal
+
+    @property
+    def contour(self) -> Array:
+        """(n, 3) mm, points of both contours."""
+        return np.concatenate([line.points for line in self.lines])
 
     def set_plane(self, origin: Array, normal: Array | None) -> None:
         """Through a point (3,) mm across a direction (3,)."""
@@ -39,20 +48,11 @@ class SectionCut:
         """Along the normal, from where it was set."""
         self._offset_mm = offset_mm
 
-    def show(self, polys: tuple[Any, Any]) -> None:
-        """The contours of the surfaces before and after, each as VTK has it or None."""
-        for line, poly in zip(self.lines, polys, strict=True):
-            if not self.active or poly is None:
-                line.show_poly(None)
-                continue
-            plane = vtkPlane()
-            plane.SetOrigin(*self._point)
-            plane.SetNormal(*self._normal)
-            cutter = vtkCutter()
-            cutter.SetInputData(poly)
-            cutter.SetCutFunction(plane)
-            cutter.Update()
-            line.show_poly(cutter.GetOutput())
+    def show(self, surfaces: tuple[DrawnSurface | None, DrawnSurface | None]) -> None:
+        """The contours of the surfaces before and after."""
+        for line, surface in zip(self.lines, surfaces, strict=True):
+            there = self.active and surface is not None
+            line.show_poly(plane_lines(surface.mesh.vertices, surface.mesh.triangles, self._point, self._normal) if surface and there else None)
 
     def kept(self, camera: Any) -> tuple[Array, float]:
         """The half space ``normal . p <= offset`` that is left, the one behind the plane; everything without a section."""

@@ -1,4 +1,4 @@
-"""Which point of a surface a line of sight meets first, what a brush covers, what of a lasso's content is visible."""
+"""Which point of a surface a line of sight meets first, what a brush covers, what is visible, and of it what a lasso holds."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QPolygonF
+from PySide6.QtGui import QImage, QPainter, QPolygonF
 from vtkmodules.vtkCommonCore import mutable
 from vtkmodules.vtkCommonDataModel import vtkStaticCellLocator
 
@@ -62,22 +62,38 @@ class SurfacePicker:
         facing = self._normals[near] @ self._normals[hit.vertex] > -0.2
         return np.asarray(near[facing], np.int64)
 
-    def lasso(self, outline: Array, view: Viewpoint) -> Vertices:
-        """Visible vertices within an outline (n, 2), pixels."""
-        places = view.project(self._mesh.vertices)
-        low, high = outline.min(axis=0), outline.max(axis=0)
-        inside = ((places >= low) & (places <= high)).all(axis=1)
-        inside &= self._normals @ view.direction < 0.0
-        polygon = QPolygonF([QPointF(x, y) for x, y in outline])
-        candidates = [i for i in np.nonzero(inside)[0].tolist() if polygon.containsPoint(QPointF(*places[i]), Qt.FillRule.OddEvenFill)]
-        return np.array([i for i in candidates if self._visible(i, places[i], view)], np.int64)
+    def lasso(self, outline: Array, view: Viewpoint, depth: NDArray[np.float32], ratio: float) -> Vertices:
+        """Visible vertices within an outline (n, 2), pixels.
 
-    def visible(self, point: Array, view: Viewpoint) -> bool:
-        """Whether nothing of the surface lies before a point (3,) just above it."""
-        (x, y), *_ = view.project(point[None])
-        near, _ = view.ray(x, y)
-        return self.hit(near, point) is None
+        `depth` is the picture of this surface alone, 0 near to 1 far, `ratio` its pixels to a pixel of the widget.  A ray to
+        each of a hundred thousand vertices would take seconds.
+        """
+        vertices = self._mesh.vertices
+        places = view.project(vertices)
+        facing = -(self._normals @ view.direction)
+        cells = np.floor(places * ratio).astype(np.int64)
+        there = ((cells >= 0) & (cells < depth.shape[::-1])).all(axis=1) & (facing > 0.0)
+        held = np.nonzero(there)[0]
+        columns, rows = cells[held].T
+        held = held[_filled(outline * ratio, depth.shape)[rows, columns]]
+        columns, rows = cells[held].T
+        behind = (vertices[held] - view.back(places[held], 2.0 * depth[rows, columns] - 1.0)) @ view.direction
+        # within a pixel the surface falls away, the steeper the more
+        slope = np.sqrt(1.0 - np.minimum(facing[held] ** 2, 1.0)) / np.maximum(facing[held], 0.2)
+        return np.asarray(held[behind < _LIFT_MM + slope / view.pixels_per_mm(vertices[held].mean(axis=0)) / ratio], np.int64) if len(held) else held
 
-    def _visible(self, vertex: int, place: Array, view: Viewpoint) -> bool:
-        near, _ = view.ray(place[0], place[1])
-        return self.hit(near, self._mesh.vertices[vertex] + _LIFT_MM * self._normals[vertex]) is None
+    def seen(self, points: Array, starts: Array) -> int | None:
+        """The first of points (n, 3) mm just above the surface that is seen from its start (n, 3) mm."""
+        return next((i for i, (start, point) in enumerate(zip(starts, points, strict=True)) if self.hit(start, point) is None), None)
+
+
+def _filled(outline: Array, shape: tuple[int, ...]) -> NDArray[np.bool_]:
+    """Which pixels of a picture (h, w) an outline (n, 2) holds."""
+    height, width = shape
+    image = QImage(width, height, QImage.Format.Format_Grayscale8)
+    image.fill(0)
+    with QPainter(image) as painter:
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(Qt.GlobalColor.white)
+        painter.drawPolygon(QPolygonF([QPointF(x, y) for x, y in outline.tolist()]), Qt.FillRule.OddEvenFill)
+    return np.frombuffer(image.constBits(), np.uint8).reshape(height, -1)[:, :width] > 127

@@ -48,13 +48,33 @@ class Viewpoint:
 
     def ray(self, x: float, y: float) -> tuple[Array, Array]:
         """The line of sight through a pixel: its ends on the nearest and the farthest plane of the picture, each (3,) mm."""
-        flat = (2 * (x - self.left) / self.width - 1, 1 - 2 * (y - self.top) / self.height)
-        ends = np.array([[*flat, depth, 1.0] for depth in (-1.0, 1.0)]) @ self.inverse.T
-        near, far = ends[:, :3] / ends[:, 3:]
+        near, far = self.back(np.array([[x, y], [x, y]]), np.array([-1.0, 1.0]))
         return near, far
 
+    def back(self, places: Array, depths: Array | float) -> Array:
+        """Points (n, 3) mm at pixels (n, 2) and depths -1 (nearest plane) to 1 (farthest)."""
+        flat = np.empty((len(places), 4))
+        flat[:, 0] = 2 * (places[:, 0] - self.left) / self.width - 1
+        flat[:, 1] = 1 - 2 * (places[:, 1] - self.top) / self.height
+        flat[:, 2], flat[:, 3] = depths, 1.0
+        ends = flat @ self.inverse.T
+        return np.asarray(ends[:, :3] / ends[:, 3:], np.float64)
+
+    def ahead(self, points: Array) -> NDArray[np.bool_]:
+        """Which of points (n, 3) mm lie before the eye and not behind it."""
+        return np.asarray(points @ self.matrix[3, :3] + self.matrix[3, 3] > 1e-6)
+
+    def near(self, points: Array) -> Array:
+        """Where (n, 3) mm the lines of sight to points (n, 3) mm begin: on the nearest plane of the picture."""
+        return self.back(self.project(points), -1.0)
+
+    def within(self, places: Array) -> NDArray[np.bool_]:
+        """Which of pixels (n, 2) the picture holds."""
+        low = np.array([self.left, self.top])
+        return np.asarray(((places >= low) & (places < low + np.array([self.width, self.height]))).all(axis=1))
+
     def contains(self, x: float, y: float) -> bool:
-        return self.left <= x < self.left + self.width and self.top <= y < self.top + self.height
+        return bool(self.within(np.array([[x, y]]))[0])
 
     def pixels_per_mm(self, at: Array) -> float:
         """How many pixels a millimetre across the line of sight takes at a point (3,)."""

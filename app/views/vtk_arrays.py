@@ -32,3 +32,20 @@ def bytes_of(array: Any) -> NDArray[np.uint8]:
     """A view of a VTK array of bytes."""
     pixels: NDArray[np.uint8] = _to_numpy(array)
     return pixels
+
+
+def numbers_of(array: Any) -> NDArray[np.int64]:
+    """The same of an array of whole numbers."""
+    numbers: NDArray[np.int64] = _to_numpy(array)
+    return numbers
+
+
+def places_of(array: Any) -> NDArray[np.float64]:
+    """A copy of an array of coordinates."""
+    return np.asarray(_to_numpy(array), np.float64)
+
+
+def reals_of(array: Any) -> NDArray[np.float32]:
+    """A view of a VTK array of single precision."""
+    reals: NDArray[np.float32] = _to_numpy(array)
+    return reals

@@ -64,5 +64,5 @@ def load(program: Program, page: ComparePage, files: PairFiles) -> None:
         page.take_files([files.before, files.after], None)
     answered(program)
     _loaded[files] = draft.choice
-    until(lambda: page.scene is not None, 60, "the 3D view")
+    until(lambda: page.scene is not None and page.picture.drawn, 60, "the 3D view")
     wait_ms(50)

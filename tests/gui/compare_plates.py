@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 from PySide6.QtCore import QPoint, QPointF
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 from app.views.comparison_overlay import ComparisonOverlay
 from app.views.comparison_scene import ComparisonScene
+from app.views.drawn_surface import DrawnSurface
 from scanner_core.comparison.colour_scale import DeviationScale
 from scanner_core.geometry.mesh import TriangleMesh
 from tests.gui.waiting import wait_ms
@@ -34,6 +37,7 @@ def plate(lift_mm: float = 0.0) -> TriangleMesh:
 
 
 BEFORE, AFTER = plate(), plate(2.0)
+DRAWN_BEFORE, DRAWN_AFTER = DrawnSurface.of(BEFORE), DrawnSurface.of(AFTER)
 RIGHT = AFTER.vertices[:, 0] > 0
 
 
@@ -42,9 +46,8 @@ def shown(scene: ComparisonScene, signed_um: Array, stable: NDArray[np.bool_] | 
     scene.set_mode("map")
     scene.set_tool("look")
     scene.set_axes(None)
-    scene.set_parallel(False)
     scene.show_stable(False)
-    scene.show_pair(BEFORE, AFTER)
+    scene.show_pair(DRAWN_BEFORE, DRAWN_AFTER)
     scene.look("occlusal")
     nowhere = np.zeros(COUNT, np.bool_)
     scene.show_deviation(signed_um, np.full(COUNT, 100.0), nowhere if stable is None else stable, np.isfinite(signed_um), SCALE)
@@ -74,7 +77,8 @@ def bright(picture: Picture) -> NDArray[np.bool_]:
     return picture.max(axis=2) > 90
 
 
-def standing_scene() -> Iterator[ComparisonScene]:
+@pytest.fixture(scope="module")
+def made(application: QApplication) -> Iterator[ComparisonScene]:
     """One for all tests of a module: its start costs more than they do."""
     scene = ComparisonScene()
     scene.resize(420, 400)
@@ -85,3 +89,10 @@ def standing_scene() -> Iterator[ComparisonScene]:
     scene.close()
     scene.deleteLater()
     wait_ms(10)
+
+
+@pytest.fixture
+def view(made: ComparisonScene) -> ComparisonScene:
+    """The plates without a difference, as a map from above."""
+    shown(made, np.zeros(COUNT))
+    return made

@@ -50,7 +50,7 @@ def test_from_two_dropped_files_to_what_moved(program: Program, page: ComparePag
     drop(page, [files.before], QPoint(2, 2))  # beside both targets: into the free place
     until(lambda: comparing.answers.running or comparing.answers.current, 30, "the comparison by itself")
     answered(program)
-    until(lambda: page.scene is not None, 60, "the 3D view")
+    until(lambda: page.scene is not None and page.picture.drawn, 60, "the 3D view")
     comparison = comparing.answers.comparison
     assert comparison is not None
     assert {nearest_tooth(area.centroid_mm) for area in comparison.areas} >= set(MOVED)
@@ -94,6 +94,7 @@ def test_views_and_modes_by_key(program: Program, page: ComparePage, files: Pair
         QTest.keyClick(page, key)
         assert scene.mode == mode
         assert page.stage.amount.isVisible() == (mode in ("curtain", "blend", "morph"))
+        assert page.stage.legend.isVisible() == (mode in ("map", "side_by_side", "curtain"))
     QTest.keyClick(page, Qt.Key.Key_Space)
     assert scene.shows_other
     QTest.keyClick(page, Qt.Key.Key_Space)
@@ -155,6 +156,12 @@ def test_a_painted_region_is_held_fixed_when_it_is_asked_for(program: Program, p
     assert choice.mask.sum() == len(stable) - 80
     assert not comparing.answers.running
     assert page.verdict.text.startswith("Out of date")
+    assert page.picture._painted is choice.mask
+    page.picture.take_tool("look")
+    assert page.picture._painted is None  # it would cover the map
+    page.alignment.stable.setChecked(True)
+    assert page.picture._painted is choice.mask
+    page.alignment.stable.setChecked(False)
     page.foot.start.click()
     answered(program)
     assert comparing.answers.comparison is not None
@@ -275,11 +282,12 @@ def test_three_points_on_each_start_the_comparison_and_are_undone_one_by_one(pro
     assert comparing.draft.choice.before is not None
     assert comparing.draft.choice.after is not None
     page.alignment.points.click()
-    before, after = comparing.draft.choice.before.surface.mesh, comparing.draft.choice.after.surface.mesh
-    apart = 0.5 * (sum(before.bounds()) - sum(after.bounds()))
+    between = page.picture.between
+    assert between is not None
+    assert np.abs(between.rotation @ POSE.rotation - np.eye(3)).max() < 0.2  # both arches to the same side
     for tooth in (1, 6, 12):
         place = foot(tooth) + np.array([0.0, 0.0, 4.0])
-        for surface, point in (("before", place), ("after", POSE.apply(place) + apart)):
+        for surface, point in (("before", place), ("after", between.apply(POSE.apply(place[None]))[0])):
             page.scene.picked.emit(Pointed(surface, 0, tuple(point), None, None))
     until(lambda: comparing.draft.choice.start is not None, 20, "the start")
     assert [len(points) for points in comparing.draft.choice.picks] == [3, 3]

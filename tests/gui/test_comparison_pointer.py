@@ -2,34 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QSignalSpy, QTest
-from PySide6.QtWidgets import QApplication
 
+from app.views.brush_size import BrushSize
 from app.views.comparison_scene import ComparisonScene
+from app.views.drawn_comparison import outline
+from app.views.drawn_surface import DrawnSurface
 from app.views.pointed import Pointed
 from app.views.section_cut import AFTER_LINE, BEFORE_LINE
 from scanner_core.comparison.area import Area
 from scanner_core.virtual.specimens.arch import arch
-from tests.gui.compare_plates import AFTER, COUNT, RIGHT, overlay, pane_of, pixel, shown, standing_scene
+from tests.gui import compare_plates
+from tests.gui.compare_plates import AFTER, DRAWN_AFTER, RIGHT, overlay, pane_of, pixel, shown
 from tests.gui.pictures import near, pixels_of
 from tests.gui.waiting import until, wait_ms
 
-
-@pytest.fixture(scope="module")
-def made(application: QApplication) -> Iterator[ComparisonScene]:
-    yield from standing_scene()
+made, view = compare_plates.made, compare_plates.view
 
 
-@pytest.fixture
-def view(made: ComparisonScene) -> ComparisonScene:
-    shown(made, np.zeros(COUNT))
-    return made
+def _brush(scene: ComparisonScene) -> BrushSize:
+    brush = scene.findChild(BrushSize)
+    assert isinstance(brush, BrushSize)
+    return brush
 
 
 # ------------------------------------------------------------------------------------ the pointer
@@ -60,7 +59,7 @@ def test_the_pointer_tells_vertex_value_and_sign_and_a_click_picks(view: Compari
 
 def test_the_brush_paints_along_its_way_and_only_within_its_radius(view: ComparisonScene) -> None:
     view.set_tool("paint")
-    view.set_brush_mm(1.5)
+    _brush(view).slider.setValue(6)  # quarters of a millimetre
     view.grab_picture()
     spy, ends = QSignalSpy(view.painted), QSignalSpy(view.stroke_ended)
     pane = pane_of(view)
@@ -82,11 +81,15 @@ def test_the_brush_paints_along_its_way_and_only_within_its_radius(view: Compari
     view.set_tool("erase")
     QTest.mouseClick(pane, Qt.MouseButton.LeftButton, pos=start)
     assert spy.at(spy.count() - 1)[1] is False
+    assert _brush(view).isVisible()
+    view.set_tool("look")
+    assert not _brush(view).isVisible()
 
 
 def test_the_lasso_takes_only_what_is_visible(view: ComparisonScene) -> None:
     mesh = arch().mesh
-    view.show_pair(mesh, mesh)
+    drawn = DrawnSurface.of(mesh)
+    view.show_pair(drawn, drawn)
     view.set_tool("lasso")
     view.grab_picture()
     spy = QSignalSpy(view.lassoed)
@@ -107,6 +110,13 @@ def test_the_lasso_takes_only_what_is_visible(view: ComparisonScene) -> None:
     assert (mesh.vertex_normals()[taken, 2] > -0.3).all()
     top = np.nonzero((mesh.vertices[:, 2] > 9.0) & (mesh.vertices[:, 0] < -5) & (mesh.vertex_normals()[:, 2] > 0.5))[0]
     assert np.isin(top, taken).mean() > 0.98
+    held = np.arange(len(mesh.vertices))[::9]
+    places = seen[1].project(mesh.vertices[held])
+    held = held[(np.abs(places - [109, 200]) < [99, 190]).all(axis=1)]  # well within the outline
+    lifted = mesh.vertices[held] + 0.05 * drawn.normals[held]
+    rays = [drawn.picker.seen(lifted[i : i + 1], seen[1].near(lifted[i : i + 1])) == 0 for i in range(len(held))]
+    assert len(held) > 300
+    assert (np.isin(held, taken) == rays).mean() > 0.96  # as a ray to each of them says
 
 
 def test_a_click_with_the_lasso_picks_the_point(view: ComparisonScene) -> None:
@@ -143,7 +153,8 @@ def _area(rank: int, x: float, y: float) -> Area:
 
 def test_areas_have_outlines_and_ranks_that_can_be_clicked(view: ComparisonScene) -> None:
     plain = view.grab_picture().astype(int)
-    view.show_areas([_area(1, -8.0, -8.0), _area(2, 8.0, -8.0)])
+    areas = [_area(1, -8.0, -8.0), _area(2, 8.0, -8.0)]
+    view.show_areas(areas, [outline(DRAWN_AFTER, area.vertices) for area in areas])
     view.select_area(1)
     chosen = np.abs(view.grab_picture().astype(int) - plain).max(axis=2) > 20
     assert chosen[:, :200].sum() > 300
@@ -154,6 +165,46 @@ def test_areas_have_outlines_and_ranks_that_can_be_clicked(view: ComparisonScene
     QTest.mouseClick(pane_of(view), Qt.MouseButton.LeftButton, pos=pixel(view, np.array([8.0, -8.0, 0.0])) + outwards)
     assert spy.count() == 1
     assert spy.at(0)[0] == 2
+
+
+def test_a_rank_stands_where_its_area_is_seen_and_nowhere_else(view: ComparisonScene) -> None:
+    areas = [replace(_area(1, -8.0, -8.0), centroid_mm=np.array([8.0, -8.0, 0.0])), _area(2, 8.0, -8.0)]  # the first one's middle lies beside it
+    view.show_areas(areas, [None, None])
+    view.grab_picture()
+    at = {tag.key: tag.at for tag in overlay(view).tags}
+    assert at[1].x() < pixel(view, np.array([-4.0, -8.0, 0.0])).x()
+    assert at[2].x() > pixel(view, np.array([4.0, -8.0, 0.0])).x()
+    view.set_mode("curtain")
+    view.set_amount(0.5)
+    view.grab_picture()
+    assert [tag.key for tag in overlay(view).tags] == [2]
+    view.set_mode("map")
+    view.look("underside")
+    view.grab_picture()
+    assert overlay(view).tags == []
+    view.look("occlusal")
+    view.set_section((0.0, 0.0, 0.0), (1.0, 0.0, 0.2))
+    view.grab_picture()
+    assert [tag.key for tag in overlay(view).tags] == [1]
+    view.set_section((0.0, 0.0, 0.0), None)
+
+
+def test_a_section_is_faced_without_perspective_and_contours_that_coincide_do_not_alternate(view: ComparisonScene) -> None:
+    view.set_section((0.0, 8.0, 0.0), (0.0, 1.0, 0.0))
+    view.face_section(None)
+    wait_ms(320)
+    view.paint()
+    until(lambda: not view.flying, 3)
+    picture = view.grab_picture()
+    assert overlay(view).bar is not None
+    assert np.array(view.camera_position)[[0, 2]] == pytest.approx([0.0, 1.0], abs=0.3)
+    start, end = sorted(pixel(view, np.array([x, 8.0, 0.0])).x() for x in (-14.0, 2.0))
+    both = near(picture, AFTER_LINE, 40).any(axis=0)[start:end]
+    assert end - start > 100
+    assert both.mean() > 0.97
+    view.set_section((0.0, 0.0, 0.0), None)
+    view.grab_picture()
+    assert overlay(view).bar is None
 
 
 def test_the_camera_flies_to_an_area_and_a_hand_on_it_ends_the_flight(view: ComparisonScene) -> None:

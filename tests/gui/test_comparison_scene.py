@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
@@ -12,21 +10,17 @@ from PySide6.QtTest import QSignalSpy, QTest
 from PySide6.QtWidgets import QApplication
 
 from app.views.comparison_scene import BEFORE_COLOUR, ComparisonScene
+from app.views.drawn_comparison import outline, threshold_lines
+from app.views.drawn_surface import DrawnSurface
 from scanner_core.comparison.colour_scale import HATCH, NO_COUNTERPART
-from tests.gui.compare_plates import AFTER, BEFORE, COUNT, RIGHT, SCALE, bright, pane_of, pixel, plate, shown, standing_scene
+from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.rigid import RigidTransform
+from tests.gui import compare_plates
+from tests.gui.compare_plates import AFTER, BEFORE, COUNT, DRAWN_AFTER, DRAWN_BEFORE, RIGHT, SCALE, bright, overlay, pane_of, pixel, plate, shown
 from tests.gui.pictures import coloured, near
 from tests.gui.waiting import until, wait_ms
 
-
-@pytest.fixture(scope="module")
-def made(application: QApplication) -> Iterator[ComparisonScene]:
-    yield from standing_scene()
-
-
-@pytest.fixture
-def view(made: ComparisonScene) -> ComparisonScene:
-    shown(made, np.zeros(COUNT))
-    return made
+made, view = compare_plates.made, compare_plates.view
 
 
 # ------------------------------------------------------------------------------------ the map
@@ -64,13 +58,13 @@ def test_the_line_runs_where_the_deviation_reaches_the_threshold(view: Compariso
     shown(view, 40.0 * AFTER.vertices[:, 0])  # -600 to 600 um from left to right
     places = []
     for threshold_um in (250.0, 450.0):
-        view.set_threshold_um(threshold_um)
+        view.show_threshold(threshold_lines(DRAWN_AFTER, 40.0 * AFTER.vertices[:, 0], threshold_um))
         dark = (view.grab_picture()[250:350] < 70).all(axis=2)[:, 40:380].mean(axis=0)
         places.append(40 + np.nonzero(dark > 0.6)[0])
         wanted = [pixel(view, np.array([sign * threshold_um / 40, -5.0, 0.0])).x() for sign in (-1, 1)]
         assert all(np.abs(places[-1] - x).min() <= 2 for x in wanted)
         assert len(places[-1]) <= 8
-    view.set_threshold_um(0.0)
+    view.show_threshold(None)
     assert not (view.grab_picture()[250:350, 40:380] < 70).all(axis=2).any()
 
 
@@ -89,7 +83,7 @@ def test_the_painted_mask_is_dotted_and_the_marked_tooth_outlined(view: Comparis
     assert 0.3 < dots[250:350, 230:350].mean() < 0.7
     assert dots[:, :195].sum() == 0
     view.show_mask(None)
-    view.show_part(np.nonzero(AFTER.vertices[:, 0] < -4)[0])
+    view.show_part(outline(DRAWN_AFTER, np.nonzero(AFTER.vertices[:, 0] < -4)[0]))
     violet = coloured(view.grab_picture(), 60)
     assert 1500 < violet.sum() < 6000
     assert violet[:, 180:].sum() == 0
@@ -99,7 +93,7 @@ def test_the_painted_mask_is_dotted_and_the_marked_tooth_outlined(view: Comparis
 
 # ------------------------------------------------------------------------------------ the ways to look
 def test_side_by_side_the_two_views_turn_together(view: ComparisonScene) -> None:
-    view.show_pair(BEFORE, BEFORE)
+    view.show_pair(DRAWN_BEFORE, DRAWN_BEFORE)
     view.set_mode("side_by_side")
     first = view.grab_picture()
     assert near(first[:, :210], BEFORE_COLOUR, 40).sum() > 5000
@@ -186,9 +180,9 @@ def test_escape_is_left_to_whoever_stops_the_laser(view: ComparisonScene) -> Non
 def test_the_camera_stays_when_the_same_surface_is_shown_again(view: ComparisonScene) -> None:
     view.look("left")
     stood = view.camera_position
-    view.show_pair(BEFORE, plate(1.0))
+    view.show_pair(DRAWN_BEFORE, DrawnSurface.of(plate(1.0)))
     assert view.camera_position == stood
-    view.show_pair(plate(), AFTER)
+    view.show_pair(DrawnSurface.of(plate()), DRAWN_AFTER)
     assert view.camera_position != stood
 
 
@@ -216,6 +210,39 @@ def test_the_views_stand_where_their_names_say(view: ComparisonScene) -> None:
     view.set_axes(axes * [1, 1, -1], upper=True)
     view.look("occlusal")
     assert pixel(view, axes @ np.array([0, 10.0, 0])).y() < 190
+
+
+def _oblique() -> tuple[DrawnSurface, RigidTransform]:
+    """A plate in a file that lies anyhow."""
+    pose = RigidTransform.from_vector([0.7, -0.5, 0.6], [20.0, -30.0, 10.0])
+    return DrawnSurface.of(TriangleMesh(pose.apply(BEFORE.vertices), BEFORE.triangles)), pose
+
+
+def test_a_surface_that_lies_obliquely_fills_the_picture_and_its_sides_stand_beside_it(view: ComparisonScene) -> None:
+    drawn, pose = _oblique()
+    view.set_axes(pose.rotation, upper=False)
+    view.show_pair(drawn, drawn)
+    picture = bright(view.grab_picture())[60:]
+    columns = np.nonzero(picture.any(axis=0))[0]
+    assert 0.8 * view.width() < np.ptp(columns) < view.width() - 10
+    sides = {word: place for place, word in overlay(view).sides}
+    assert sides["R"].x() <= columns.min()
+    assert sides["L"].x() >= columns.max()
+    view.set_mode("side_by_side")
+    view.grab_picture()
+    placed = [(word, place.x()) for place, word in overlay(view).sides]
+    assert [word for word, _ in placed] == ["R", "L", "R", "L"]
+    assert (np.diff([0.0, *(x for _, x in placed), view.width()]) >= 19).all()  # in its own picture, and no letter on another
+    assert placed[1][1] <= 210 - 19
+    assert placed[2][1] >= 210 + 19
+    view.set_axes(pose.rotation, upper=None)
+    view.grab_picture()
+    assert overlay(view).sides == []  # which side it is, is not known
+    view.set_axes(pose.rotation, upper=False)
+    view.set_mode("map")
+    view.look("left")
+    view.grab_picture()
+    assert overlay(view).sides == []  # seen along the line between them
 
 
 # ------------------------------------------------------------------------------------ the pace
