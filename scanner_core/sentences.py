@@ -264,8 +264,9 @@ SENTENCES: dict[str, Sentence] = {
     ),
     # ------------------------------------------------------------------------------------------ comparison: alignment
     "E-CMP-01": Sentence(
-        "{after} and {before} do not fit onto each other: in the best pose only {score} % of the surface agrees. They seem to be different objects.",
-        "Both files are untouched; check that they show the same jaw, and if they do, pick three points on both.",
+        "{after} and {before} do not fit onto each other: in the best pose only {score} % of the surface agrees. "
+        "They seem to be different objects, or opposite sides of one.",
+        "Both files are untouched; check that they show the same object and that the normals of both point outwards, then pick three points on both.",
     ),
     "E-CMP-02": Sentence(
         "{after} and {before} do not overlap: nothing of one lies within {reach_mm} mm of the other.",
@@ -277,7 +278,7 @@ SENTENCES: dict[str, Sentence] = {
         "Both files are untouched and nothing was mirrored; choose the same side, or export the mirrored one again without mirroring.",
     ),
     "E-CMP-04": Sentence(
-        "{name} holds {triangles} measured triangles with an area; a comparison needs at least {least}.",
+        "{name} holds too few measured triangles with an area: {triangles}, but a comparison needs at least {least}.",
         "The file is untouched; scan or export the surface again.",
     ),
     "E-CMP-05": Sentence(
@@ -294,7 +295,7 @@ SENTENCES: dict[str, Sentence] = {
         "Nothing was changed; mark more of the tooth.",
     ),
     "E-CMP-20": Sentence(
-        "{path} holds {triangles} triangles, too few for a comparison; at least {least} are needed.",
+        "{path} holds too few triangles for a comparison: {triangles}, but at least {least} are needed.",
         "Nothing was compared; choose the whole surface.",
     ),
     "E-CMP-21": Sentence("The triangles of {path} all lie in one point or line.", "Nothing was compared; export the mesh again from its program."),

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import isfinite
 
 import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.commands.console import Console
+from scanner_core.comparison.arch_frame import arch_frame
 from scanner_core.comparison.area import Area
 from scanner_core.comparison.area_bar import AreaBar
 from scanner_core.comparison.compare import CompareRequest
@@ -56,7 +58,8 @@ def comparison_summary(comparison: Comparison) -> list[str]:
         f"{after.name} ({len(after.mesh.triangles)} triangles, {after.unit}) against {before.name} ({len(before.mesh.triangles)}, {before.unit}).",
         *_alignment(comparison),
         f"Deviation, + outward: mean {found.mean_um:+.1f} um, rms {found.rms_um:.1f} um, 95 % below {found.p95_um:.1f} um, "
-        f"largest {found.max_um:.0f} um; {100 * found.no_counterpart_fraction:.1f} % of the surface has no counterpart. "
+        f"largest {found.max_um:.0f} um; {100 * found.no_counterpart_fraction:.1f} % of the surface has no counterpart "
+        f"(farther than {comparison.parameters.no_counterpart_mm:g} mm, or beyond a border). "
         f"Level of detection: {comparison.deviation.detection_level_um:.1f} um.",
     ]
     if comparison.null_level_um is not None:
@@ -65,8 +68,19 @@ def comparison_summary(comparison: Comparison) -> list[str]:
     size = f"of at least {bar.extent_mm2:g} mm2 that differ by more than {bar.deviation_um:.0f} um"
     lines.append(f"Areas {size}: {len(comparison.areas) or 'none'}.")
     lines += [_area(area, comparison) for area in comparison.areas]
+    if comparison.alignment.frame is not Frame.GIVEN or any(area.motion for area in comparison.areas):
+        lines.append("+- is the expanded uncertainty (k = 2); --json tells standard uncertainties (k = 1).")
+    lines += _jaw_advice(comparison)
     lines.append("No serious doubt." if comparison.reliable else "NOT RELIABLE; the warnings say why.")
     return lines
+
+
+def _jaw_advice(comparison: Comparison) -> list[str]:
+    """What would tell the places of the areas in the words of the mouth."""
+    if comparison.parameters.jaw is not None or not comparison.areas:
+        return []
+    arch = arch_frame(comparison.before.mesh, comparison.before.supported)
+    return [] if arch is None or arch.forward is None else ["Say --jaw upper or lower for right, left, cheek and tongue."]
 
 
 def _alignment(comparison: Comparison) -> list[str]:
@@ -74,7 +88,7 @@ def _alignment(comparison: Comparison) -> list[str]:
     said = f"Alignment, held fixed: {HELD[alignment.frame]}"
     if alignment.frame is not Frame.GIVEN:
         said += f" ({100 * alignment.stable_area_fraction:.0f} % of the area; {alignment.method}): rms {alignment.rms_um:.1f} um, "
-        said += f"uncertainty {alignment.uncertainty_um:.1f} um, size after / before {alignment.scale_ratio:.5f}"
+        said += f"uncertainty +- {2 * alignment.uncertainty_um:.1f} um, size after / before {alignment.scale_ratio:.5f}"
     return [said + ".", *(f"    {sentence}" for sentence in shift_sentences(comparison))]
 
 
@@ -84,8 +98,8 @@ def _area(area: Area, comparison: Comparison) -> str:
     told += f", volume {area.volume_mm3:+.2f} mm3"
     if area.motion is not None:
         moved = float(np.linalg.norm(area.motion.displacement_mm))
-        told += f"; moved {moved:.3f} mm +- {area.motion.displacement_uncertainty_um:.0f} um, turned {area.motion.angle_deg:.2f} deg"
-        told += f" +- {area.motion.angle_uncertainty_deg:.2f} deg"
+        told += f"; moved {moved:.3f} mm +- {2 * area.motion.displacement_uncertainty_um:.0f} um, turned {area.motion.angle_deg:.2f} deg"
+        told += f" +- {2 * area.motion.angle_uncertainty_deg:.2f} deg"
     return told + (" (not above the null comparison)" if above_null(area, comparison) is False else "")
 
 
@@ -103,10 +117,16 @@ def series_summary(series: Series) -> list[str]:
     lines = [f"Series of {len(series.names)}, all in the frame of {series.names[0]}."]
     for name, comparison in zip(series.names[1:], series.to_first, strict=True):
         found = comparison.deviation.statistics
-        lines.append(f"{name}: rms {found.rms_um:.1f} um, 95 % below {found.p95_um:.1f} um, {len(comparison.areas)} areas of difference.")
+        areas = "1 area" if len(comparison.areas) == 1 else f"{len(comparison.areas) or 'no'} areas"
+        lines.append(f"{name}: rms {found.rms_um:.1f} um, 95 % below {found.p95_um:.1f} um, {areas} of difference.")
     for number, closure_um in enumerate(series.closure_um, 2):
         lines.append(f"Going through {series.names[number - 1]}, {series.names[number]} lands {closure_um:.1f} um beside its direct place.")
     for track in series.tracks:
-        course = ", ".join(f"{magnitude:.0f}" for magnitude in track.p95_um)
-        lines.append(f"    {track.words} [{', '.join(f'{value:.1f}' for value in track.centroid_mm)}] mm: {course} um over time")
-    return lines
+        places = ", ".join(f"{value:.1f}" for value in track.centroid_mm)
+        course = ", ".join(_at_a_time(name, magnitude_um) for name, magnitude_um in zip(series.names[1:], track.p95_um, strict=True))
+        lines.append(f"    {track.words} [{places}] mm; 95 % below: {course}")
+    return lines + (_jaw_advice(series.to_first[-1]) if series.tracks else [])
+
+
+def _at_a_time(name: str, magnitude_um: float) -> str:
+    return f"{name} {magnitude_um:.0f} um" if isfinite(magnitude_um) else f"{name} without counterpart"

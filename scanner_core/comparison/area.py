@@ -52,6 +52,7 @@ class Area:
     parts : connected patches
     words : for a person
     motion : of the part, when the area is one rigidly moved part
+    both_ways : whether it stands out here and lies deeper there
     """
 
     rank: int
@@ -66,3 +67,4 @@ class Area:
     parts: int
     words: str
     motion: PartMotion | None = None
+    both_ways: bool = False

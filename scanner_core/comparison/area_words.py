@@ -24,12 +24,17 @@ def area_words(area: Area, frame: ArchFrame | None, jaw: Jaw | None) -> str:
     Directions of the mouth - cheek, lip, tongue, palate, right, left - need the jaw, which geometry cannot tell; without it the arch's
     own are used.  What is no arch only stands out or lies deeper.
     """
-    if area.motion is None:
-        change = f"{'stands out' if area.mean_um > 0 else 'lies deeper'} by {abs(area.mean_um) / 1e3:.2f} mm"
-    else:
-        change = _motion_words(area.motion, frame, jaw)
+    change = _change_words(area, frame) if area.motion is None else _motion_words(area.motion, frame, jaw)
     place = region_words(area.centroid_mm if area.motion is None else area.motion.centre, frame, jaw)
     return f"{change}; {place}" if place else change
+
+
+def _change_words(area: Area, frame: ArchFrame | None) -> str:
+    """Of what has no motion, by the P95: a mean is less the farther an area reaches, and nothing where it differs in both directions."""
+    most = f"by up to {area.p95_um / 1e3:.2f} mm"
+    if not area.both_ways:
+        return f"{'stands out' if area.mean_um > 0 else 'lies deeper'} {most}"
+    return f"differs {most} in both directions" if frame is None else f"changed {most}, not as one rigid part"
 
 
 def region_words(place: Array, frame: ArchFrame | None, jaw: Jaw | None) -> str:
@@ -51,7 +56,7 @@ def _region(share: float) -> str:
 
 def _motion_words(motion: PartMotion, frame: ArchFrame | None, jaw: Jaw | None) -> str:
     length = float(np.linalg.norm(motion.displacement_mm))
-    words = f"moved {length:.1f} mm"
+    words = f"moved {length:.1f} mm" if length >= 0.05 else f"moved {length:.2f} mm"
     if frame is not None:
         parts = sorted(_directions(motion, frame, jaw), reverse=True)
         told = [name for size, name in parts[:2] if size >= _SECOND * parts[0][0]]

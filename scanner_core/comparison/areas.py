@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from scanner_core.comparison.alignment import Alignment
 from scanner_core.comparison.arch_frame import arch_frame
@@ -29,6 +30,19 @@ THRESHOLD_UM = 200.0
 """Least deviation of an area; the level of detection where that is greater."""
 SMOOTHING_MM = 0.4
 _LEAST_PATCH_MM2 = 0.5
+_BOTH_WAYS = 0.1
+"""Least share of an area on the other side of the surface for which it is said to differ in both directions."""
+_SURE = 2.0
+"""Standard uncertainties that a displacement must exceed to be told."""
+_EXPLAINED = 1.2
+"""P95 of an area's deviation over the largest displacement of its part: no point comes to lie farther off than the part has moved."""
+_OFF_MM, _MOST_OFF = 0.2, 0.12
+"""What is farther from where the motion puts it, beyond the noise, has not gone along; share of such points
+of the free part of an area above which one motion does not explain it."""
+_MOST_RMS = 3.0
+"""Rms of what the motion leaves over, in units of the noise and of `_MODEL_UM`."""
+_MODEL_UM = 30.0
+"""By which a rigid motion misses tissue that did go along with it."""
 
 
 def find_areas(
@@ -44,8 +58,9 @@ def find_areas(
     """Areas where the smoothed signed deviation exceeds `THRESHOLD_UM` or the level of detection, greatest first.
 
     On an arch, what differs on a crown that has moved as a rigid body is one entry, however many patches it shows as, and
-    what a moved crown pushes over onto the flanks of its neighbours belongs to it.  Elsewhere each connected patch is one.  Entries
-    with a motion come first, by how far the part's centre has moved; the others follow by their volume.  Raises `Cancelled`.
+    what a moved crown pushes over onto the flanks of its neighbours belongs to it.  Elsewhere each connected patch is one.  A motion is
+    told only where it is more than its uncertainty and explains the area.  The order is that of the displacement of the part's
+    centre or of the P95 of the deviation, whichever is greater.  Raises `Cancelled`.
     """
     progress(Progress("areas", 0.0))
     mesh = TriangleMesh(alignment.transform.apply(after.mesh.vertices), after.mesh.triangles)
@@ -63,7 +78,16 @@ def find_areas(
         plain_groups(over, table, area_mm2)
         if frame is None
         else crown_groups(
-            mesh, over, seen, find_crowns(mesh, frame.up, smoother, table), frame.up, smoother, table, before.mesh, alignment, cancelled
+            mesh,
+            over,
+            seen | _gone_far(before, after, mesh.vertices, deviation, parameters.no_counterpart_mm),
+            find_crowns(mesh, frame.up, smoother, table),
+            frame.up,
+            smoother,
+            table,
+            before.mesh,
+            alignment,
+            cancelled,
         )
     )
     progress(Progress("areas", 0.8))
@@ -73,12 +97,46 @@ def find_areas(
         if group.fit is not None:
             middle = mesh.vertices[group.body].mean(axis=0)
             motion = motion_of_fit(group.fit, middle, float(area_mm2[group.core].sum()), alignment, None if frame is None else frame.up)
-        area = _area(group, mesh, normals, area_mm2, smooth, deviation, table, motion)
-        moved = 0.0 if motion is None else float(np.linalg.norm(motion.displacement_mm))
-        ranked.append((moved, replace(area, words=area_words(area, frame, parameters.jaw))))
-    ranked.sort(key=lambda entry: (-entry[0], -abs(entry[1].volume_mm3)))
+        area = _area(group, mesh, normals, area_mm2, smooth, deviation, table)
+        if motion is not None and _explains(motion, group, mesh.vertices, area.p95_um, alignment.noise_um):
+            area = replace(area, motion=motion)
+        ranked.append((_size_um(area), replace(area, words=area_words(area, frame, parameters.jaw))))
+    ranked.sort(key=lambda entry: -entry[0])
     progress(Progress("areas", 1.0))
     return tuple(replace(area, rank=rank) for rank, (_, area) in enumerate(ranked, 1))
+
+
+def _gone_far(before: ComparedSurface, after: ComparedSurface, places: Array, deviation: Deviation, most_mm: float) -> NDArray[np.bool_]:
+    """Vertices (v,) of the after surface, its aligned `places` (v, 3), without counterpart only because they have gone too far.
+
+    What lies opposite to the rim of the before surface, or to a part of it that is no measurement, was never seen there.
+    """
+    far = after.supported & ~np.isfinite(deviation.signed_um) & (np.linalg.norm(places - deviation.feet_mm, axis=1) > most_mm)
+    if far.any():
+        table = EdgeTable.of(before.mesh.triangles)
+        inner = before.supported.copy()
+        inner[table.edges[np.bincount(table.side_edges.ravel(), minlength=len(table.edges)) == 1].ravel()] = False
+        far[far] = inner[cKDTree(before.mesh.vertices).query(deviation.feet_mm[far])[1]]
+    return np.asarray(far)
+
+
+def _size_um(area: Area) -> float:
+    """By which all entries, moved parts or not, are ranked."""
+    return area.p95_um if area.motion is None else max(area.p95_um, 1e3 * float(np.linalg.norm(area.motion.displacement_mm)))
+
+
+def _explains(motion: PartMotion, group: PatchGroup, places: Array, p95_um: float, noise_um: float) -> bool:
+    """Whether a motion is beyond doubt, is what the area of deviation shows, and leaves little more than noise over.
+
+    `places` (v, 3) are the vertices of the aligned after surface.
+    """
+    assert group.fit is not None, "a motion comes from a fit"
+    steps = places[group.body] - group.fit.transform.apply(places[group.body])
+    largest_um = 1e3 * float(np.sqrt((steps * steps).sum(axis=1).max()))
+    sure = 1e3 * float(np.linalg.norm(motion.displacement_mm)) > _SURE * motion.displacement_uncertainty_um
+    off = group.left_mm > _OFF_MM + 2e-3 * noise_um
+    rigid = off.sum() <= _MOST_OFF * len(off) and motion.rms_um < _MOST_RMS * np.hypot(noise_um, _MODEL_UM)
+    return bool(sure and rigid and p95_um <= _EXPLAINED * largest_um + 2 * noise_um)
 
 
 def _area(
@@ -89,7 +147,6 @@ def _area(
     smooth_um: Array,
     deviation: Deviation,
     table: EdgeTable,
-    motion: PartMotion | None,
 ) -> Area:
     vertices = group.vertices
     inside = np.zeros(len(mesh.vertices), np.bool_)
@@ -111,7 +168,7 @@ def _area(
         volume_mm3=volume_between(mesh.vertices, deviation.feet_mm, mesh.triangles[at_all], corners[at_all] / 3),
         parts=_parts(inside, smooth_um, table, area_mm2),
         words="",
-        motion=motion,
+        both_ways=bool(_BOTH_WAYS < weight[signed > 0].sum() / weight.sum() < 1 - _BOTH_WAYS),
     )
 
 

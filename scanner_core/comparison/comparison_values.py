@@ -126,7 +126,7 @@ def _area(area: Area, comparison: Comparison) -> dict[str, object]:
 
 
 def motion_values(motion: PartMotion) -> dict[str, object]:
-    """The rigid motion of a part, before to after, in the frame of BEFORE."""
+    """The rigid motion of a part, before to after, in the frame of BEFORE; as all of the JSON with standard uncertainties (k = 1)."""
     return {
         "transform_before_to_after": motion.transform.matrix().tolist(),
         "centre_mm": [_number(value, 4) for value in motion.centre.tolist()],

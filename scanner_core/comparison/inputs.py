@@ -163,13 +163,13 @@ def _joined(mesh: TriangleMesh) -> tuple[TriangleMesh, list[Doubt]]:
     kept = first[used]
     doubts = []
     if apart:
-        doubts.append(Doubt("points-joined", f"{apart} of its points had exactly the place of another one; they were joined.", serious=False))
+        doubts.append(Doubt("points-joined", f"Points with exactly the place of another one were joined: {apart}.", serious=False))
     if loose:
-        doubts.append(Doubt("points-loose", f"{loose} of its points belong to no triangle; they were left out.", serious=False))
+        doubts.append(Doubt("points-loose", f"Points that belong to no triangle were left out: {loose}.", serious=False))
     a, b, c = triangles.T
     whole = (a != b) & (b != c) & (c != a)
     if not whole.all():
-        words = f"{int((~whole).sum())} of its triangles had no extent but a line or point; they were left out."
+        words = f"Triangles without an extent but a line or point were left out: {int((~whole).sum())}."
         doubts.append(Doubt("triangles-collapsed", words, serious=False))
     attributes = {name: values[kept] for name, values in mesh.vertex_attributes.items()}
     return TriangleMesh(vertices[used], number[triangles[whole]], attributes), doubts

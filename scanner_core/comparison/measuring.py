@@ -18,6 +18,8 @@ LEAST_NOISE_UM = 0.5
 """Standard deviation below which no distance of two files is known: the level of detection of identical files is 1 um, not 0."""
 COVERAGE = 1.96
 """Two-sided 95 % of a normal distribution."""
+_TOUCHING_MM = 1e-6
+"""Beside a border this close, a point lies on it, and it is the counterpart: of identical files nothing is left out."""
 THRESHOLDS_UM = (100, 250, 500)
 _PERCENTILES = (50.0, 95.0, 99.0)
 
@@ -34,7 +36,7 @@ def measure_deviation(
     """Signed distances of the aligned surfaces, after to before and before to after.
 
     A vertex has no counterpart, and is NaN, where the closest point is farther than `parameters.no_counterpart_mm`, lies on
-    the border of the other surface or on a part of it that is no measurement, or where the vertex itself is none.
+    the border of the other surface, the vertex itself beside it, or on a part of it that is no measurement, or where the vertex itself is none.
 
     Raises `Cancelled`.
     """
@@ -106,7 +108,8 @@ def deviation_statistics(signed_um: Array, before_signed_um: Array, area_mm2: Ar
 
 def _with_counterpart(feet: SignedFeet, supported: NDArray[np.bool_], other: ComparedSurface, parameters: ComparisonParameters) -> Array:
     """Signed distances in um, NaN without counterpart."""
-    counts = supported & ~feet.on_border & (np.abs(feet.signed_mm) <= parameters.no_counterpart_mm)
+    distance = np.abs(feet.signed_mm)
+    counts = supported & ~(feet.on_border & (distance > _TOUCHING_MM)) & (distance <= parameters.no_counterpart_mm)
     if not other.supported.all():
         counts &= feet.of_vertices(other.mesh, (~other.supported).astype(np.float64)) < 1e-9
     return np.where(counts, 1e3 * feet.signed_mm, np.nan)

@@ -136,11 +136,14 @@ class PartFitter:
         residual, jacobian, facing, centre, _ = self._linear(placed, transform.rotate(normals), outward, nearest)
         return PartFit(transform, residual, _tukey(residual, least) * facing, jacobian, centre)
 
+    def distances_mm(self, points: Array, transform: RigidTransform) -> Array:
+        """How far from the before surface points (n, 3) lie after a motion, (n,)."""
+        placed = transform.apply(points)
+        return np.asarray(self._walk.feet(placed, np.asarray(self._tree.query(placed)[1], np.int64)).distances_mm)
+
     def mean_square_mm2(self, points: Array, transform: RigidTransform, most_mm: float) -> float:
         """How badly a motion explains points (n, 3): the mean square of their distances, none of which counts more than `most_mm`."""
-        placed = transform.apply(points)
-        far = self._walk.feet(placed, np.asarray(self._tree.query(placed)[1], np.int64)).distances_mm
-        return float((np.minimum(far, most_mm) ** 2).mean())
+        return float((np.minimum(self.distances_mm(points, transform), most_mm) ** 2).mean())
 
     def _linear(self, placed: Array, normals: Array, outward: Array, nearest: Indices) -> tuple[Array, Array, Array, Array, Indices]:
         """Of placed points (n, 3) with normals (n, 3), each sought from a vertex `nearest` (n,) of the before surface, facing `outward` (v, 3).

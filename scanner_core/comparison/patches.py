@@ -39,26 +39,32 @@ class PatchGroup:
     body : (m,) the free part of the moved body that it lies on, empty where none has moved
     core : (n,) what of that was fitted
     fit : of the core onto the before surface; None where no body has moved
+    left_mm : (f,) how far from the before surface this fit leaves the body and whatever else differs and stands free of the gum
     """
 
     vertices: Indices
     body: Indices
     core: Indices
     fit: PartFit | None
+    left_mm: Array
+
+
+def _unmoved(vertices: Indices) -> PatchGroup:
+    none = np.empty(0, np.int64)
+    return PatchGroup(vertices, none, none, None, np.empty(0))
 
 
 def plain_groups(over: NDArray[np.bool_], table: EdgeTable, area_mm2: Array) -> list[PatchGroup]:
     """Each connected patch of `over` (v,) that is no speck."""
     label = connected(over, table.edges)
     size = np.bincount(label[over], area_mm2[over])
-    none = np.empty(0, np.int64)
-    return [PatchGroup(np.flatnonzero(label == i), none, none, None) for i in np.flatnonzero(size >= LEAST_AREA_MM2)]
+    return [_unmoved(np.flatnonzero(label == i)) for i in np.flatnonzero(size >= LEAST_AREA_MM2)]
 
 
 def crown_groups(
     mesh: TriangleMesh,
     over: NDArray[np.bool_],
-    seen: NDArray[np.bool_],
+    measured: NDArray[np.bool_],
     crowns: Crowns,
     up: Array,
     smoother: SurfaceSmoother,
@@ -70,22 +76,28 @@ def crown_groups(
     """Patches of `over` (v,) by the moved crowns that they lie on or touch; what touches none is grouped as if there were no crowns.
 
     Of a patch that several moved crowns share, each has its free part, and what lies lower belongs to the one whose middle is nearest,
-    seen along `up` (3,): on the gum between two teeth nothing else tells.  `mesh` is the aligned after surface, `seen` (v,) its
-    vertices with a counterpart.
+    seen along `up` (3,): on the gum between two teeth nothing else tells.  `mesh` is the aligned after surface, `measured` (v,) its
+    vertices where the before surface was measured too, however far away that is by now.
     """
     area_mm2 = smoother.area_mm2
-    finder = BodyFinder(mesh, over, seen, crowns, smoother, table, PartFitter(before), alignment, cancelled)
+    fitter = PartFitter(before)
+    finder = BodyFinder(mesh, over, measured, crowns, up, smoother, table, fitter, alignment, cancelled)
     bodies, still = finder.bodies()
     label = connected(over, table.edges)
-    owner = _owners(mesh.vertices - np.outer(mesh.vertices @ up, up), label, bodies, crowns.free & seen & ~still, area_mm2)
+    owner = _owners(mesh.vertices - np.outer(mesh.vertices @ up, up), label, bodies, crowns.free & measured & ~still, area_mm2)
     core = finder.core(bodies)
     groups = []
     for body in np.unique(owner[owner >= 0]).tolist():
         vertices = np.flatnonzero(owner == body)
         if area_mm2[vertices].sum() >= LEAST_AREA_MM2:
-            free = np.flatnonzero((bodies == body) & crowns.free & seen)
+            free = np.flatnonzero((bodies == body) & crowns.free & measured)
             fitted = free[core[free]] if core[free].sum() >= LEAST_POINTS else free
-            groups.append(PatchGroup(vertices, free, fitted, finder.fit(fitted, finder.start[body])))
+            shown = fitted[finder.shown(fitted, finder.start[body])]
+            fitted = shown if len(shown) >= LEAST_POINTS else fitted
+            fit = finder.fit(fitted, finder.start[body])
+            told = np.union1d(free, vertices[crowns.free[vertices]])
+            left_mm = fitter.distances_mm(mesh.vertices[told[finder.shown(told, fit.transform)]], fit.transform)
+            groups.append(PatchGroup(vertices, free, fitted, fit, left_mm))
     rest = over & (owner < 0)
     if not rest.any():
         return groups
@@ -96,7 +108,6 @@ def _with_near_patches(groups: list[PatchGroup], label: Indices, places: Array, 
     """The remaining patches, by their number `label` (v,): each to the group that it lies beside, or on its own if it is no speck."""
     groups = list(groups)
     trees = [cKDTree(places[group.vertices]) for group in groups]
-    none = np.empty(0, np.int64)
     for patch in range(int(label.max()) + 1):
         vertices = np.flatnonzero(label == patch)
         ways = [float(tree.query(places[vertices])[0].min()) for tree in trees]
@@ -104,7 +115,7 @@ def _with_near_patches(groups: list[PatchGroup], label: Indices, places: Array, 
             nearest = int(np.argmin(ways))
             groups[nearest] = replace(groups[nearest], vertices=np.union1d(groups[nearest].vertices, vertices))
         elif area_mm2[vertices].sum() >= LEAST_AREA_MM2:
-            groups.append(PatchGroup(vertices, none, none, None))
+            groups.append(_unmoved(vertices))
     return groups
 
 

@@ -84,7 +84,8 @@ class Series:
 
     def csv(self) -> str:
         """One line a track and time; places in mm in the frame of the first surface."""
-        head = "track,words,x_mm,y_mm,z_mm,surface,date,listed,mean_um,p95_um,volume_mm3,dx_mm,dy_mm,dz_mm,displacement_uncertainty_um,angle_deg"
+        head = "track,words,x_mm,y_mm,z_mm,surface,date,listed,mean_um,p95_um,volume_mm3,"
+        head += "dx_mm,dy_mm,dz_mm,displacement_expanded_uncertainty_k2_um,angle_deg"
         text = io.StringIO()
         rows = csv.writer(text, lineterminator="\n")
         rows.writerow(head.split(","))
@@ -163,7 +164,7 @@ def measure_series(
         if closure_um > max(CLOSURE_SIGMAS * uncertainty_um, CLOSURE_SHARE * parameters.tolerance_um):
             words = (
                 f"{names[number]} lands {closure_um:.0f} um beside its place when it goes over {names[number - 1]} "
-                f"(expected: {uncertainty_um:.0f} um): what is taken as stable may have moved."
+                f"(+- {2 * uncertainty_um:.0f} um, k = 2): what is taken as stable may have moved."
             )
             doubts.append(Doubt("series-does-not-close", words, serious=True))
     return Series(

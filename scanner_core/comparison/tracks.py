@@ -53,10 +53,10 @@ class Track:
         }
 
     def cells(self, when: int) -> list[str]:
-        """Of a table's line: listed, mean, P95, volume, displacement (3), its uncertainty, angle; empty is what is not known."""
+        """Of a table's line: listed, mean, P95, volume, displacement (3), its expanded uncertainty (k = 2), angle; empty is what is not known."""
         motion = self.motions[when]
         numbers = [_known(values[when]) for values in (self.mean_um, self.p95_um, self.volume_mm3)]
-        moved = [None] * 5 if motion is None else [*motion.displacement_mm.tolist(), motion.displacement_uncertainty_um, motion.angle_deg]
+        moved = [None] * 5 if motion is None else [*motion.displacement_mm.tolist(), 2 * motion.displacement_uncertainty_um, motion.angle_deg]
         return [str(int(self.listed[when])), *("" if value is None else f"{value:.4g}" for value in [*numbers, *moved])]
 
 

@@ -19,7 +19,10 @@ from scanner_core.comparison.surface import ComparedSurface
 TITLE = "Comparison of two surfaces"
 PROGRAM = f"Impronta {__version__}"
 VERSIONS = f"{PROGRAM}, Python {platform.python_version()}, numpy {np.__version__}, vtk {vtkVersion.GetVTKVersion()}"
-DIRECTION = "Deviations are those of AFTER against BEFORE: + where AFTER lies outside of BEFORE, − where it lies inside."
+DIRECTION = (
+    "Deviations are those of AFTER against BEFORE: + where AFTER lies outside of BEFORE, − where it lies inside. "
+    "± is the expanded uncertainty U (k = 2) everywhere."
+)
 AREA_HEADER = ("", "what was found", "max / mm", "P95 / mm", "area / mm²", "volume / mm³", "motion / mm", "rotation / °", "> null")
 _CONCERN = {"Order": ("order", "side", "type"), "Date": ("date",), "Measured": ("rig", "calibration_id", "calibration_date")}
 """What of a surface's origin is told.  Never its path, which often holds a patient's name."""
@@ -42,6 +45,11 @@ def signed(value: float, digits: int) -> str:
     return text.lstrip("+-") if float(text.replace(",", "")) == 0 else text.replace("-", "−")
 
 
+def count_of(number: int, thing: str) -> str:
+    """One remark, 2 remarks."""
+    return f"one {thing}" if number == 1 else f"{number} {thing}s"
+
+
 def subject(comparison: Comparison) -> str:
     """What is compared: the order where there is one, else the files."""
     orders = [str(surface.origin.get("order") or "") for surface in (comparison.before, comparison.after)]
@@ -55,6 +63,9 @@ def verdict(comparison: Comparison) -> str:
     """One sentence: the verdict, and why when it is bad."""
     serious = _sentences(comparison, serious=True)
     if not serious:
+        count = len(remarks(comparison))
+        if count:
+            return f"Reliable; {count_of(count, 'remark')} below."
         return "Reliable: nothing was found that speaks against this result."
     more = f" ({len(serious) - 1} more below.)" if len(serious) > 1 else ""
     return f"Not reliable: {serious[0]}{more}"
@@ -147,8 +158,8 @@ def alignment_card(comparison: Comparison) -> Facts:
         ("Overlap", f"{100 * a.overlap:.0f} % of AFTER has a counterpart"),
         ("Residual", f"{number(a.rms_um / 1000, 3)} mm rms on the stable region"),
         ("Noise", f"{number(a.noise_um / 1000, 3)} mm, both surfaces{correlation}"),
-        ("Uncertainty", "not estimated" if a.frame is Frame.GIVEN else f"{number(a.uncertainty_um / 1000, 4)} mm (k = 1) of a stable point"),
-        ("Scale ratio", f"{a.scale_ratio:.5f} ± {a.scale_ratio_uncertainty:.5f} (k = 1); not applied"),
+        ("Uncertainty", "not estimated" if a.frame is Frame.GIVEN else f"± {number(2e-3 * a.uncertainty_um, 4)} mm of a stable point"),
+        ("Scale ratio", f"{a.scale_ratio:.5f} ± {2 * a.scale_ratio_uncertainty:.5f}; not applied"),
     )
 
 
@@ -180,7 +191,7 @@ def area_note(comparison: Comparison) -> str:
         null = " “> null” stays open until a null comparison is stored with the rig."
     return (
         "max is signed, P95 is of the magnitude. Motion is that of the part's centre, fitted as a rigid body, "
-        f"± U (k = 2), the alignment included; a map alone shows less than a tooth moved.{null}"
+        f"its ± includes the alignment; a map alone shows less than a tooth moved.{null}"
     )
 
 

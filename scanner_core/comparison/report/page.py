@@ -93,6 +93,9 @@ def _head(page: Page, comparison: Comparison) -> tuple[str, ...]:
             break
         page.paragraph(remarks.pop(0), 7.5, GREY)
         page.y_mm -= 1.0
+    if remarks:
+        page.paragraph(f"{content.count_of(len(remarks), 'more remark').capitalize()} on the next page.", 7.5, GREY)
+        page.y_mm -= 1.0
     page.y_mm += 2.2
     _inputs(page, comparison)
     return tuple(remarks)
@@ -151,12 +154,9 @@ def _rows_within(rows: Sequence[tuple[str, ...]], height_mm: float) -> int:
 
 
 def _broken(words: str) -> list[str]:
-    """The words of an area in at most two lines."""
+    """The words of an area in as many lines as they need: the side of the mouth may stand last.  Only a word that is too wide is cut."""
     width = _COLUMNS[1] - 1.5
-    lines = wrapped(words, width, 7.5)
-    if len(lines) > 2:
-        lines = [lines[0], " ".join(lines[1:])]
-    return [shortened(part, width, 7.5) for part in lines] or [""]
+    return [shortened(part, width, 7.5) for part in wrapped(words, width, 7.5)] or [""]
 
 
 def _numbers(page: Page, comparison: Comparison) -> None:

@@ -12,7 +12,7 @@ from scanner_core.comparison.comparison_values import above_null
 
 COLUMNS = (
     *("rank", "words", "centroid_x_mm", "centroid_y_mm", "centroid_z_mm", "area_mm2", "mean_um", "p95_um", "max_um", "volume_mm3", "parts"),
-    *("motion_mm", "motion_expanded_uncertainty_mm", "rotation_deg", "rotation_expanded_uncertainty_deg", "above_null_level"),
+    *("motion_mm", "motion_expanded_uncertainty_k2_mm", "rotation_deg", "rotation_expanded_uncertainty_k2_deg", "above_null_level"),
 )
 """Names and units of the columns; places in the frame of BEFORE, deviations of AFTER against BEFORE, + outward, uncertainties with k = 2."""
 

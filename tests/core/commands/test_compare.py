@@ -141,7 +141,7 @@ def test_surfaces_that_face_inwards_are_named(impronta: Run, files: Callable[...
 @pytest.mark.parametrize(
     ("case", "words"),
     [
-        ("one triangle", "holds 1 triangles, too few"),
+        ("one triangle", "holds too few triangles for a comparison: 1, but"),
         ("other", "do not fit onto each other"),
         ("mirrored", "is mirrored"),
         ("apart", "do not overlap"),

@@ -97,7 +97,14 @@ def test_words_for_front_teeth_and_for_the_way_out_of_the_gum() -> None:
 
 
 def test_what_did_not_move_as_a_body_stands_out_or_lies_deeper() -> None:
-    bump = replace(moved([25.0, -15.0, 4.0], [0, 0, 0]), motion=None, mean_um=310.0)
-    assert area_words(bump, None, Jaw.LOWER) == "stands out by 0.31 mm"
-    assert area_words(replace(bump, mean_um=-310.0), frame_of(horseshoe()), None) == "lies deeper by 0.31 mm; molar region"
+    bump = replace(moved([25.0, -15.0, 4.0], [0, 0, 0]), motion=None, mean_um=210.0, p95_um=1310.0)
+    assert area_words(bump, None, Jaw.LOWER) == "stands out by up to 1.31 mm"
+    assert area_words(replace(bump, mean_um=-210.0), frame_of(horseshoe()), None) == "lies deeper by up to 1.31 mm; molar region"
+    both = replace(bump, both_ways=True)
+    assert area_words(both, None, None) == "differs by up to 1.31 mm in both directions"
+    assert area_words(both, frame_of(horseshoe()), None) == "changed by up to 1.31 mm, not as one rigid part; molar region"
     assert region_words(np.zeros(3), None, Jaw.UPPER) == ""
+
+
+def test_no_part_moved_by_zero() -> None:
+    assert area_words(moved([4.0, 21.5, 4.0], [0.04, 0.0, 0.0]), None, None) == "moved 0.04 mm"

@@ -45,6 +45,14 @@ def test_what_has_no_counterpart_is_left_out_of_every_number() -> None:
     assert 0.4 < statistics.no_counterpart_fraction < 0.7
 
 
+def test_of_the_same_open_surface_nothing_is_left_out() -> None:
+    mesh = plane(10.0, 0.5)
+    result = measure_deviation(surface(mesh), surface(mesh), given(mesh), PARAMETERS)
+    assert result.statistics.no_counterpart_fraction == 0
+    assert np.isfinite(result.before_signed_um).all()
+    assert result.statistics.max_um == 0
+
+
 def test_unsupported_parts_of_either_surface_do_not_count() -> None:
     before, after = plane(10.0, 0.5), plane(9.0, 0.5, 0.2)
     before_supported = before.vertices[:, 0] < 1.9

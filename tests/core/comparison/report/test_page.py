@@ -41,7 +41,7 @@ def test_it_tells_what_a_record_needs() -> None:
         "lower jaw, dental arch",
         "2026-03-02 10:14",
         "2026-11-20 09:02",
-        "Reliable: ",
+        "Reliable; one remark below.",
         REMARK.words,
         "patch 1",
         "+0.90",
@@ -56,17 +56,49 @@ def test_it_tells_what_a_record_needs() -> None:
         "principal axes",
         "0.041 mm rms",
     ]
-    expected += ["1.00020 ± 0.00015", "everything by 0.12 mm rms, 0.60 mm at most", "0.061 mm, the same model measured twice", "a3" * 32, "5b" * 32]
-    expected += ["Clinical threshold: 0.250 mm", "Seed: 0", "Impronta", "numpy", "10 mm", "threshold 0.25 mm", "(k = 1)", "yes"]
+    expected += ["1.00020 ± 0.00030", "everything by 0.12 mm rms, 0.60 mm at most", "0.061 mm, the same model measured twice", "a3" * 32, "5b" * 32]
+    expected += [
+        "Clinical threshold: 0.250 mm",
+        "Seed: 0",
+        "Impronta",
+        "numpy",
+        "10 mm",
+        "threshold 0.25 mm",
+        "± 0.0084 mm of a stable point",
+        "(k = 2) everywhere",
+        "yes",
+    ]
     assert [told for told in expected if told not in words] == []
+    assert "k = 1" not in words
     assert "Jane Doe" not in words
 
 
 def test_an_unreliable_result_says_so_first_and_why() -> None:
     words = _words(made(doubts=(REMARK, SERIOUS)))
-    assert "Reliable: " not in words
+    assert "Reliable" not in words
     assert f"Not reliable: AFTER: {SERIOUS.words}" in words
     assert words.index("Not reliable") < words.index(REMARK.words)
+
+
+def test_a_finding_is_told_to_its_end() -> None:
+    """The side of the mouth stands last."""
+    told = "moved 0.4 mm towards the middle of the arch and into the gum, turned 4 degrees; lower left premolar region, number"
+    words = _words(made(words=told))
+    assert f"{told} 1" in words
+    assert f"{told} 2" in words
+    assert "…" not in words
+
+
+def test_the_first_page_announces_what_the_next_one_tells() -> None:
+    assert content.verdict(made(doubts=())) == "Reliable: nothing was found that speaks against this result."
+    told = made(doubts=tuple(_DOUBTS[1::2]))
+    assert content.verdict(told) == "Reliable; 6 remarks below."
+    with page_style():
+        first, second = (" ".join(text.get_text() for text in page.figure.texts) for page in report_pages(told, MADE))
+    shown = [doubt for doubt in told.doubts if doubt.words.strip()[:12] in first]
+    assert 0 < len(shown) < 6
+    assert f"{6 - len(shown)} more remarks on the next page." in first
+    assert all(doubt.words.strip()[:12] in second for doubt in told.doubts if doubt not in shown)
 
 
 def test_without_areas_and_without_null_comparison() -> None:
@@ -82,7 +114,7 @@ def test_a_rough_pair_raises_the_bar_and_what_was_given_has_no_uncertainty() -> 
     given = replace(rough, alignment=replace(rough.alignment, frame=Frame.GIVEN, uncertainty_um=0.0))
     assert "differs by more than 0.31 mm" in content.findings(rough)
     assert dict(content.alignment_card(given))["Uncertainty"] == "not estimated"
-    assert dict(content.alignment_card(rough))["Uncertainty"].startswith("0.0042 mm")
+    assert dict(content.alignment_card(rough))["Uncertainty"].startswith("± 0.0084 mm")
 
 
 def test_doubts_are_told_in_one_order_everywhere() -> None:
