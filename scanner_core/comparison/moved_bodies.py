@@ -43,6 +43,9 @@ _DEARER = 2.0
 """Times the criterion's price of a motion: what tells two pieces of one tooth apart is no independent noise alone."""
 _LEAST_TOOTH_MM2 = 12.0
 """Free area below which cusps are no tooth."""
+_MOSTLY = 0.9
+"""Share of a piece that was free of the gum before, above which what else there is does no harm to its fit."""
+_LOWER_MM = 0.1
 _FIT_POINTS = 400
 """Enough to tell whether and how a crown moved."""
 
@@ -84,6 +87,7 @@ class BodyFinder:
         over: NDArray[np.bool_],
         measured: NDArray[np.bool_],
         crowns: Crowns,
+        up: Array,
         smoother: SurfaceSmoother,
         table: EdgeTable,
         fitter: PartFitter,
@@ -91,6 +95,7 @@ class BodyFinder:
         cancelled: IsCancelled,
     ) -> None:
         self._mesh, self._normals, self._over, self._measured = mesh, mesh.vertex_normals(), over, measured
+        self._height, self._up = mesh.vertices @ up, up
         self._crowns, self._table, self._area_mm2 = crowns, table, smoother.area_mm2
         self._cusp = crowns.cusp.copy()
         self._fitter, self._noise_mm, self._cancelled = fitter, max(alignment.noise_um / 1e3, _LEAST_NOISE_MM), cancelled
@@ -157,9 +162,17 @@ class BodyFinder:
         return self._fitted(free, fitted, None)
 
     def _fitted(self, vertices: Indices, fitted: Indices, start: RigidTransform | None) -> _Piece:
-        some = _some(fitted)
+        """What of a piece lay under the gum before, by its own motion, is left out: nothing is there that it could be held against."""
+        fit = self.fit(_some(fitted), start)
+        kept = fitted[self.shown(fitted, fit.transform)]
+        if len(kept) >= LEAST_POINTS and len(kept) < _MOSTLY * len(fitted):
+            fitted, fit = kept, self.fit(_some(kept), fit.transform)
         observations = float(self._area_mm2[fitted].sum()) / self._alike_mm2
-        return _Piece(vertices, fitted, self._mesh.vertices[some], observations, self.fit(some, start))
+        return _Piece(vertices, fitted, self._mesh.vertices[_some(fitted)], observations, fit)
+
+    def shown(self, vertices: Indices, motion: RigidTransform) -> NDArray[np.bool_]:
+        """Which vertices (n,) of a piece a motion brings to where the before surface stands free of the gum, (n,)."""
+        return np.asarray(motion.apply(self._mesh.vertices[vertices]) @ self._up >= self._height[vertices].min() - _LOWER_MM)
 
     def _has_moved(self, piece: _Piece) -> bool:
         stands = self._cost(piece, RigidTransform.identity()) - self._cost(piece, piece.fit.transform) < _price(piece.observations)

@@ -81,7 +81,7 @@ def crown_groups(
     """
     area_mm2 = smoother.area_mm2
     fitter = PartFitter(before)
-    finder = BodyFinder(mesh, over, measured, crowns, smoother, table, fitter, alignment, cancelled)
+    finder = BodyFinder(mesh, over, measured, crowns, up, smoother, table, fitter, alignment, cancelled)
     bodies, still = finder.bodies()
     label = connected(over, table.edges)
     owner = _owners(mesh.vertices - np.outer(mesh.vertices @ up, up), label, bodies, crowns.free & measured & ~still, area_mm2)
@@ -92,8 +92,11 @@ def crown_groups(
         if area_mm2[vertices].sum() >= LEAST_AREA_MM2:
             free = np.flatnonzero((bodies == body) & crowns.free & measured)
             fitted = free[core[free]] if core[free].sum() >= LEAST_POINTS else free
+            shown = fitted[finder.shown(fitted, finder.start[body])]
+            fitted = shown if len(shown) >= LEAST_POINTS else fitted
             fit = finder.fit(fitted, finder.start[body])
-            left_mm = fitter.distances_mm(mesh.vertices[np.union1d(free, vertices[crowns.free[vertices]])], fit.transform)
+            told = np.union1d(free, vertices[crowns.free[vertices]])
+            left_mm = fitter.distances_mm(mesh.vertices[told[finder.shown(told, fit.transform)]], fit.transform)
             groups.append(PatchGroup(vertices, free, fitted, fit, left_mm))
     rest = over & (owner < 0)
     if not rest.any():

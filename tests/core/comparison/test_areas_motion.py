@@ -65,3 +65,12 @@ def test_a_high_bump_on_the_gum_comes_before_a_tooth_that_moved_less(before: Tri
     assert areas[0].words.startswith(f"stands out by up to {areas[0].p95_um / 1e3:.2f} mm")
     assert areas[1].motion is not None
     assert np.linalg.norm(areas[1].motion.displacement_mm) < 0.5
+
+
+def test_a_tooth_beyond_the_reach_of_the_deviation_has_its_own_motion(before: TriangleMesh) -> None:
+    """Most of its crown has no counterpart, and its neck was under the gum: neither its rim nor its neck tells the motion."""
+    area = areas_of(before, treated({4: shift(0.0, 0.0, 4.5)}))[0]
+    assert area.motion is not None
+    assert area.motion.transform.apply(foot(4) + [0.0, 0.0, 4.0]) == pytest.approx(foot(4) + [0.0, 0.0, 8.5], abs=0.15)
+    assert area.motion.angle_deg < 5.0
+    assert area.words.startswith("moved 4.5 mm out of the gum")
