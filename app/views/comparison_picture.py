@@ -14,6 +14,7 @@ from app.comparison_draft import LoadedSurface, Mask
 from app.services import Services
 from app.views.compare_stage import VIEWS, CompareStage
 from scanner_core.comparison.area import Area
+from scanner_core.comparison.colour_scale import DeviationScale
 from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.parameters import Frame, Jaw
 from scanner_core.geometry.mesh import TriangleMesh
@@ -109,13 +110,13 @@ class ComparisonPicture(QObject):
         scene, choice, comparison, drawn = self._scene, self._comparing.draft.choice, self._shown, self._drawn
         if scene is None or comparison is None or drawn is None or self.between is not None:
             return
-        from app.views.drawn_comparison import outline, threshold_lines
+        from app.views.drawn_comparison import drawn_threshold, outline
 
         self._turn_to_arch(scene, choice.jaw)
         if self._threshold_um != choice.tolerance_um:
             self._threshold_um = choice.tolerance_um
-            signed_um, threshold_um = comparison.deviation.signed_um, choice.tolerance_um
-            self._draw(partial(threshold_lines, drawn[1], signed_um, float(threshold_um)), partial(self._put_threshold, threshold_um))
+            deviation, threshold_um = comparison.deviation, choice.tolerance_um
+            self._draw(partial(drawn_threshold, drawn[1], deviation, float(threshold_um)), partial(self._put_threshold, threshold_um))
             self._stage.legend.set_threshold_um(float(threshold_um))
         self._show_mask()
         if self._tooth is not choice.tooth:
@@ -235,9 +236,10 @@ class ComparisonPicture(QObject):
         scene.set_tool("pick")
         self.show_points()
 
-    def _put_threshold(self, threshold_um: int, scene: ComparisonScene, lines: Any) -> None:
+    def _put_threshold(self, threshold_um: int, scene: ComparisonScene, made: tuple[Any, DeviationScale]) -> None:
         if threshold_um == self._threshold_um:
-            scene.show_threshold(lines)
+            scene.show_threshold(*made)
+            self._stage.legend.show_scale(made[1])
 
     def _put_part(self, tooth: Mask | None, scene: ComparisonScene, lines: Any) -> None:
         if tooth is self._tooth:

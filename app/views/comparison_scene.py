@@ -162,10 +162,11 @@ class ComparisonScene(InteractorView):
         self._marks.show_landmarks(points)
         self._dirty = True
 
-    def show_threshold(self, lines: Any) -> None:
-        """The line on the map, as VTK has it; None for none."""
+    def show_threshold(self, lines: Any, scale: DeviationScale | None = None) -> None:
+        """The line on the map, as VTK has it or None for none, and the colours that have an edge there, where they are others."""
         self._marks.show_threshold(lines)
-        self._dirty = True
+        self._scale = scale or self._scale
+        self._arrange()
 
     # -------------------------------------------------------------------------------- ways to look
     @property

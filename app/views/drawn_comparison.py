@@ -13,6 +13,7 @@ from app.views.drawn_surface import DrawnSurface
 from app.views.line_actor import level_lines, outlines
 from scanner_core.comparison.colour_scale import DeviationScale
 from scanner_core.comparison.comparison import Comparison
+from scanner_core.comparison.deviation import Deviation
 from scanner_core.geometry.mesh import TriangleMesh
 
 
@@ -52,3 +53,9 @@ def threshold_lines(surface: DrawnSurface, signed_um: NDArray[np.float64], thres
     """Where the deviation (v,) um, NaN without counterpart, reaches the threshold to either side; None for a threshold of 0."""
     levels: Sequence[float] = (-threshold_um, threshold_um)
     return level_lines(surface.mesh.vertices, surface.mesh.triangles, signed_um, levels) if threshold_um > 0 else None
+
+
+def drawn_threshold(surface: DrawnSurface, deviation: Deviation, threshold_um: float) -> tuple[Any, DeviationScale]:
+    """The lines of :func:`threshold_lines`, and colours that have an edge there."""
+    scale = DeviationScale.fitting(deviation.signed_um, deviation.detection_level_um, threshold_um)
+    return threshold_lines(surface, deviation.signed_um, threshold_um), scale

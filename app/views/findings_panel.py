@@ -27,7 +27,7 @@ class FindingsPanel(QWidget):
         super().__init__()
         self._services = services
         self._count = BigNumber(self.tr("areas"))
-        self._level = BigNumber(self.tr("mm detection level"))
+        self._level = BigNumber(self.tr("mm detectable"))
         self._above = BigNumber("")
         self.areas = AreaList()
         self._none = label("", "muted", wrap=True)

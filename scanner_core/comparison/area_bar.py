@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from scanner_core.comparison.areas import SMOOTHING_MM, THRESHOLD_UM
 from scanner_core.comparison.deviation import Deviation
-from scanner_core.comparison.patches import LEAST_AREA_MM2
+from scanner_core.comparison.moved_bodies import LEAST_AREA_MM2
 
 
 @dataclass(frozen=True, slots=True)

@@ -39,6 +39,8 @@ def test_picking_is_a_state_of_its_own_that_ends_where_it_is_ended(program: Prog
     first = comparing.answers.comparison
     assert page.scene is not None
     page.alignment.points.click()
+    page.picture.take_tool("paint")
+    assert page.picture.tool == "look"
     assert page.verdict.text == ""  # nothing of the answer that is not seen
     assert not page.tabs["findings"].isEnabled()
     assert not page.findings.tooth.isEnabled()
@@ -86,6 +88,7 @@ def test_jaw_and_threshold_tell_the_same_measurement_at_once(program: Program, p
     assert told.alignment is first.alignment
     assert told.deviation.signed_um is first.deviation.signed_um
     assert any("upper" in area.words for area in told.areas)
+    until(lambda: page.scene is not None and page.scene._scale is not None and page.scene._scale.threshold_um == 500.0, 10, "its colours")
     assert page.findings.areas.currentRow() == 0
     assert page.stage.section.isChecked()
     assert page.tabs["alignment"].isChecked()

@@ -142,7 +142,8 @@ def test_surfaces_that_face_inwards_are_named(impronta: Run, files: Callable[...
     ("case", "words"),
     [
         ("one triangle", "holds too few triangles for a comparison: 1, but"),
-        ("other", "do not fit onto each other"),
+        ("other", "different objects, or opposite sides of one"),
+        ("other", "the same object and that the normals of both point outwards"),
         ("mirrored", "is mirrored"),
         ("apart", "do not overlap"),
     ],
