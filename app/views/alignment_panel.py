@@ -93,11 +93,13 @@ class AlignmentPanel(QWidget):
         alignment = comparison.alignment
         method = METHODS.get(alignment.method)
         scale, scale_u = 100 * (alignment.scale_ratio - 1), 200 * alignment.scale_ratio_uncertainty
+        estimated = alignment.frame is not Frame.GIVEN  # where nothing was fitted nothing is known of what a fit would be worth
+        uncertainty = self.tr("± {n} mm (k = 2)").format(n=fine_millimetres(2 * alignment.uncertainty_um)) if estimated else self.tr("not estimated")
         facts: list[Fact] = [
             (self.tr("Held fixed"), frame_words(alignment.frame), ""),
             (self.tr("Stable share"), self.tr("{n} %").format(n=fmt.percent(alignment.stable_area_fraction)), ""),
             (self.tr("Residual there"), self.tr("{n} mm rms").format(n=fine_millimetres(alignment.rms_um)), ""),
-            (self.tr("Uncertainty"), self.tr("± {n} mm (k = 2)").format(n=fine_millimetres(2 * alignment.uncertainty_um)), ""),
+            (self.tr("Uncertainty"), uncertainty, ""),
             (self.tr("Noise of a distance"), self.tr("{n} mm").format(n=fine_millimetres(alignment.noise_um)), ""),
             (self.tr("Size, after to before"), f"{_signed(scale)} ± {scale_u:.2f} %", ""),
             (self.tr("With a counterpart"), self.tr("{n} %").format(n=fmt.percent(alignment.overlap)), ""),

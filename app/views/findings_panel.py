@@ -151,8 +151,8 @@ class FindingsPanel(QWidget):
             (self.tr("95 % below"), found.p95_um),
             (self.tr("99 % below"), found.p99_um),
             (self.tr("Greatest"), found.max_um),
-            (self.tr("Hausdorff, after to before"), found.hausdorff_after_to_before_um),
-            (self.tr("Hausdorff, before to after"), found.hausdorff_before_to_after_um),
+            (self.tr("Hausdorff of counterparts, after to before"), found.hausdorff_after_to_before_um),
+            (self.tr("Hausdorff of counterparts, before to after"), found.hausdorff_before_to_after_um),
         ]
         levels: list[tuple[str, float | None]] = [
             (self.tr("Detection level here"), comparison.deviation.detection_level_um),
