@@ -36,7 +36,7 @@ def _change_words(area: Area, frame: ArchFrame | None) -> str:
     most = f"by up to {area.p95_um / 1e3:.2f} mm"
     if not area.both_ways:
         return f"{'stands out' if area.mean_um > 0 else 'lies deeper'} {most}"
-    return f"differs {most} in both directions" if frame is None else f"changed {most}, not as one rigid part"
+    return f"differs {most} in both directions" if frame is None else f"changed {most}; mark the tooth to measure its motion"
 
 
 def region_words(place: Array, frame: ArchFrame | None, jaw: Jaw | None) -> str:

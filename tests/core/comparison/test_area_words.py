@@ -104,7 +104,7 @@ def test_what_did_not_move_as_a_body_stands_out_or_lies_deeper() -> None:
     assert area_words(replace(bump, mean_um=-210.0), frame_of(horseshoe()), None) == "lies deeper by up to 1.31 mm; molar region"
     both = replace(bump, both_ways=True)
     assert area_words(both, None, None) == "differs by up to 1.31 mm in both directions"
-    assert area_words(both, frame_of(horseshoe()), None) == "changed by up to 1.31 mm, not as one rigid part; molar region"
+    assert area_words(both, frame_of(horseshoe()), None) == "changed by up to 1.31 mm; mark the tooth to measure its motion; molar region"
     assert region_words(np.zeros(3), None, Jaw.UPPER) == ""
 
 

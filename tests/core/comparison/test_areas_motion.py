@@ -54,7 +54,7 @@ def test_what_one_motion_does_not_explain_has_none(before: TriangleMesh) -> None
     (area,) = areas_of(before, treated({4: shift(-0.5, 0.9, 0.9), 5: shift(0.9, 0.5, -0.9)}))
     assert area.motion is None
     assert area.p95_um > 1200
-    assert area.words == f"changed by up to {area.p95_um / 1e3:.2f} mm, not as one rigid part; front tooth region"
+    assert area.words == f"changed by up to {area.p95_um / 1e3:.2f} mm; mark the tooth to measure its motion; front tooth region"
 
 
 def test_a_high_bump_on_the_gum_comes_before_a_tooth_that_moved_less(before: TriangleMesh) -> None:
