@@ -39,19 +39,21 @@ class PatchGroup:
     body : (m,) the free part of the moved body that it lies on, empty where none has moved
     core : (n,) what of that was fitted
     fit : of the core onto the before surface; None where no body has moved
-    left_mm : (f,) how far from the before surface this fit leaves the body and whatever else differs and stands free of the gum
+    judged : (f,) the body and whatever else differs and stands free of the gum
+    left_mm : (f,) how far from the before surface the fit leaves these
     """
 
     vertices: Indices
     body: Indices
     core: Indices
     fit: PartFit | None
+    judged: Indices
     left_mm: Array
 
 
 def _unmoved(vertices: Indices) -> PatchGroup:
     none = np.empty(0, np.int64)
-    return PatchGroup(vertices, none, none, None, np.empty(0))
+    return PatchGroup(vertices, none, none, None, none, np.empty(0))
 
 
 def plain_groups(over: NDArray[np.bool_], table: EdgeTable, area_mm2: Array) -> list[PatchGroup]:
@@ -96,8 +98,9 @@ def crown_groups(
             fitted = shown if len(shown) >= LEAST_POINTS else fitted
             fit = finder.fit(fitted, finder.start[body])
             told = np.union1d(free, vertices[crowns.free[vertices]])
-            left_mm = fitter.distances_mm(mesh.vertices[told[finder.shown(told, fit.transform)]], fit.transform)
-            groups.append(PatchGroup(vertices, free, fitted, fit, left_mm))
+            judged = told[finder.shown(told, fit.transform)]
+            left_mm = fitter.distances_mm(mesh.vertices[judged], fit.transform)
+            groups.append(PatchGroup(vertices, free, fitted, fit, judged, left_mm))
     rest = over & (owner < 0)
     if not rest.any():
         return groups
