@@ -14,16 +14,17 @@ from scanner_core.comparison.area import Area, PartMotion
 from scanner_core.comparison.area_words import area_words
 from scanner_core.comparison.crowns import find_crowns
 from scanner_core.comparison.deviation import Deviation
-from scanner_core.comparison.measuring import weighted_percentiles
+from scanner_core.comparison.measuring import LEAST_NOISE_UM, weighted_percentiles
 from scanner_core.comparison.parameters import ComparisonParameters
 from scanner_core.comparison.part_motion import motion_of_fit
+from scanner_core.comparison.part_refinement import PartRefinement
 from scanner_core.comparison.patches import PatchGroup, connected, crown_groups, plain_groups
 from scanner_core.comparison.surface import ComparedSurface
 from scanner_core.comparison.surface_smoothing import SurfaceSmoother
 from scanner_core.comparison.volume import volume_between
 from scanner_core.geometry.edges import EdgeTable
 from scanner_core.geometry.mesh import TriangleMesh
-from scanner_core.jobs.progress import IsCancelled, OnProgress, Progress
+from scanner_core.jobs.progress import Cancelled, IsCancelled, OnProgress, Progress
 
 Array = NDArray[np.float64]
 THRESHOLD_UM = 200.0
@@ -96,11 +97,18 @@ def find_areas(
     )
     progress(Progress("areas", 0.8))
     ranked: list[tuple[float, Area]] = []
+    noise_mm = max(alignment.noise_um, LEAST_NOISE_UM) / 1e3
+    refinement = PartRefinement(before.mesh, mesh) if any(group.fit is not None for group in groups) else None
     for group in groups:
+        if cancelled():
+            raise Cancelled
         motion = None
-        if group.fit is not None:
+        if group.fit is not None and refinement is not None:
+            core = np.zeros(len(mesh.vertices), np.bool_)
+            core[group.core] = True
+            fit = refinement.refine(group.fit, core, noise_mm, alignment.correlation_length_mm)
             middle = mesh.vertices[group.body].mean(axis=0)
-            motion = motion_of_fit(group.fit, middle, float(area_mm2[group.core].sum()), alignment, None if frame is None else frame.up)
+            motion = motion_of_fit(fit, middle, float(area_mm2[group.core].sum()), alignment, None if frame is None else frame.up)
         area = _area(group, mesh, normals, area_mm2, smooth, deviation, table)
         if motion is not None and _explains(motion, group, mesh.vertices, area.p95_um, alignment.noise_um):
             area = replace(area, motion=motion)
