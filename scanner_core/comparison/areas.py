@@ -44,6 +44,8 @@ _THICK_MM = 0.8
 _MOST_OFF = 0.09
 """Share of such points of the free part of an area above which one motion does not explain it.  Measured: single teeth up to 0.07,
 two neighbours under one motion from 0.11."""
+_MOST_TURN_DEG = 45.0
+"""A tooth is not turned farther from one scan to the next; a fit that says so has slid round a nearly round crown."""
 _MOST_RMS = 3.0
 """Rms of what the motion leaves over, in units of the noise and of `_MODEL_UM`."""
 _MODEL_UM = 30.0
@@ -149,7 +151,7 @@ def _explains(motion: PartMotion, group: PatchGroup, places: Array, p95_um: floa
     off = group.left_mm > _OFF_MM + 2e-3 * noise_um
     judged = places[group.judged]
     thick = off.sum() if off.all() else (cKDTree(judged[~off]).query(judged[off])[0] > _THICK_MM).sum() if off.any() else 0
-    rigid = thick <= _MOST_OFF * len(off) and motion.rms_um < _MOST_RMS * np.hypot(noise_um, _MODEL_UM)
+    rigid = motion.angle_deg < _MOST_TURN_DEG and thick <= _MOST_OFF * len(off) and motion.rms_um < _MOST_RMS * np.hypot(noise_um, _MODEL_UM)
     return bool(sure and rigid and p95_um <= _EXPLAINED * largest_um + 2 * noise_um)
 
 
