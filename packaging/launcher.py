@@ -15,7 +15,7 @@ from environment import ROOT, Environment
 from progress import SetupError, Steps, say
 
 XVFB_RUN = ["xvfb-run", "-a", "-s", "-screen 0 1600x1000x24"]
-SIDE_BY_SIDE = ["-n", "auto", "--maxprocesses", "4", "--dist", "loadgroup"]
+SIDE_BY_SIDE = ["-n", "auto", "--maxprocesses", "4", "--dist", "loadfile"]
 """For the `ci` tests as a whole: a process a core; soaks and benchmarks, whose figures count, run alone."""
 
 

@@ -8,7 +8,6 @@ import threading
 import time
 from collections.abc import Iterator
 from multiprocessing import resource_tracker
-from pathlib import Path
 
 import cv2
 import psutil
@@ -23,16 +22,6 @@ for _name in ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME"):
 cv2.setNumThreads(1)
 settings.register_profile("repeatable", deadline=None, derandomize=True, print_blob=True)
 settings.load_profile("repeatable")
-
-_GUI = Path(__file__).parent / "gui"
-
-
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Side by side the tests of a file stay together, for what they share; windows share the display and its keyboard."""
-    for item in items:
-        group = "window" if _GUI in item.path.parents else str(item.path)
-        item.add_marker(pytest.mark.xdist_group(group))
-
 
 _THIS_PROCESS = psutil.Process()
 _GRACE_S = 2.0  # a thread that was told to stop may take this long to be gone

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 import time
@@ -34,7 +35,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 def display() -> Iterator[None]:
     if sys.platform.startswith("linux"):
         os.environ["QT_QPA_PLATFORM"] = "xcb"
-    if not sys.platform.startswith("linux") or os.environ.get("DISPLAY"):
+    # windows of two processes would take the keyboard from one another: each has a display of its own
+    alone = "PYTEST_XDIST_WORKER" not in os.environ or shutil.which("Xvfb") is None
+    if not sys.platform.startswith("linux") or (alone and os.environ.get("DISPLAY")):
         yield
         return
     read, write = os.pipe()

@@ -24,6 +24,7 @@ def test_the_window_ends_in_order_on_sigterm_and_leaves_no_process(display: None
     while time.monotonic() < deadline_s and not any("spawn_main" in " ".join(child.cmdline()) for child in children):
         time.sleep(0.1)
         children = psutil.Process(started.pid).children(recursive=True)
+    time.sleep(1.0)  # the window's own loop beats too by now
     started.send_signal(signal.SIGTERM)
     _, said = started.communicate(timeout=60)
     assert started.returncode == 0, said
