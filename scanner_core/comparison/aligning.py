@@ -16,7 +16,7 @@ from scanner_core.comparison.fit_rows import MutualPairing
 from scanner_core.comparison.global_start import FINE_CELLS, find_start, is_ambiguous, sample_both
 from scanner_core.comparison.parameters import ComparisonParameters, Frame
 from scanner_core.comparison.stable_region import find_stable
-from scanner_core.comparison.surface import ComparedSurface
+from scanner_core.comparison.surface import LEAST_TRIANGLES, ComparedSurface
 from scanner_core.comparison.surface_pairing import Mask, SurfacePairing
 from scanner_core.comparison.surface_sample import supported_triangles
 from scanner_core.errors import ComparisonError
@@ -25,7 +25,6 @@ from scanner_core.jobs.progress import Cancelled, IsCancelled, OnProgress, Progr
 
 Array = NDArray[np.float64]
 
-_LEAST_TRIANGLES = 100
 _LEAST_PAINTED_MM2 = 5.0
 _LEAST_SAMPLE = 50
 """Fewer points of a surface, at the spacing that suits the other one, say nothing of its shape."""
@@ -175,8 +174,8 @@ def _shift(frame: Frame, transform: RigidTransform, here: Array, vertices: Array
 def _check(surface: ComparedSurface) -> None:
     """A surface of a hundred measured triangles with an area, or E-CMP-04."""
     triangles = supported_triangles(surface)
-    if len(triangles) < _LEAST_TRIANGLES or not np.isfinite(surface.mesh.vertices).all() or surface.mesh.area() <= 0:
-        raise ComparisonError("E-CMP-04", name=surface.name, triangles=len(triangles), least=_LEAST_TRIANGLES)
+    if len(triangles) < LEAST_TRIANGLES or not np.isfinite(surface.mesh.vertices).all() or surface.mesh.area() <= 0:
+        raise ComparisonError("E-CMP-04", name=surface.name, triangles=len(triangles), least=LEAST_TRIANGLES)
 
 
 def _painted(after: ComparedSurface, mask: Mask | None) -> Mask:

@@ -46,19 +46,17 @@ def motion_step(points: Array, normals: Array, distances: Array, weights: Array)
     return RigidTransform(turn, centre - turn @ centre + solution[3:])
 
 
-def trimmed_fit(
-    before: SurfaceSample, after: SurfaceSample, start: RigidTransform, *, share: float, rounds: int, reach_mm: float = np.inf
-) -> RigidTransform:
+def trimmed_fit(before: SurfaceSample, after: SurfaceSample, start: RigidTransform, *, share: float, rounds: int) -> RigidTransform:
     """Iterated closest points, point to plane, on the best `share` of the pairs (Chetverikov et al. 2005).
 
-    Pairs farther apart than `reach_mm`, or with normals more than 60 degrees apart, are no pairs.
+    Pairs with normals more than 60 degrees apart are no pairs.
     """
     transform = start
     for _ in range(rounds):
         moved, normals = transform.apply(after.points), transform.rotate(after.normals)
         away, which = before.tree.query(moved, workers=1)
         cosine = np.einsum("ij,ij->i", normals, before.normals[which])
-        pairs = np.flatnonzero((away < reach_mm) & (cosine > 0.5))
+        pairs = np.flatnonzero(cosine > 0.5)
         if len(pairs) < 12:
             return transform
         pairs = pairs[away[pairs] <= np.quantile(away[pairs], share)]

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from scanner_core.case.points import case_calibration, case_rig
 from scanner_core.case.store import SUFFIX, CaseStore
 from scanner_core.comparison.doubt import Doubt
-from scanner_core.comparison.surface import ComparedSurface
+from scanner_core.comparison.surface import LEAST_TRIANGLES, ComparedSurface
 from scanner_core.comparison.unit_guess import guessed_unit
-from scanner_core.comparison.vetting import LEAST_TRIANGLES, vet
+from scanner_core.comparison.vetting import vet
 from scanner_core.errors import ImprontaError, InputFileError, UsageError
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.weld import weld

@@ -9,6 +9,7 @@ from scanner_core.comparison.alignment import Alignment
 from scanner_core.comparison.arch_frame import arch_frame
 from scanner_core.comparison.area import PartMotion
 from scanner_core.comparison.concavity import Concavity
+from scanner_core.comparison.measuring import LEAST_NOISE_UM
 from scanner_core.comparison.part_fit import PartFit, PartFitter
 from scanner_core.comparison.part_refinement import PartRefinement
 from scanner_core.comparison.surface import ComparedSurface
@@ -24,7 +25,6 @@ LEAST_VERTICES = 30
 CENTRE_BELOW_MM = 2.5
 """From the middle of a crown's free part down to the middle of the whole crown, half of which the gum and the neighbours hide: there
 a tooth that only tips has moved little."""
-_LEAST_NOISE_UM = 0.5
 
 
 def part_motion(before: ComparedSurface, after: ComparedSurface, alignment: Alignment, part: NDArray[np.bool_]) -> PartMotion:
@@ -49,7 +49,7 @@ def part_motion(before: ComparedSurface, after: ComparedSurface, alignment: Alig
     which = np.flatnonzero(rigid)
     frame = arch_frame(before.mesh, before.supported)
     middle = mesh.vertices[marked].mean(axis=0)
-    noise_mm = max(alignment.noise_um, _LEAST_NOISE_UM) / 1e3
+    noise_mm = max(alignment.noise_um, LEAST_NOISE_UM) / 1e3
     fit = PartFitter(before.mesh).fit(mesh.vertices[which], mesh.vertex_normals()[which], noise_mm)
     fit = PartRefinement(before.mesh, mesh).refine(fit, rigid, noise_mm, alignment.correlation_length_mm)
     area = float(smoother.area_mm2[which].sum())
@@ -61,9 +61,9 @@ def motion_of_fit(fit: PartFit, middle: Array, area_mm2: float, alignment: Align
 
     `up` (3,) is the way out of the gum on an arch, None elsewhere.
 
-    The covariance is s^2 (J^T W J)^-1, times the number of points that share one error: with noise correlated as
-    ``exp(-d^2 / 2 L^2)``, 1 + 2 pi L^2 per area of a point.  The alignment's own covariance at the part's place is added.  The
-    uncertainties that are told are those along the displacement and about the axis.
+    The covariance is the fit's own, see `PartRefinement`, or where it was not refined s^2 (J^T W J)^-1 times the number of points that
+    share one error: with noise alike as ``exp(-h^2 / l^2)``, 1 + pi l^2 per area of a point.  The alignment's own covariance at the
+    part's place is added.  The uncertainties that are told are those along the displacement and about the axis.
     """
     back = fit.transform
     motion = back.inverse()
@@ -89,7 +89,7 @@ def _covariance(fit: PartFit, area_mm2: float, alignment: Alignment) -> Array:
     weights = fit.weights
     rms = float(np.sqrt(np.average(fit.residual_mm**2, weights=weights))) if weights.sum() > 0 else float("nan")
     # the weights themselves cut the tails off the residuals: the alignment's noise, which did not, is the least
-    noise = max(rms, alignment.noise_um / 1e3 if weights.mean() > 0.5 else 0.0, _LEAST_NOISE_UM / 1e3)
+    noise = max(rms, alignment.noise_um / 1e3 if weights.mean() > 0.5 else 0.0, LEAST_NOISE_UM / 1e3)
     shared = 1 + np.pi * alignment.correlation_length_mm**2 * len(weights) / max(area_mm2, 1e-9)
     information = (fit.jacobian * weights[:, None]).T @ fit.jacobian
     return np.asarray(noise**2 * shared * np.linalg.pinv(information, rcond=1e-12, hermitian=True))

@@ -23,10 +23,10 @@ _LEAST_NOISE_MM = 1e-5
 """Two copies of one file differ by rounding alone."""
 
 
-def averaged_distance(pairing: SurfacePairing, pairs: Pairs, length_mm: float = AVERAGE_MM) -> Array:
+def averaged_distance(pairing: SurfacePairing, pairs: Pairs) -> Array:
     """The distance (v,) averaged along the surface over vertices with a counterpart; 0 where there is none near."""
     known = pairs.facing.astype(np.float64)
-    both = pairing.average(np.stack([pairs.distances * known, known], axis=1), length_mm)
+    both = pairing.average(np.stack([pairs.distances * known, known], axis=1), AVERAGE_MM)
     return np.asarray(both[:, 0] / np.maximum(both[:, 1], 1e-9), np.float64)
 
 

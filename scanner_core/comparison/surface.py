@@ -10,6 +10,9 @@ from numpy.typing import NDArray
 from scanner_core.comparison.doubt import Doubt
 from scanner_core.geometry.mesh import TriangleMesh
 
+LEAST_TRIANGLES = 100
+"""With fewer there is no shape that could be aligned."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ComparedSurface:

@@ -11,8 +11,6 @@ from scanner_core.geometry.checks import MeshChecks, check_mesh
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.self_intersection import self_intersecting_triangles
 
-LEAST_TRIANGLES = 100
-"""With fewer there is no shape that could be aligned."""
 LEAST_FULLNESS = 0.01
 """An open surface that encloses less, for its area, is a sheet: nobody can tell which of its sides is the outer one.
 A spherical cap of this fullness is as high as a twenty-eighth of its width."""

@@ -15,9 +15,9 @@ from scanner_core.comparison.aligning import align
 from scanner_core.comparison.comparison_values import surface_values
 from scanner_core.comparison.inputs import mesh_hash, read_surface
 from scanner_core.comparison.parameters import ComparisonParameters, Frame
-from scanner_core.comparison.surface import ComparedSurface
+from scanner_core.comparison.surface import LEAST_TRIANGLES, ComparedSurface
 from scanner_core.comparison.unit_guess import guessed_unit
-from scanner_core.comparison.vetting import LEAST_TRIANGLES, count_crossing, vet
+from scanner_core.comparison.vetting import count_crossing, vet
 from scanner_core.errors import ComparisonError, ImprontaError, InputFileError, UsageError
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.self_intersection import self_intersecting_triangles
