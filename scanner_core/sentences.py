@@ -31,6 +31,46 @@ SENTENCES: dict[str, Sentence] = {
         "Camera {camera} delivered frames faster than they could be evaluated: {frames} frames are waiting.",
         "The laser is off and the points so far are kept; close other programs and resume.",
     ),
+    "E-CAM-05": Sentence("Camera {camera} ({id}) is used by another program.", "Nothing was moved; close the other program and connect again."),
+    "E-CAM-06": Sentence(
+        "This user may not open camera {camera} ({id}).",
+        "Nothing was moved; install the rule of packaging/udev or join the group 'video', then log in again.",
+    ),
+    "E-CAM-07": Sentence(
+        "There is no camera {camera} ({id}); this machine has: {found}.", "Nothing was moved; plug it in, or correct 'id' in the rig file."
+    ),
+    "E-CAM-08": Sentence(
+        "Camera {camera} gives frames of another kind than can be measured: {reason}.",
+        "Nothing was measured; correct 'pixel_format' or 'size_px' in the rig file.",
+    ),
+    "E-CAM-09": Sentence(
+        "Camera {camera} gives black frames.",
+        "Nothing was measured; take the lens cap off, open the shutter, and look at 'exposure_ms' in the rig file.",
+    ),
+    "E-CAM-10": Sentence("Camera {camera} ({id}) cannot be opened: {reason}.", "Nothing was moved; unplug it, plug it in again, and connect again."),
+    "E-CAM-11": Sentence(
+        "Camera {camera} gives {measured_hz} frames/s where {wanted_hz} were asked for.",
+        "Nothing was measured; plug it into a USB port of its own, choose a smaller size, or lower 'rate_hz' in the rig file.",
+    ),
+    "E-CAM-12": Sentence(
+        "The software for cameras of the kind '{driver}' is not installed.", "Nothing was moved; run: pip install 'impronta[{driver}]'."
+    ),
+    "E-CAM-13": Sentence(
+        "No trigger reached camera {camera} on {line} within {seconds} s.",
+        'The laser is off and the points so far are kept; check the trigger cable, or set trigger = "free" in the rig file.',
+    ),
+    "E-CAM-14": Sentence(
+        "Both cameras of the rig file are the same one ({id}).", "Nothing was moved; give the left and the right camera each an 'id' of its own."
+    ),
+    "E-CAM-20": Sentence("The recording {path} cannot be replayed: {reason}.", "Nothing was measured; choose another recording."),
+    "E-CAM-21": Sentence(
+        "The recording {path} holds no frames for what was asked of camera {camera}: {reason}.",
+        "What was measured so far is kept; replay with the rig, plan and seed that it was recorded with.",
+    ),
+    "E-CAM-22": Sentence(
+        "The frames of camera {camera} cannot be recorded into {path}: {reason}.",
+        "The laser is off and the points so far are kept; free some space or choose another folder, and resume.",
+    ),
     # ------------------------------------------------------------------------------------------ controller
     "E-MOT-01": Sentence(
         "The controller on {port} did not answer '{command}' within {seconds} s.",

@@ -6,7 +6,7 @@ import threading
 from collections.abc import Callable, Iterator
 from typing import Self
 
-from scanner_core.devices.camera import Camera, Frame, Trigger
+from scanner_core.devices.camera import Camera, CameraReport, Frame, Trigger
 
 
 class TappedCamera:
@@ -53,6 +53,9 @@ class TappedCamera:
         frame = self._camera.grab()
         self._tap(frame)
         return frame
+
+    def report(self) -> CameraReport:
+        return self._camera.report()
 
     def close(self) -> None:
         self._camera.close()

@@ -38,6 +38,32 @@ class Trigger:
     start_s: float
 
 
+@dataclass(frozen=True, slots=True)
+class CameraReport:
+    """What a camera is, and what it made of what was asked of it: read back from the device, not assumed.
+
+    Attributes
+    ----------
+    driver, id : as in the rig file
+    model : as the device or the system calls it
+    size_px, rate_hz, pixel_format, exposure_ms, gain_db, trigger : as the device has them; `rate_hz` by its own word
+    refused : a sentence for every setting that it did not take
+    dropped : frames that were lost since it was opened, where it counts them
+    """
+
+    driver: str
+    id: str
+    model: str
+    size_px: tuple[int, int]
+    rate_hz: float
+    pixel_format: str
+    exposure_ms: float
+    gain_db: float
+    trigger: str = "free"
+    refused: tuple[str, ...] = ()
+    dropped: int = 0
+
+
 class Camera(Protocol):
     """A camera that is triggered for runs of frames.  A context manager: leaving it closes it.
 
@@ -91,6 +117,10 @@ class Camera(Protocol):
 
     def grab(self) -> Frame:
         """A single frame now, outside of any run (preview, calibration)."""
+        ...
+
+    def report(self) -> CameraReport:
+        """What it is and how it is set; asks the device, takes no frame."""
         ...
 
     def close(self) -> None:

@@ -13,9 +13,9 @@ from enum import Enum
 from serial.tools import list_ports
 
 from scanner_core.clock import Clock
+from scanner_core.devices.controller_config import ControllerConfig
 from scanner_core.devices.grbl import open_controller
 from scanner_core.devices.grbl.handshake import ControllerIdentity
-from scanner_core.devices.rig import ControllerConfig
 from scanner_core.errors import DeviceError
 
 

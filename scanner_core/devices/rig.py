@@ -16,6 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from scanner_core.devices.camera_config import CameraConfig, TriggerSource
+from scanner_core.devices.controller_config import ControllerConfig
 from scanner_core.devices.null_level import NullLevel, dump_null_levels, null_levels
 from scanner_core.devices.rig_values import FAR_MM, array, axis, number, only, plain, port, table, text, whole
 from scanner_core.errors import UsageError
@@ -31,40 +33,15 @@ PRESETS = ("bench", "paper-2003", "workshop")
 
 
 @dataclass(frozen=True, slots=True)
-class CameraConfig:
-    """A camera by its stable id (``virtual:left``), never by an index."""
-
-    name: str
-    driver: str
-    id: str
-    exposure_ms: float
-    gain_db: float
-
-
-@dataclass(frozen=True, slots=True)
-class ControllerConfig:
-    """The motion controller; `port` is a serial device or a pyserial URL.
-
-    `witness` is the side channel (``host:port``) of a firmware model in a process of its own: the virtual cameras see
-    the beam through it.  Empty for hardware and for the firmware model inside this process.
-    """
-
-    driver: str
-    port: str
-    baud: int = 115200
-    table_axis: str = "Z"
-    witness: str = ""
-
-
-@dataclass(frozen=True, slots=True)
 class LimitsConfig:
-    """Range and speed of the axes."""
+    """Range and speed of the axes; `table_deg` None = the table turns as often as wanted."""
 
     x_deg: tuple[float, float]
     y_deg: tuple[float, float]
     sweep_speed_deg_s: float
     travel_speed_deg_s: float
     table_speed_deg_s: float
+    table_deg: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -200,9 +177,8 @@ def dump_rig(rig: RigConfig) -> str:
         ("acceptance", rig.acceptance),
     ):
         lines += ["", f"[{key}]"]
-        lines += [
-            f"{name} = {toml_value(getattr(part, name))}" for name in part.__dataclass_fields__ if not (key.startswith("camera") and name == "name")
-        ]
+        written = {name: getattr(part, name) for name in part.__dataclass_fields__ if not (key.startswith("camera") and name == "name")}
+        lines += [f"{name} = {toml_value(value)}" for name, value in written.items() if value is not None]
     if rig.image_model:
         lines += ["", "[image_model]", *(f"{name} = {toml_value(value)}" for name, value in rig.image_model.items())]
     lines += dump_null_levels(rig.null_levels)
@@ -264,19 +240,50 @@ def _rig(tree: dict[str, Any]) -> RigConfig:
 
 
 def _camera(name: str, values: dict[str, Any]) -> CameraConfig:
+    only(values, set(CameraConfig.__dataclass_fields__) - {"name"}, f"camera.{name}")
     exposure_ms, gain_db = number(values["exposure_ms"], "exposure_ms", 1e-6, 1e4), number(values["gain_db"], "gain_db", -100, 100)
-    return CameraConfig(name, text(values, "driver"), text(values, "id"), exposure_ms, gain_db)
+    size_px = array(values["size_px"], "size_px", (2,)).tolist() if "size_px" in values else None
+    return CameraConfig(
+        name,
+        text(values, "driver"),
+        text(values, "id"),
+        exposure_ms,
+        gain_db,
+        size_px=None if size_px is None else (whole(int(size_px[0]), "size_px", 1, 20_000), whole(int(size_px[1]), "size_px", 1, 20_000)),
+        rate_hz=number(values["rate_hz"], "rate_hz", 0.01, 1e5) if "rate_hz" in values else None,
+        pixel_format=text(values, "pixel_format", ""),
+        trigger=TriggerSource(text(values, "trigger", TriggerSource.FREE)),
+        trigger_line=text(values, "trigger_line", "Line1"),
+    )
 
 
 def _controller(values: dict[str, Any]) -> ControllerConfig:
     only(values, ControllerConfig.__dataclass_fields__, "controller")
-    baud = whole(values.get("baud", 115200), "baud", 1, 100_000_000)
-    return ControllerConfig(text(values, "driver"), port(values), baud, axis(values, "table_axis", "Z"), text(values, "witness", ""))
+    units, approach = _triple_of(values, "units_per_deg", (1.0, 1.0, 1.0)), _triple_of(values, "approach_deg", (0.0, 0.0, 1.0))
+    if not all(1e-6 <= abs(value) <= 1e6 for value in units):
+        raise ValueError("'units_per_deg' must be three numbers other than 0")
+    if not all(0.0 <= value <= 90.0 for value in approach):
+        raise ValueError("'approach_deg' must be three numbers from 0 to 90")
+    return ControllerConfig(
+        driver=text(values, "driver"),
+        port=port(values),
+        baud=whole(values.get("baud", 115200), "baud", 1, 100_000_000),
+        table_axis=axis(values, "table_axis", "Z"),
+        units_per_deg=units,
+        approach_deg=approach,
+        witness=text(values, "witness", ""),
+    )
+
+
+def _triple_of(values: dict[str, Any], key: str, default: tuple[float, float, float]) -> tuple[float, float, float]:
+    x, y, table_value = array(values[key], key, (3,), 1e6).tolist() if key in values else default
+    return x, y, table_value
 
 
 def _limits(values: dict[str, Any]) -> LimitsConfig:
     speeds = {key: number(values[key], key, 1e-3, 1e5) for key in ("sweep_speed_deg_s", "travel_speed_deg_s", "table_speed_deg_s")}
-    return LimitsConfig(x_deg=_pair(values["x_deg"], "x_deg"), y_deg=_pair(values["y_deg"], "y_deg"), **speeds)
+    table_deg = _pair(values["table_deg"], "table_deg", 1e6) if "table_deg" in values else None
+    return LimitsConfig(x_deg=_pair(values["x_deg"], "x_deg"), y_deg=_pair(values["y_deg"], "y_deg"), table_deg=table_deg, **speeds)
 
 
 def _laser(values: dict[str, Any]) -> LaserConfig:
@@ -286,8 +293,8 @@ def _laser(values: dict[str, Any]) -> LaserConfig:
     return LaserConfig(_triple(values["position_mm"], "position_mm"), _triple(values["target_mm"], "target_mm"), float(diameter_mm))
 
 
-def _pair(value: Any, key: str) -> tuple[float, float]:
-    low, high = array(value, key, (2,), 360.0).tolist()
+def _pair(value: Any, key: str, most: float = 360.0) -> tuple[float, float]:
+    low, high = array(value, key, (2,), most).tolist()
     if not low < high:
         raise ValueError(f"'{key}' must be a lower and an upper limit")
     return low, high

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.clock import Clock, Pacer
-from scanner_core.devices.camera import Frame, Trigger
+from scanner_core.devices.camera import CameraReport, Frame, Trigger
 from scanner_core.errors import DeviceClosedError, DeviceLostError, DeviceTimeoutError
 from scanner_core.virtual.disturbed import Disturbed
 
@@ -152,6 +152,21 @@ class VirtualCamera:
             raise DeviceTimeoutError("E-CAM-01", camera=self._name, seconds=f"{GRAB_S:.0f}")
         self._clock.wait_until(start_s + 1e-3 * self._exposure_ms)
         return self._frame(start_s, self._grabs, (1 << 60) + self._grabs)
+
+    def report(self) -> CameraReport:
+        self._ensure_open()
+        return CameraReport(
+            driver="virtual",
+            id=f"virtual:{self._name}",
+            model="camera of the virtual rig",
+            size_px=self._size_px,
+            rate_hz=self._rate_hz,
+            pixel_format="Mono8",
+            exposure_ms=self._exposure_ms,
+            gain_db=self._gain_db,
+            trigger="software",
+            dropped=self.dropped,
+        )
 
     def close(self) -> None:
         with self._lock:

@@ -21,7 +21,8 @@ from scanner_core.acquisition.runner import ScanRunner
 from scanner_core.case.observation import StereoObservation
 from scanner_core.case.processing import case_cloud
 from scanner_core.case.store import CaseStore, Order
-from scanner_core.devices.rig import ControllerConfig, load_preset
+from scanner_core.devices.controller_config import ControllerConfig
+from scanner_core.devices.rig import load_preset
 from scanner_core.jobs.blocking import run_in_worker
 from scanner_core.reconstruction.job import ReconstructionRequest
 from scanner_core.reconstruction.parameters import ReconstructionParameters

@@ -7,13 +7,13 @@ import time
 
 from scanner_core.clock import Clock
 from scanner_core.devices.check import Check
+from scanner_core.devices.controller_config import ControllerConfig
 from scanner_core.devices.grbl.doctor import controller_checks
 from scanner_core.devices.grbl.handshake import shake_hands
 from scanner_core.devices.grbl.lines import Report
 from scanner_core.devices.grbl.link import ANSWER_S, GrblLink, Halt
 from scanner_core.devices.laser_safety import LIT_ANSWER_S, STANDING_LASER_S, Darkened, LaserWatch, Light, breach
 from scanner_core.devices.motion import MotionState, MotionStatus
-from scanner_core.devices.rig import ControllerConfig
 from scanner_core.devices.serial_port import BytePort, DirectPort
 from scanner_core.errors import ControllerAlarmError, DeviceError, UsageError
 

@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from scanner_core.clock import SteppedClock
+from scanner_core.devices.controller_config import ControllerConfig
 from scanner_core.devices.grbl import GrblController, open_controller
-from scanner_core.devices.rig import ControllerConfig
 from scanner_core.virtual.firmware import Firmware
 from scanner_core.virtual.firmware_registry import register_firmware, unregister_firmware
 from scanner_core.virtual.firmware_settings import FirmwareSettings

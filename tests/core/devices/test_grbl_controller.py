@@ -12,10 +12,10 @@ import pytest
 import serial
 
 from scanner_core.clock import SteppedClock
+from scanner_core.devices.controller_config import ControllerConfig
 from scanner_core.devices.grbl import GrblController, open_controller
 from scanner_core.devices.motion import MotionState
 from scanner_core.devices.port_faults import fault_kind
-from scanner_core.devices.rig import ControllerConfig
 from scanner_core.errors import (
     ControllerAlarmError,
     DeviceBusyError,

@@ -11,8 +11,8 @@ import sys
 import time
 
 from scanner_core.clock import ScaledClock
+from scanner_core.devices.controller_config import ControllerConfig
 from scanner_core.devices.grbl import GrblController, open_controller
-from scanner_core.devices.rig import ControllerConfig
 from scanner_core.errors import DeviceError
 
 STATES = ("idle", "sweep", "turning", "standing")
