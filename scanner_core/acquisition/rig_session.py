@@ -95,9 +95,7 @@ class OpenRig:
         self.close()
 
 
-def open_rig(
-    config: RigConfig, specimen: Specimen | None = None, speed: Speed = "max", seed: int = 0, faults: Iterable[Fault] = ()
-) -> OpenRig:
+def open_rig(config: RigConfig, specimen: Specimen | None = None, speed: Speed = "max", seed: int = 0, faults: Iterable[Fault] = ()) -> OpenRig:
     """Open the devices of a rig.
 
     Parameters
