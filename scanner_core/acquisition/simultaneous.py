@@ -11,8 +11,10 @@ changes).  A pair without a neighbour, or whose spot jumps to the next frame bec
 ``out_of_step``: half of each side of an edge is a place where nothing is.  Between two frames the path is taken as straight; on a
 sphere of 11 mm with points 0.7 mm apart the chord costs at most 5 um, where 8 ms of skew cost 140 um of its radius.
 
-Cameras that are triggered by a line expose together by construction; their stamps, which come from two clocks, are not
-believed.
+Cameras that a line triggers (also when one of them triggers the other) expose together by construction: their stamps, which come
+from two clocks, are not believed to a fraction of a frame.  But their frames are counted into the plan by those stamps, and an edge
+that falls between two slots may be counted into either: a row that is a whole frame apart is put right.  Frames that are made by
+a command each carry the command's number, and need nothing of all this.
 """
 
 from __future__ import annotations
@@ -20,10 +22,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from enum import Enum
 
 import numpy as np
 
 from scanner_core.acquisition.engine import StereoPair
+from scanner_core.devices.camera_config import TriggerSource
 from scanner_core.optics.spot import MissReason, Spot, SpotMiss
 
 LEAST_SKEW_S = 5e-5
@@ -33,15 +37,33 @@ _JUMP = 3.0
 _OUT_OF_STEP = SpotMiss(MissReason.OUT_OF_STEP)
 
 
-def rows_in_step(batches: Iterable[list[StereoPair]], rate_hz: float) -> Iterator[list[StereoPair]]:
-    """The batches of a row as one, brought to one instant; also what a row had given before it ended with an error."""
+class Counting(Enum):
+    """How the frames of two cameras came by their trigger ids."""
+
+    COMMANDED = "a command of the program for every frame"
+    WIRED = "exposed together by a line, counted by their times"
+    FREE = "exposed as each camera likes, counted by their times"
+
+    @classmethod
+    def of(cls, left: TriggerSource, right: TriggerSource) -> Counting:
+        """Of cameras that are triggered like this."""
+        if TriggerSource.HARDWARE in (left, right):
+            return cls.WIRED
+        return cls.FREE if TriggerSource.FREE in (left, right) else cls.COMMANDED
+
+
+def rows_in_step(batches: Iterable[list[StereoPair]], rate_hz: float, counting: Counting) -> Iterator[list[StereoPair]]:
+    """The batches of a row as they come, or as one, brought to one instant; also what a row had given before it ended with an error."""
+    if counting is Counting.COMMANDED:
+        yield from batches
+        return
     seen: list[StereoPair] = []
     try:
         for pairs in batches:
             seen += pairs
     finally:
         if seen:
-            yield simultaneous(seen, rate_hz)
+            yield simultaneous(seen, rate_hz, whole_frames=counting is Counting.WIRED)
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +78,7 @@ class _Between:
         return (self.first,) if self.share == 0.0 else (self.first, self.first + 1)
 
 
-def simultaneous(pairs: Sequence[StereoPair], rate_hz: float) -> list[StereoPair]:
+def simultaneous(pairs: Sequence[StereoPair], rate_hz: float, *, whole_frames: bool = False) -> list[StereoPair]:
     """The pairs of one row, each at one instant.
 
     Parameters
@@ -64,36 +86,37 @@ def simultaneous(pairs: Sequence[StereoPair], rate_hz: float) -> list[StereoPair
     pairs : in the order of their trigger ids; a pair without two spots stays as it is, but several candidates cannot be followed from
         frame to frame and give up
     rate_hz : of the cameras
+    whole_frames : believe the stamps to whole frames only
 
     Returns
     -------
     list
-        As many pairs, those with two spots without skew.
+        As many pairs, without the skew that was made up for.
     """
     both = [pair.skew_s for pair in pairs if pair.left is not None and pair.right is not None]
     skew_s = float(np.median(both)) if both else 0.0
-    if abs(skew_s) < LEAST_SKEW_S:
+    frames = float(round(skew_s * rate_hz)) if whole_frames else skew_s * rate_hz
+    if abs(frames) < LEAST_SKEW_S * rate_hz:
         return list(pairs)
-    frames = skew_s * rate_hz
     left = {pair.trigger_id: pair.left for pair in pairs if isinstance(pair.left, Spot)}
     right = {pair.trigger_id: pair.right for pair in pairs if isinstance(pair.right, Spot)}
     longest_left, longest_right = _JUMP * _way_px(left), _JUMP * _way_px(right)
     brought = []
     for pair in pairs:
-        if isinstance(pair.left, Spot) and isinstance(pair.right, Spot):
+        if pair.left is None or pair.right is None:
+            brought.append(pair)
+            continue
+        seen_left, seen_right = _alone(pair.left), _alone(pair.right)
+        if isinstance(seen_left, Spot) and isinstance(seen_right, Spot):
             at_left = _at(right, _place(pair.trigger_id, -frames), longest_right)
             at_right = None if at_left else _at(left, _place(pair.trigger_id, frames), longest_left)
             if at_left is not None:
-                pair = replace(pair, right=at_left, skew_s=0.0)
+                seen_right = at_left
             elif at_right is not None:
-                pair = replace(pair, left=at_right, skew_s=0.0)
+                seen_left = at_right
             else:
-                pair = replace(pair, right=_OUT_OF_STEP, skew_s=0.0)
-        elif pair.left is not None and pair.right is not None and MissReason.AMBIGUOUS in (_reason(pair.left), _reason(pair.right)):
-            pair = replace(pair, left=_alone(pair.left), right=_alone(pair.right), skew_s=0.0)
-        elif pair.left is not None and pair.right is not None:
-            pair = replace(pair, skew_s=0.0)
-        brought.append(pair)
+                seen_right = _OUT_OF_STEP
+        brought.append(replace(pair, left=seen_left, right=seen_right, skew_s=pair.skew_s - frames / rate_hz))
     return brought
 
 
@@ -128,10 +151,6 @@ def _way_px(spots: dict[int, Spot]) -> float:
     """Median way from frame to frame; infinite when no two frames follow one another, so that nothing counts as a jump."""
     ways = [math.hypot(spot.x_px - before.x_px, spot.y_px - before.y_px) for i, spot in spots.items() if (before := spots.get(i - 1)) is not None]
     return float(np.median(ways)) if ways else math.inf
-
-
-def _reason(seen: Spot | SpotMiss) -> MissReason | None:
-    return seen.reason if isinstance(seen, SpotMiss) else None
 
 
 def _alone(seen: Spot | SpotMiss) -> Spot | SpotMiss:

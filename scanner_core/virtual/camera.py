@@ -165,7 +165,7 @@ class VirtualCamera:
             pixel_format="Mono8",
             exposure_ms=self._exposure_ms,
             gain_db=self._gain_db,
-            trigger=TriggerSource.HARDWARE,
+            trigger=TriggerSource.SOFTWARE,
             dropped=self.dropped,
         )
 

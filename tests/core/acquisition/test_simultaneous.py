@@ -14,7 +14,7 @@ from scanner_core.acquisition.engine import StereoPair
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.acquisition.runner import ScanRunner
-from scanner_core.acquisition.simultaneous import rows_in_step, simultaneous
+from scanner_core.acquisition.simultaneous import Counting, rows_in_step, simultaneous
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.camera import CameraReport
 from scanner_core.devices.camera_config import TriggerSource
@@ -65,6 +65,39 @@ def test_a_lost_trigger_is_a_whole_frame() -> None:
     assert brought[0].left == pairs[1].left  # nothing is before the first: there the left spot is taken from the next frame
 
 
+@pytest.mark.parametrize("frames", [-1, 0, 1])
+def test_cameras_on_one_line_are_counted_alike_and_their_clocks_not_believed(frames: int) -> None:
+    """An edge between two slots was counted into either; a fifth of a frame is what two clocks disagree by."""
+    pairs = _row(0.0)
+    shifted = {pair.trigger_id + frames: pair.right for pair in pairs}
+    counted = [replace(pair, right=shifted.get(pair.trigger_id), skew_s=(0.2 - frames) / RATE_HZ) for pair in pairs]
+    brought = simultaneous(counted, RATE_HZ, whole_frames=True)
+    for pair in brought:
+        if isinstance(pair.left, Spot) and isinstance(pair.right, Spot):
+            assert (pair.left.x_px - 10) / 3 == pytest.approx((pair.right.x_px - 300) / 1.5)
+            assert pair.skew_s == pytest.approx(0.2 / RATE_HZ)
+    assert sum(isinstance(pair.left, Spot) and isinstance(pair.right, Spot) for pair in brought) == len(pairs) - abs(frames)
+
+
+def test_frames_of_commands_pass_as_they_come() -> None:
+    batches = [_row(0.4)[:8], _row(0.4)[8:]]
+    assert list(rows_in_step(iter(batches), RATE_HZ, Counting.COMMANDED)) == batches
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "counting"),
+    [
+        (TriggerSource.FREE, TriggerSource.FREE, Counting.FREE),
+        (TriggerSource.FREE, TriggerSource.HARDWARE, Counting.WIRED),
+        (TriggerSource.HARDWARE, TriggerSource.HARDWARE, Counting.WIRED),
+        (TriggerSource.SOFTWARE, TriggerSource.SOFTWARE, Counting.COMMANDED),
+        (TriggerSource.SOFTWARE, TriggerSource.FREE, Counting.FREE),
+    ],
+)
+def test_how_frames_are_counted_follows_from_the_triggers(left: TriggerSource, right: TriggerSource, counting: Counting) -> None:
+    assert Counting.of(left, right) is counting
+
+
 def test_a_single_stamp_that_jitters_moves_nothing() -> None:
     pairs = _row(0.4)
     pairs[7] = replace(pairs[7], skew_s=pairs[7].skew_s + 0.004)
@@ -107,7 +140,7 @@ def test_a_row_that_ends_with_an_error_still_gives_what_it_has() -> None:
         yield _row(0.4)[:8]
         raise DeviceLostError("E-CAM-02", camera="right")
 
-    rows = rows_in_step(batches(), RATE_HZ)
+    rows = rows_in_step(batches(), RATE_HZ, Counting.FREE)
     assert [pair.trigger_id for pair in next(rows)] == list(range(100, 108))
     with pytest.raises(DeviceLostError):
         next(rows)
