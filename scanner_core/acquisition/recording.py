@@ -49,6 +49,11 @@ class Recorded:
         error = None if self.error is None else {"code": self.error.code, "sentence": str(self.error)}
         return {"folder": str(self.folder), "frames": self.frames, "bytes": self.bytes, "error": error}
 
+    def summary(self) -> str:
+        """In words."""
+        frames = " and ".join(f"{count} frames of camera {name}" for name, count in self.frames.items())
+        return f"Recorded {frames} into {self.folder} ({self.bytes / 1e6:.0f} MB)."
+
 
 def check_recordable(folder: Path) -> None:
     """Say before the rig is touched whether something can be recorded into a folder.

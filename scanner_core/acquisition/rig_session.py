@@ -55,6 +55,11 @@ class OpenRig:
     release: Callable[[], None] | None = None
     """What else has to be let go when the rig is closed."""
 
+    @property
+    def replayed(self) -> bool:
+        """Both cameras show what was recorded: nobody has to put anything before them."""
+        return self.config.left.driver == self.config.right.driver == "replay"
+
     def inject(self, fault: Fault) -> None:
         """Let something go wrong on the virtual rig, its time counted from now; see :mod:`scanner_core.virtual.faults`.
 

@@ -141,6 +141,8 @@ def _add(recording: CameraRecording, line: dict[str, Any]) -> None:
     elif "ended" in line:
         run = recording.runs[int(line["ended"]) - 1]
         run.whole, run.error = bool(line["whole"]), str(line.get("error", ""))
+    else:
+        raise ValueError("nobody knows what it says")
 
 
 def read_grey(path: Path) -> NDArray[np.uint8]:

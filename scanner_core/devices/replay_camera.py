@@ -10,7 +10,7 @@ from typing import Self
 
 from scanner_core.clock import Clock, Pacer
 from scanner_core.devices.camera import CameraReport, Frame, Trigger
-from scanner_core.devices.camera_config import CameraConfig
+from scanner_core.devices.camera_config import CameraConfig, TriggerSource
 from scanner_core.devices.recording import INDEX, is_recording, read_recording
 from scanner_core.devices.replay_source import FrameSource, RecordedFrames, SourceFrame, image_folder, video_file
 from scanner_core.errors import DeviceClosedError, DeviceError
@@ -144,7 +144,7 @@ class ReplayCamera:
             pixel_format="Mono8",
             exposure_ms=self._exposure_ms,
             gain_db=self._gain_db,
-            trigger="software",
+            trigger=TriggerSource.SOFTWARE,
             dropped=self._source.dropped,
         )
 
