@@ -1,50 +1,83 @@
-"""Which planned measurement a frame of a free-running camera shows: told by its time."""
+"""Frames of a camera that keeps its own time, counted into the planned exposures of a run.
+
+The slot of a frame is its place in the run by its time.  Both cameras of a rig count from one origin, which is settled by
+whichever of them delivers the first frame of the run: cameras that expose on the same edge then always agree about its
+number, whatever their time stamps' jitter, and cameras that run freely are paired at most half a period apart.
+"""
 
 from __future__ import annotations
 
 import math
+import threading
+from weakref import WeakKeyDictionary
 
+from scanner_core.clock import Clock
 from scanner_core.devices.camera import Trigger
 
-JITTER = 0.25
-"""How far, in periods, a frame may lie outside of its slot and still continue the count of the frame before it."""
+
+def slot_of(time_s: float, start_s: float, rate_hz: float) -> int:
+    """Number of the period of `rate_hz` that `time_s` falls into; period 0 begins at `start_s`."""
+    return math.floor((time_s - start_s) * rate_hz)
 
 
 class FrameSlots:
-    """Counts the frames of one run into its trigger ids.
+    """One camera's frames of one run.
 
-    Slot k of a run lasts from ``start_s + k / rate_hz`` for one period; a frame belongs to the slot in which the middle of
-    its exposure lies.  A camera whose frames fall near the border of two slots would, with the jitter of its time stamps,
-    skip one slot and fill the next twice: so a frame that follows its predecessor by a whole number of periods continues
-    the count as long as it lies within :data:`JITTER` periods of that slot.  A camera that is a little faster or slower
-    than `rate_hz` drifts out of that and is counted anew: a slot stays empty, or a frame is left out.
+    Parameters
+    ----------
+    clock : the rig's; cameras that share it belong together
+    trigger : the run; both cameras are armed with the same object
+    camera : name of the camera
+    rate_hz : planned exposures a second
     """
 
-    def __init__(self, trigger: Trigger, rate_hz: float) -> None:
-        self._trigger, self._rate_hz = trigger, rate_hz
-        self._last = -1
-        self._last_position: float | None = None
-        self.missing = 0
-        """Slots that were passed over so far."""
+    def __init__(self, clock: Clock, trigger: Trigger, camera: str, rate_hz: float) -> None:
+        self._origin = _join(clock, trigger, camera)
+        self._start_s, self._rate_hz = trigger.start_s, rate_hz
+        self._first: tuple[float, int] | None = None
 
-    def trigger_id(self, time_s: float) -> int | None:
-        """The id of the frame whose exposure has its middle at `time_s`; None of one that fits into no slot of the run."""
-        position = (time_s - self._trigger.start_s) * self._rate_hz
-        slot = self._slot(position)
-        if slot <= self._last:  # before the run, twice in a slot, or an old frame again
-            return None
-        self.missing += min(slot, self._trigger.count) - self._last - 1
-        self._last, self._last_position = slot, position
-        return self._trigger.first_id + slot if slot < self._trigger.count else None
+    def slot(self, time_s: float) -> int | None:
+        """Slot of a frame whose middle of the exposure is `time_s`; None before the run begins.
 
-    @property
-    def ended(self) -> bool:
-        """Whether no slot is left."""
-        return self._last >= self._trigger.count - 1
+        From its first frame on a camera counts by the time since then, rounded, so that jitter of less than half a period
+        neither doubles nor skips a slot.
+        """
+        if self._first is None:
+            # A frame in the middle of its slot: slots that begin no earlier than start_s hold no frame that was earlier.
+            if time_s < self._start_s + 0.5 / self._rate_hz:
+                return None
+            slot = slot_of(time_s, self._origin.settle(time_s - 0.5 / self._rate_hz), self._rate_hz)
+            if slot < 0:
+                return None
+            self._first = (time_s, slot)
+        first_s, slot = self._first
+        return slot + round((time_s - first_s) * self._rate_hz)
 
-    def _slot(self, position: float) -> int:
-        if self._last_position is not None:
-            following = self._last + round(position - self._last_position)
-            if following > self._last and -JITTER <= position - following <= 1.0 + JITTER:
-                return following
-        return math.floor(position)
+
+class _Origin:
+    """Where slot 0 of a run begins, and the cameras that count from there."""
+
+    def __init__(self, trigger: Trigger) -> None:
+        self.trigger = trigger
+        self.cameras: set[str] = set()
+        self._time_s: float | None = None
+        self._lock = threading.Lock()
+
+    def settle(self, time_s: float) -> float:
+        with self._lock:
+            if self._time_s is None:
+                self._time_s = time_s
+            return self._time_s
+
+
+_origins: WeakKeyDictionary[Clock, _Origin] = WeakKeyDictionary()
+_joining = threading.Lock()
+
+
+def _join(clock: Clock, trigger: Trigger, camera: str) -> _Origin:
+    with _joining:
+        origin = _origins.get(clock)
+        if origin is None or origin.trigger is not trigger or camera in origin.cameras:
+            origin = _origins[clock] = _Origin(trigger)
+        origin.cameras.add(camera)
+        return origin

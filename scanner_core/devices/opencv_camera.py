@@ -46,7 +46,7 @@ class OpenCvCamera:
         self._rate_hz = _rate_hz(config.rate_hz, self._taken.rate_hz, link.measured_hz)
         self._lock = threading.Lock()
         self._refused = {"": self._taken.refused}
-        self._run: FrameSlots | None = None
+        self._run: Trigger | None = None
         self._fresh_s = 0.0
         self._grabs = 0
         self._closed = threading.Event()
@@ -88,20 +88,21 @@ class OpenCvCamera:
         except LinkError as failure:
             raise self._error(failure.failed) from None
         with self._lock:
-            self._run = FrameSlots(trigger, self._rate_hz)
+            self._run = trigger
 
     def frames(self, stop: threading.Event) -> Iterator[Frame]:
         self._ensure_open()
         with self._lock:
-            run = self._run
-        if run is None:
+            trigger = self._run
+        if trigger is None:
             return
-        missing = 0
+        slots = FrameSlots(self._clock, trigger, self.name, self._rate_hz)
+        last = -1
         heard_s = time.monotonic()
-        while not (run.ended or stop.is_set()):
+        while last < trigger.count - 1 and not stop.is_set():
             stamped = self._next(_POLL_S)
             with self._lock:
-                if self._run is not run:
+                if self._run is not trigger:
                     break
             if stamped is None:
                 if time.monotonic() - heard_s > SILENCE_S + 1e-3 * self.exposure_ms:
@@ -109,11 +110,13 @@ class OpenCvCamera:
                 continue
             heard_s = time.monotonic()
             time_s = self._time_s(stamped)
-            trigger_id = run.trigger_id(time_s)
-            self.dropped += run.missing - missing
-            missing = run.missing
-            if trigger_id is not None:
-                yield Frame(stamped.image, trigger_id, time_s, self.name)
+            slot = slots.slot(time_s)
+            if slot is None or slot <= last:  # before the run, or a second one in its slot
+                continue
+            self.dropped += min(slot, trigger.count) - last - 1
+            last = slot
+            if slot < trigger.count:
+                yield Frame(stamped.image, trigger.first_id + slot, time_s, self.name)
         self._ensure_open()
 
     def grab(self) -> Frame:
