@@ -8,7 +8,7 @@ import time
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import Self
+from typing import Literal, Self
 
 from scanner_core.clock import Clock
 from scanner_core.devices.camera import CameraReport, Frame, Trigger
@@ -45,8 +45,7 @@ class OpenCvCamera:
         self._model = model
         self._rate_hz = _rate_hz(config.rate_hz, self._taken.rate_hz, link.measured_hz)
         self._lock = threading.Lock()
-        self._refused = {"": self._taken.refused}
-        self._run: Trigger | None = None
+        self._run: tuple[Trigger, FrameSlots] | None = None
         self._fresh_s = 0.0
         self._grabs = 0
         self._closed = threading.Event()
@@ -71,7 +70,7 @@ class OpenCvCamera:
 
     @exposure_ms.setter
     def exposure_ms(self, value: float) -> None:
-        self._taken = replace(self._taken, exposure_ms=self._set(Setting("exposure_ms", value)))
+        self._set("exposure_ms", value)
 
     @property
     def gain_db(self) -> float:
@@ -79,7 +78,7 @@ class OpenCvCamera:
 
     @gain_db.setter
     def gain_db(self, value: float) -> None:
-        self._taken = replace(self._taken, gain_db=self._set(Setting("gain_db", value)))
+        self._set("gain_db", value)
 
     def start(self, trigger: Trigger) -> None:
         self._ensure_open()
@@ -88,21 +87,21 @@ class OpenCvCamera:
         except LinkError as failure:
             raise self._error(failure.failed) from None
         with self._lock:
-            self._run = trigger
+            self._run = trigger, FrameSlots(self._clock, trigger, self.name, self._rate_hz)
 
     def frames(self, stop: threading.Event) -> Iterator[Frame]:
         self._ensure_open()
         with self._lock:
-            trigger = self._run
-        if trigger is None:
+            run = self._run
+        if run is None:
             return
-        slots = FrameSlots(self._clock, trigger, self.name, self._rate_hz)
+        trigger, slots = run
         last = -1
         heard_s = time.monotonic()
         while last < trigger.count - 1 and not stop.is_set():
             stamped = self._next(_POLL_S)
             with self._lock:
-                if self._run is not trigger:
+                if self._run is not run:
                     break
             if stamped is None:
                 if time.monotonic() - heard_s > SILENCE_S + 1e-3 * self.exposure_ms:
@@ -142,7 +141,7 @@ class OpenCvCamera:
             pixel_format=self._taken.pixel_format,
             exposure_ms=self._taken.exposure_ms,
             gain_db=self._taken.gain_db,
-            refused=tuple(sentence for sentences in self._refused.values() for sentence in sentences),
+            refused=tuple(sentence for _, sentence in self._taken.refused),
             dropped=self.dropped,
         )
 
@@ -164,18 +163,20 @@ class OpenCvCamera:
             self._ensure_open()
             raise self._error(failure.failed) from None
 
-    def _set(self, setting: Setting) -> float:
+    def _set(self, name: Literal["exposure_ms", "gain_db"], value: float) -> None:
         self._ensure_open()
         try:
-            answer = self._link.set(setting)
+            answer = self._link.set(Setting(name, value))
         except LinkError as failure:
             self._ensure_open()
             raise self._error(failure.failed) from None
         if answer is None:
             raise self._silent(SILENCE_S)
-        self._refused[setting.name] = answer.refused
+        others = tuple(refused for refused in self._taken.refused if refused[0] != name)
+        refused = others + tuple((name, sentence) for sentence in answer.refused)
+        has = {"exposure_ms": self._taken.exposure_ms, "gain_db": self._taken.gain_db, name: answer.value}
+        self._taken = replace(self._taken, **has, refused=refused)
         self._fresh_s = time.monotonic() + SETTLING_FRAMES / self._rate_hz
-        return answer.value
 
     def _time_s(self, stamped: StampedImage) -> float:
         return self._clock.now_s() - (time.monotonic() - stamped.middle_s)
@@ -223,7 +224,7 @@ def open_opencv_camera(
 def camera_error(config: CameraConfig, failed: Failed) -> DeviceError:
     """The sentence for a camera that failed."""
     if failed.fault == "silent":
-        return DeviceTimeoutError("E-CAM-01", details=failed.details, camera=config.name, seconds=f"{GRAB_S:.0f}")
+        return DeviceTimeoutError("E-CAM-01", details=failed.details, camera=config.name, seconds=f"{failed.seconds:.0f}")
     if failed.fault == "format":
         return DeviceError("E-CAM-08", camera=config.name, reason=failed.details)
     if failed.fault == "closed":

@@ -75,8 +75,8 @@ class CameraLink:
             control.close()  # only the process holds these ends now: its end closes them
             frames.close()
             self.opened = self._expect(Opened, _START_S, Failed("closed", "its driver does not answer"))
-            self.shape = self._expect(FirstFrame, _FIRST_FRAME_S, Failed("silent", "")).shape
-            self.measured_hz = self._expect(Ready, _MEASURED_S, Failed("silent", "")).rate_hz
+            self.shape = self._expect(FirstFrame, _FIRST_FRAME_S, Failed("silent", "", _FIRST_FRAME_S)).shape
+            self.measured_hz = self._expect(Ready, _MEASURED_S, Failed("silent", "", _MEASURED_S)).rate_hz
             self._ring = SharedMemory(create=True, size=PLACES * self.shape[0] * self.shape[1])
             self._control.send(self._ring.name)
         except BaseException as fault:

@@ -91,6 +91,8 @@ class Failed:
 
     fault: Fault
     details: str
+    seconds: float = READ_TIMEOUT_S
+    """How long a silent one was waited for."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -45,14 +45,17 @@ class Wanted:
 
 @dataclass(frozen=True, slots=True)
 class Taken:
-    """What a camera made of it, read back; `rate_hz` is 0 where the driver does not tell."""
+    """What a camera made of it, read back; `rate_hz` is 0 where the driver does not tell.
+
+    `refused` holds (setting, sentence) for what it did not take.
+    """
 
     size_px: tuple[int, int]
     rate_hz: float
     pixel_format: str
     exposure_ms: float
     gain_db: float
-    refused: tuple[str, ...] = ()
+    refused: tuple[tuple[str, str], ...] = ()
 
 
 def set_up(capture: Capture, wanted: Wanted) -> Taken:
@@ -61,27 +64,27 @@ def set_up(capture: Capture, wanted: Wanted) -> Taken:
     The format goes first, because a driver offers sizes by format and rates by size.  Automatic focus and white balance are
     switched off whatever the rig file says: a lens that moves ends the calibration.
     """
-    refused = []
+    refused: list[tuple[str, str]] = []
     if wanted.pixel_format:
         capture.set(cv2.CAP_PROP_FOURCC, fourcc_number(wanted.pixel_format))
         if (has := fourcc_name(capture.get(cv2.CAP_PROP_FOURCC))) != _padded(wanted.pixel_format):
-            refused.append(f"The format '{wanted.pixel_format}' was refused; the camera gives '{has.strip()}'.")
+            refused.append(("pixel_format", f"The format '{wanted.pixel_format}' was refused; the camera gives '{has.strip()}'."))
     if wanted.size_px is not None:
         capture.set(cv2.CAP_PROP_FRAME_WIDTH, wanted.size_px[0])
         capture.set(cv2.CAP_PROP_FRAME_HEIGHT, wanted.size_px[1])
         if (size := _size(capture)) != wanted.size_px:
-            refused.append(f"The size {_by(wanted.size_px)} was refused; the camera gives {_by(size)}.")
+            refused.append(("size_px", f"The size {_by(wanted.size_px)} was refused; the camera gives {_by(size)}."))
     stream = capture.getBackendName() == "FFMPEG"  # what it says of the rate is a guess
     if wanted.rate_hz is not None and not stream:
         capture.set(cv2.CAP_PROP_FPS, wanted.rate_hz)
         if abs((rate := capture.get(cv2.CAP_PROP_FPS)) - wanted.rate_hz) > _RATE_TOLERANCE * wanted.rate_hz:
-            refused.append(f"The rate of {wanted.rate_hz:g} frames/s was refused; the driver says {rate:g}.")
+            refused.append(("rate_hz", f"The rate of {wanted.rate_hz:g} frames/s was refused; the driver says {rate:g}."))
     for prop in (cv2.CAP_PROP_AUTOFOCUS, cv2.CAP_PROP_AUTO_WB):
         capture.set(prop, 0)
     exposure_ms, why = set_exposure(capture, wanted.exposure_ms)
-    refused += why
+    refused += [("exposure_ms", sentence) for sentence in why]
     gain_db, why = set_gain(capture, wanted.gain_db)
-    refused += why
+    refused += [("gain_db", sentence) for sentence in why]
     rate_hz = capture.get(cv2.CAP_PROP_FPS)
     return Taken(
         _size(capture),
