@@ -173,9 +173,8 @@ class OpenCvCamera:
         if answer is None:
             raise self._silent(SILENCE_S)
         others = tuple(refused for refused in self._taken.refused if refused[0] != name)
-        refused = others + tuple((name, sentence) for sentence in answer.refused)
-        has = {"exposure_ms": self._taken.exposure_ms, "gain_db": self._taken.gain_db, name: answer.value}
-        self._taken = replace(self._taken, **has, refused=refused)
+        taken = replace(self._taken, refused=others + tuple((name, sentence) for sentence in answer.refused))
+        self._taken = replace(taken, exposure_ms=answer.value) if name == "exposure_ms" else replace(taken, gain_db=answer.value)
         self._fresh_s = time.monotonic() + SETTLING_FRAMES / self._rate_hz
 
     def _time_s(self, stamped: StampedImage) -> float:

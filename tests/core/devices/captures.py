@@ -137,10 +137,10 @@ class Pulled(DriverModel):
 
 
 class Flawed(DriverModel):
-    """Every fourth frame arrives broken."""
+    """Every sixteenth frame arrives broken."""
 
     def grab(self) -> bool:
-        return super().grab() and self.frames % 4 != 0
+        return super().grab() and self.frames % 16 != 0
 
 
 class Black(DriverModel):

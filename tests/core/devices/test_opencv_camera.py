@@ -224,10 +224,10 @@ def test_what_befalls_it_later(tmp_path: Path, name: str, sentence: str) -> None
 def test_broken_frames_are_gaps_and_no_end(tmp_path: Path) -> None:
     clock = ScaledClock()
     with open_opencv_camera(node("flawed"), clock, FakeNodes(tmp_path, "flawed"), open_fake) as camera:
-        camera.start(Trigger(0, 20, clock.now_s()))
+        camera.start(Trigger(0, 40, clock.now_s()))
         ids = [frame.trigger_id for frame in camera.frames(threading.Event())]
-        assert 10 <= len(ids) < 20
-        assert camera.dropped >= 19 - len(ids)
+        assert 20 <= len(ids) < 40
+        assert camera.dropped == 40 - len(ids)
 
 
 @pytest.mark.parametrize(
