@@ -71,6 +71,13 @@ SENTENCES: dict[str, Sentence] = {
         "The frames of camera {camera} cannot be recorded into {path}: {reason}.",
         "The laser is off and the points so far are kept; free some space or choose another folder, and resume.",
     ),
+    "E-CAM-30": Sentence(
+        "Camera {camera} reported a fault: {reason}.",
+        "The laser is off and the points so far are kept; unplug the camera, plug it in again, and resume.",
+    ),
+    "E-CAM-31": Sentence(
+        "Camera {camera} cannot be triggered by {line}; it has: {lines}.", "Nothing was measured; correct 'trigger_line' in the rig file."
+    ),
     # ------------------------------------------------------------------------------------------ controller
     "E-MOT-01": Sentence(
         "The controller on {port} did not answer '{command}' within {seconds} s.",

@@ -26,9 +26,15 @@ def open_camera(config: CameraConfig, clock: Clock) -> Camera:
     UsageError
         E-USE-01: there is no such driver.
     """
+    if config.driver == "basler":
+        from scanner_core.devices.basler_camera import open_basler
+
+        return open_basler(config, clock)
     raise UsageError("E-USE-01", what=f"There is no driver '{config.driver}' for cameras", do=f"write one of {', '.join(DRIVERS)} into the rig file")
 
 
 def find_cameras() -> list[FoundCamera]:
     """Every camera of this machine, each opened for a moment; one that cannot be used is a value, not an error."""
-    return []
+    from scanner_core.devices.basler_finding import find_basler
+
+    return find_basler()
