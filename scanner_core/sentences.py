@@ -62,6 +62,10 @@ SENTENCES: dict[str, Sentence] = {
     "E-CAM-14": Sentence(
         "Both cameras of the rig file are the same one ({id}).", "Nothing was moved; give the left and the right camera each an 'id' of its own."
     ),
+    "E-CAM-15": Sentence(
+        "Camera {camera} is driven through OpenCV, which cannot trigger it by {trigger}.",
+        'Nothing was moved; write trigger = "free" into the rig file, or use a camera with a trigger of its own and its own driver.',
+    ),
     "E-CAM-20": Sentence("The recording {path} cannot be replayed: {reason}.", "Nothing was measured; choose another recording."),
     "E-CAM-21": Sentence(
         "The recording {path} holds no frames for what was asked of camera {camera}: {reason}.",

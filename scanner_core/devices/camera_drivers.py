@@ -26,6 +26,10 @@ def open_camera(config: CameraConfig, clock: Clock) -> Camera:
     UsageError
         E-USE-01: there is no such driver.
     """
+    if config.driver == "opencv":
+        from scanner_core.devices.opencv_camera import open_opencv_camera
+
+        return open_opencv_camera(config, clock)
     raise UsageError("E-USE-01", what=f"There is no driver '{config.driver}' for cameras", do=f"write one of {', '.join(DRIVERS)} into the rig file")
 
 
