@@ -26,6 +26,10 @@ def open_camera(config: CameraConfig, clock: Clock) -> Camera:
     UsageError
         E-USE-01: there is no such driver.
     """
+    if config.driver == "basler":
+        from scanner_core.devices.basler_camera import open_basler
+
+        return open_basler(config, clock)
     if config.driver == "opencv":
         from scanner_core.devices.opencv_camera import open_opencv_camera
 
@@ -35,6 +39,7 @@ def open_camera(config: CameraConfig, clock: Clock) -> Camera:
 
 def find_cameras() -> list[FoundCamera]:
     """Every camera of this machine, each opened for a moment; one that cannot be used is a value, not an error."""
+    from scanner_core.devices.basler_finding import find_basler
     from scanner_core.devices.opencv_finding import find_opencv_cameras
 
-    return find_opencv_cameras()
+    return [*find_opencv_cameras(), *find_basler()]
