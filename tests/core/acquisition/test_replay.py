@@ -121,9 +121,8 @@ def test_the_static_test_measures_a_recording_without_anybody_who_places_a_plate
 
 def test_a_folder_that_holds_something_is_not_recorded_into(tmp_path: Path) -> None:
     (tmp_path / "letter.txt").write_text("dear", encoding="utf-8")
-    with open_rig(BENCH) as rig:
-        with pytest.raises(UsageError, match="holds files already"), recorded(rig, tmp_path):
-            pass
+    with open_rig(BENCH) as rig, pytest.raises(UsageError, match="holds files already"), recorded(rig, tmp_path):
+        pass
     assert [file.name for file in tmp_path.iterdir()] == ["letter.txt"]
 
 
