@@ -10,10 +10,12 @@ from functools import partial
 from scanner_core.case.store import CaseStore
 from scanner_core.clock import Clock, Speed, SteppedClock, make_clock
 from scanner_core.devices.camera import Camera
+from scanner_core.devices.camera_config import CameraConfig
+from scanner_core.devices.camera_drivers import open_camera
 from scanner_core.devices.grbl import open_controller
 from scanner_core.devices.motion import MotionController
 from scanner_core.devices.rig import RigConfig
-from scanner_core.errors import ImprontaError, UsageError
+from scanner_core.errors import DeviceError, ImprontaError, UsageError
 from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.virtual.bench import VirtualBench
 from scanner_core.virtual.fault import Fault
@@ -25,6 +27,10 @@ from scanner_core.virtual.remote_timeline import RemoteTimeline
 from scanner_core.virtual.specimens import Specimen
 
 _VIRTUAL = "virtual://"
+_RENDERED = "virtual"
+"""Driver of the cameras that the bench makes."""
+_SIMULATED = (_RENDERED, "replay")
+"""Drivers of cameras that keep whatever time the clock shows."""
 _numbers = itertools.count(1)
 
 
@@ -32,7 +38,7 @@ _numbers = itertools.count(1)
 class OpenRig:
     """Everything that a scan needs.  A context manager: leaving it switches the laser off and releases the devices.
 
-    `bench` is the virtual rig, or None for hardware; only a person's operations on it (change the specimen, show the
+    `bench` is the virtual rig, or None where no camera is virtual; only a person's operations on it (change the specimen, show the
     calibration board) go through it, never a measurement.
     """
 
@@ -77,15 +83,8 @@ class OpenRig:
             steps.append(self.faults.close)
         if self.release is not None:
             steps.append(self.release)
-        failed: list[Exception] = []
-        for step in steps:
-            try:
-                step()
-            except Exception as fault:  # one device that fails to close must not keep the others open
-                failed.append(fault)
-        untold = [fault for fault in failed if not isinstance(fault, ImprontaError)]
-        dangers = [fault for fault in failed if isinstance(fault, ImprontaError) and fault.code == "E-MOT-11"]
-        for first in [*dangers, *untold]:
+        failed = _let_go(steps)
+        for first in [*_dangers(failed), *(fault for fault in failed if not isinstance(fault, ImprontaError))]:
             raise first
 
     def __enter__(self) -> OpenRig:
@@ -95,82 +94,132 @@ class OpenRig:
         self.close()
 
 
-def open_rig(
-    config: RigConfig, specimen: Specimen | None = None, speed: Speed = "max", seed: int = 0, faults: Iterable[Fault] = ()
-) -> OpenRig:
-    """Open the devices of a rig.
+def open_rig(config: RigConfig, specimen: Specimen | None = None, speed: Speed = "max", seed: int = 0, faults: Iterable[Fault] = ()) -> OpenRig:
+    """Open the devices of a rig: the controller, which makes sure that the laser is dark, then the cameras.  Nothing moves.
+
+    The controller goes by its port (``virtual://`` is a firmware model in this process; with a `witness` it is one in a process
+    of its own; anything else is hardware), and each camera by its driver; they may be mixed.
 
     Parameters
     ----------
     specimen : what stands on the virtual rig's table
-    speed : of the virtual rig: 1, 5, or ``"max"``; hardware and a firmware model in its own process keep their own time
+    speed : of simulated time: 1, 5, or ``"max"``; hardware and a firmware model in its own process keep their own time
     seed : of the virtual rig's noise
     faults : what goes wrong on the virtual rig, at times that count from now
 
     Raises
     ------
     DeviceError, UsageError
+        Whatever had been opened by then is closed and the laser dark; E-MOT-11 where it may be on.
     """
-    rig = _open(config, specimen, speed, seed)
+    preset = _checked(config)
+    opened: list[Callable[[], None]] = []
     try:
-        for fault in faults:
-            rig.inject(fault)
+        rig = _open(config, preset, specimen, speed, seed, opened)
+    except BaseException as fault:
+        for danger in _dangers(_let_go(opened)):
+            raise danger from fault
+        raise
+    try:
+        for to_come in faults:
+            rig.inject(to_come)
     except BaseException:
         rig.close()
         raise
     return rig
 
 
-def _open(config: RigConfig, specimen: Specimen | None, speed: Speed, seed: int) -> OpenRig:
-    if config.virtual is None:
-        raise UsageError("E-RIG-01", path=config.name, reason=f"there is no driver for cameras of the kind '{config.left.driver}'")
-    if config.virtual not in PRESETS:
+def _checked(config: RigConfig) -> VirtualPreset | None:
+    """What can be said of the rig file before any device is touched; returns the image model of its virtual cameras.
+
+    Raises
+    ------
+    UsageError
+        E-RIG-01.
+    DeviceError
+        E-CAM-14.
+    """
+    left, right = config.left, config.right
+    if (left.driver, left.id) == (right.driver, right.id):
+        raise DeviceError("E-CAM-14", id=left.id)
+    if config.virtual is not None and config.virtual not in PRESETS:
         raise UsageError("E-RIG-01", path=config.name, reason=f"'virtual' must be one of {', '.join(PRESETS)}")
-    preset = PRESETS[config.virtual].changed(config.image_model)
-    if config.controller.port.lower().startswith(_VIRTUAL):
-        clock = make_clock(speed)
+    rendered = [camera for camera in (left, right) if camera.driver == _RENDERED]
+    if not rendered:
+        return None
+    if config.virtual is None:
+        reason = f"camera {rendered[0].name} is virtual, but 'virtual' names no image model ({', '.join(PRESETS)})"
+        raise UsageError("E-RIG-01", path=config.name, reason=reason)
+    if not (_in_process(config) or config.controller.witness):
+        raise UsageError("E-RIG-01", path=config.name, reason="virtual cameras on a real port need 'witness = \"host:port\"' of the firmware process")
+    return PRESETS[config.virtual].changed(config.image_model)
+
+
+def _open(
+    config: RigConfig, preset: VirtualPreset | None, specimen: Specimen | None, speed: Speed, seed: int, opened: list[Callable[[], None]]
+) -> OpenRig:
+    """`opened` gets what has to be called, in this order, if this fails."""
+    timeline: Firmware | RemoteTimeline | None = None
+    release: Callable[[], None] | None = None
+    controller = config.controller
+    if _in_process(config):
+        # Cameras that exist keep real time, and so must what they look at.
+        clock = make_clock(speed if all(camera.driver in _SIMULATED for camera in (config.left, config.right)) else 1.0)
         # A name of its own, so that two rigs can be open in one process.
-        name = f"{config.controller.port[len(_VIRTUAL) :]}-{next(_numbers)}"
-        firmware = Firmware(clock)
-        register_firmware(name, firmware)
-        controller = replace(config.controller, port=_VIRTUAL + name)
-        try:
-            motion = open_controller(controller, clock)
-        except BaseException:
-            unregister_firmware(name)
-            raise
-        return _with_bench(config, preset, motion, clock, firmware, specimen, seed, partial(unregister_firmware, name))
-    return _open_remote(config, preset, specimen, seed)
+        name = f"{controller.port[len(_VIRTUAL) :]}-{next(_numbers)}"
+        timeline = Firmware(clock)
+        register_firmware(name, timeline)
+        release = partial(unregister_firmware, name)
+        controller = replace(controller, port=_VIRTUAL + name)
+    elif controller.witness:
+        timeline = _witness(config)
+        clock, release = timeline.clock, timeline.close
+    else:
+        clock = make_clock(1.0)
+    if release is not None:
+        opened.append(release)
+    motion = open_controller(controller, clock)
+    opened.insert(0, motion.close)
+    bench = None if preset is None or timeline is None else VirtualBench(preset, specimen, clock, timeline, seed)
+    left, right = (_open_camera(camera, clock, bench, opened) for camera in (config.left, config.right))
+    faults = None if bench is None or timeline is None else FaultInjection(clock, bench, timeline)
+    return OpenRig(config, left, right, motion, clock, config.calibration, bench, faults, release)
 
 
-def _open_remote(config: RigConfig, preset: VirtualPreset, specimen: Specimen | None, seed: int) -> OpenRig:
-    """A firmware model in a process of its own, reached through the guardian; its side channel tells where the beam is."""
+def _in_process(config: RigConfig) -> bool:
+    return config.controller.port.lower().startswith(_VIRTUAL)
+
+
+def _witness(config: RigConfig) -> RemoteTimeline:
+    """The side channel of a firmware model in a process of its own; it tells where the beam is."""
     host, _, port = config.controller.witness.rpartition(":")
     if not host or not port.isdigit():
-        raise UsageError("E-RIG-01", path=config.name, reason="a virtual rig on a real port needs 'witness = \"host:port\"' of the firmware process")
-    timeline = RemoteTimeline(host, int(port))
-    try:
-        motion = open_controller(config.controller, timeline.clock)
-    except BaseException:
-        timeline.close()
-        raise
-    return _with_bench(config, preset, motion, timeline.clock, timeline, specimen, seed, timeline.close)
+        raise UsageError("E-RIG-01", path=config.name, reason="'witness' must be the \"host:port\" of a firmware process")
+    return RemoteTimeline(host, int(port))
 
 
-def _with_bench(
-    config: RigConfig,
-    preset: VirtualPreset,
-    motion: MotionController,
-    clock: Clock,
-    timeline: Firmware | RemoteTimeline,
-    specimen: Specimen | None,
-    seed: int,
-    release: Callable[[], None],
-) -> OpenRig:
-    bench = VirtualBench(preset, specimen, clock, timeline, seed)
-    # In simulated time a hand-over a frame would cost more than the frame; in real time previews want every frame at once.
-    transfer = 8 if isinstance(clock, SteppedClock) else 1
-    left, right = bench.camera("left", transfer), bench.camera("right", transfer)
-    for camera, wanted in ((left, config.left), (right, config.right)):
-        camera.exposure_ms, camera.gain_db = wanted.exposure_ms, wanted.gain_db
-    return OpenRig(config, left, right, motion, clock, config.calibration, bench, FaultInjection(clock, bench, timeline), release)
+def _open_camera(config: CameraConfig, clock: Clock, bench: VirtualBench | None, opened: list[Callable[[], None]]) -> Camera:
+    if config.driver != _RENDERED or bench is None:
+        camera = open_camera(config, clock)
+    else:
+        # In simulated time a hand-over a frame would cost more than the frame; in real time previews want every frame at once.
+        transfer = 8 if isinstance(clock, SteppedClock) else 1
+        camera = bench.camera("left" if config.name == "left" else "right", transfer)
+        camera.exposure_ms, camera.gain_db = config.exposure_ms, config.gain_db
+    opened.insert(1, camera.close)
+    return camera
+
+
+def _let_go(steps: Iterable[Callable[[], None]]) -> list[Exception]:
+    """Call all of them, whatever fails; returns what failed."""
+    failed: list[Exception] = []
+    for step in steps:
+        try:
+            step()
+        except Exception as fault:  # one device that fails to close must not keep the others open
+            failed.append(fault)
+    return failed
+
+
+def _dangers(failed: Iterable[Exception]) -> list[Exception]:
+    return [fault for fault in failed if isinstance(fault, ImprontaError) and fault.code == "E-MOT-11"]

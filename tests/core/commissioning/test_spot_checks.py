@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import pytest
 
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
-from scanner_core.commands.doctor import exposure_check, spot_check
+from scanner_core.commissioning.spot_checks import check_exposure, check_spot
 from scanner_core.devices.rig import load_preset
 from scanner_core.errors import DeviceError
 from scanner_core.virtual.specimens import load_specimen
@@ -29,11 +29,11 @@ def _set(rig: OpenRig, exposure_ms: float, gain_db: float) -> None:
 
 
 def test_size_and_peak_of_the_spot_are_told_and_a_bright_one_gets_its_advice(rig: OpenRig) -> None:
-    check = spot_check(rig)
+    check = check_spot(rig)
     assert check.detail.count("sigma ") == 2
     assert "dark after switching off" in check.detail
     _set(rig, 12.0, 24.0)
-    bright = spot_check(rig)
+    bright = check_spot(rig)
     assert bright.verdict == "warn"
     assert "shorten the exposure" in bright.remedy
     assert rig.motion.status().laser_power == 0
@@ -42,7 +42,7 @@ def test_size_and_peak_of_the_spot_are_told_and_a_bright_one_gets_its_advice(rig
 def test_what_the_rule_proposes_is_what_passes(rig: OpenRig) -> None:
     _set(rig, 3.0, 0.0)
     before = _settings(rig)
-    dark = exposure_check(rig)
+    dark = check_exposure(rig)
     assert dark.verdict == "warn"
     assert _settings(rig) == before
     assert rig.motion.status().laser_power == 0
@@ -50,16 +50,16 @@ def test_what_the_rule_proposes_is_what_passes(rig: OpenRig) -> None:
         _, _, told = dark.remedy.partition(f"[camera.{camera.name}]: exposure_ms = ")
         exposure_ms, _, gain_db = told.split("].")[0].partition(", gain_db = ")
         camera.exposure_ms, camera.gain_db = float(exposure_ms), float(gain_db.split(" ")[0].rstrip("."))
-    assert exposure_check(rig).verdict == "pass"
+    assert check_exposure(rig).verdict == "pass"
 
 
 def test_no_object_is_told_for_both_cameras() -> None:
     with open_rig(load_preset("bench"), None, seed=3) as empty:
-        check = spot_check(empty)
+        check = check_spot(empty)
         assert check.detail.count("no spot") == 2
         assert check.verdict == "warn"
         assert check.remedy.startswith("Camera left and right: No spot is seen")
-        assert exposure_check(empty).verdict == "warn"
+        assert check_exposure(empty).verdict == "warn"
 
 
 def test_a_camera_that_fails_leaves_the_laser_off_and_the_settings_as_they_were(rig: OpenRig, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -70,6 +70,6 @@ def test_a_camera_that_fails_leaves_the_laser_off_and_the_settings_as_they_were(
     before = _settings(rig)
     monkeypatch.setattr(rig.right, "grab", lost)
     with pytest.raises(DeviceError):
-        exposure_check(rig)
+        check_exposure(rig)
     assert rig.motion.status().laser_power == 0
     assert _settings(rig) == before

@@ -7,7 +7,7 @@ from datetime import datetime, timedelta
 
 import pytest
 
-from scanner_core.commands.doctor import calibration_check
+from scanner_core.commissioning.calibration_check import check_calibration
 from scanner_core.devices.rig import load_preset
 from scanner_core.optics.calibration import ScaleReference
 from tests.core.optics.rigs import known_rig
@@ -21,7 +21,7 @@ CONFIG = load_preset("bench")
 )
 def test_age(days: int, verdict: str, words: str) -> None:
     made = datetime.now().astimezone() - timedelta(days=days)
-    check = calibration_check(CONFIG.with_calibration(replace(known_rig(), date=made.isoformat(), valid_days=30.0)))
+    check = check_calibration(CONFIG.with_calibration(replace(known_rig(), date=made.isoformat(), valid_days=30.0)))
     assert check.verdict == verdict
     assert words in check.detail
     assert bool(check.remedy) is (verdict != "pass")
@@ -29,11 +29,11 @@ def test_age(days: int, verdict: str, words: str) -> None:
 
 def test_an_unverified_scale_is_a_warning() -> None:
     unverified = replace(known_rig(), date=datetime.now().astimezone().isoformat(), scale=ScaleReference("none", 0.0, 1200.0, 1.0))
-    check = calibration_check(CONFIG.with_calibration(unverified))
+    check = check_calibration(CONFIG.with_calibration(unverified))
     assert check.verdict == "warn"
     assert "scale is not verified" in check.detail
 
 
 def test_none_fails_and_no_date_warns() -> None:
-    assert calibration_check(CONFIG.with_calibration(None)).verdict == "fail"
-    assert "cannot be read" in calibration_check(CONFIG.with_calibration(replace(known_rig(), date=""))).detail
+    assert check_calibration(CONFIG.with_calibration(None)).verdict == "fail"
+    assert "cannot be read" in check_calibration(CONFIG.with_calibration(replace(known_rig(), date=""))).detail

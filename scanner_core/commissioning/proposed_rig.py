@@ -1,0 +1,113 @@
+"""A first rig file for devices that were found, corrected by what the cameras have seen of them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+from scanner_core.commissioning.rig_findings import AxisFinding, RigFindings
+from scanner_core.devices.camera_config import CameraConfig
+from scanner_core.devices.controller_config import ControllerConfig
+from scanner_core.devices.discovery import PortAnswer
+from scanner_core.devices.found_camera import FoundCamera
+from scanner_core.devices.rig import RigConfig, dump_rig
+from scanner_core.files import replaced_when_whole
+
+_AXES = ("x", "y", "table")
+_CERTAIN = 3.0
+"""A scale is corrected when it is off by so many of its standard uncertainties."""
+_COMMENTS = {
+    "[camera.left]": "# The camera that stands to the left, seen from behind the cameras.\n# 'id' is what its driver finds it by, wherever it is plugged in.",
+    "[controller]": "# 'units_per_deg': how many units of the board (its \"mm\") make a degree of beam x, beam y and table;\n"
+    "# negative turns the direction round.",
+    "[limits]": "# How far beam and table may go, in degrees, and how fast.  Correct them for your mechanics before you scan.",
+    "[laser]": "# Roughly where the beam leaves the mover and what it hits at X0 Y0, in mm from where the table's axis meets the table "
+    "(x towards the cameras, z up).",
+    "[volume]": "# The cylinder on the table that both cameras see.",
+}
+
+
+def propose_rig(template: RigConfig, controller: PortAnswer, left: FoundCamera, right: FoundCamera, findings: RigFindings | None = None) -> RigConfig:
+    """A rig of these devices with the limits and the nominal geometry of `template`; it has no calibration.
+
+    What `findings` measured under that rig corrects it: exchanged cameras, direction and scale of the axes, exposure and gain.
+    """
+    config = replace(
+        template,
+        left=_camera(template.left, left),
+        right=_camera(template.right, right),
+        controller=_controller(template.controller, controller),
+        virtual=None,
+        image_model={},
+        null_levels=(),
+    )
+    return corrected_rig(config.with_calibration(None), findings)
+
+
+def corrected_rig(config: RigConfig, findings: RigFindings | None) -> RigConfig:
+    """The rig under which `findings` were measured, corrected by them; a calibration that no longer holds is dropped."""
+    if findings is None:
+        return config
+    sides = {name: findings.cameras.get(name) for name in ("left", "right")}
+    exposed = {}
+    for name, camera in (("left", config.left), ("right", config.right)):
+        seen = sides[name]
+        if seen is not None and seen.exposure_ms is not None and seen.gain_db is not None:
+            camera = replace(camera, exposure_ms=round(seen.exposure_ms, 3), gain_db=round(seen.gain_db, 2))
+        exposed[name] = camera
+    units = tuple(_units(unit, findings.axes.get(axis)) for axis, unit in zip(_AXES, config.controller.units_per_deg, strict=True))
+    x, y, table = units
+    before = config.controller.units_per_deg[2]
+    config = replace(config, left=exposed["left"], right=exposed["right"], controller=replace(config.controller, units_per_deg=(x, y, table)))
+    if table != before:  # the table's angles meant something else when it was calibrated
+        config = config.with_calibration(None)
+    if findings.exchanged:
+        config = replace(config, left=replace(config.right, name="left"), right=replace(config.left, name="right"), calibration=None)
+    return config
+
+
+def write_rig(path: Path, config: RigConfig, *, force: bool = False) -> None:
+    """Write a rig file, whole or not at all, with comments for a person.
+
+    Raises
+    ------
+    StorageError
+        E-DISK-01, E-DISK-02; E-DISK-03: the file exists and `force` was not given.
+    """
+    with replaced_when_whole(path, force) as partial:
+        partial.write_text(commented_rig(config), encoding="utf-8")
+
+
+def commented_rig(config: RigConfig) -> str:
+    """The rig as TOML text with comments for a person."""
+    lines = []
+    for line in dump_rig(config).splitlines():
+        if line in _COMMENTS:
+            lines.append(_COMMENTS[line])
+        lines.append(line)
+    return "\n".join(lines) + "\n"
+
+
+def _camera(template: CameraConfig, found: FoundCamera) -> CameraConfig:
+    """Exposure and gain as the camera had them, where it told."""
+    report = found.report
+    exposure_ms = template.exposure_ms if report is None or not report.exposure_ms > 0 else report.exposure_ms
+    gain_db = template.gain_db if report is None else report.gain_db
+    return CameraConfig(template.name, found.driver, found.id, exposure_ms, gain_db)
+
+
+def _controller(template: ControllerConfig, found: PortAnswer) -> ControllerConfig:
+    """The table on the template's axis where the board has it, else on its last one."""
+    axes = "" if found.identity is None else found.identity.axes
+    axis = template.table_axis if not axes or template.table_axis in axes else axes[-1]
+    return replace(template, driver="grbl", port=found.port.url, table_axis=axis, witness="")
+
+
+def _units(unit: float, seen: AxisFinding | None) -> float:
+    if seen is None:
+        return unit
+    if seen.direction is not None:
+        unit *= seen.direction
+    if seen.ratio is not None and seen.ratio_uncertainty is not None and abs(seen.ratio - 1) > _CERTAIN * seen.ratio_uncertainty:
+        unit /= seen.ratio
+    return round(unit, 6)
