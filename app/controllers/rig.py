@@ -10,7 +10,7 @@ import logging
 import threading
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -19,55 +19,31 @@ from PySide6.QtCore import QObject, Signal
 
 from app.background import Background
 from app.controllers.calibration import ByHand, CalibrationRun
-from app.controllers.device_failure import CONTROLLER, RIG_FILE, DeviceFailure, failure_of, is_back
+from app.controllers.device_failure import CONTROLLER, RIG_FILE, DeviceFailure
 from app.controllers.device_thread import DeviceThread
 from app.controllers.emission import Emission, emission_of
+from app.controllers.rig_devices import Answers, RigDevices, WantedRig
 from app.controllers.rig_files import RigFiles
 from app.controllers.rig_snapshot import PRESETS, RigSnapshot
 from app.controllers.target import TargetController
-from app.controllers.transcript import Line, lines_of, lines_of_details
+from app.controllers.transcript import Line
 from scanner_core.acquisition.handover import LatestSlot
-from scanner_core.devices.camera import CameraReport, Frame
+from scanner_core.devices.camera import Frame
 from scanner_core.devices.motion import MotionStatus
 from scanner_core.errors import CalibrationError, ControllerAlarmError, ImprontaError, MotionStoppedError
 from scanner_core.jobs.progress import Cancelled, Progress
 
 if TYPE_CHECKING:
     from scanner_core.acquisition.rig_session import OpenRig
-    from scanner_core.clock import Speed
     from scanner_core.devices.motion import MotionController
     from scanner_core.devices.rig import RigConfig
     from scanner_core.metrology.history import SphereTrend
     from scanner_core.optics.calibration_result import CalibrationResult
-    from scanner_core.virtual.specimens import Specimen
 
 SPECIMENS = ("ear", "arch", "heart", "sphere")
 SPEEDS: tuple[str, ...] = ("1", "5", "max")
 _STATUS_PERIOD_S = 0.3
-_TRY_S, _LONGEST_TRY_S = 2.0, 10.0
-"""Between two looks for a device that is gone; each opening that fails makes it longer, up to the second."""
-_STEADY_S = 10.0
-"""A rig that was open for so long is looked for at the first pace again."""
 _log = logging.getLogger("impronta")
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Wanted:
-    """What is to be open."""
-
-    preset: str
-    config: RigConfig
-    specimen: Specimen | None
-    speed: str
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Answers:
-    """What the devices said of themselves when they were opened."""
-
-    cameras: dict[str, CameraReport]
-    controller: dict[str, object]
-    needs_homing: bool
 
 
 class RigController(QObject):
@@ -89,7 +65,7 @@ class RigController(QObject):
         self._background, self._tell = background, tell
         self.files = RigFiles(folder, [] if known is None else known, tell)
         self.snapshot = RigSnapshot()
-        self._rig: OpenRig | None = None
+        self._devices = RigDevices(self._tell_opened, self._tell_lost)
         self._loaned = threading.Event()
         self.watching = threading.Event()
         """Set while somebody looks at the cameras of the idle rig."""
@@ -100,11 +76,6 @@ class RigController(QObject):
         self.calibration = CalibrationRun()
         self.target = TargetController(background, tell, self)
         self._closing = threading.Event()
-        self._wanted: _Wanted | None = None
-        self._failure: DeviceFailure | None = None
-        self._opened_s = self._next_try_s = 0.0
-        self._pause_s = _TRY_S
-        self._last_lines: list[Line] = []
         self._device = DeviceThread("rig", self._idle, _STATUS_PERIOD_S, tell)
         self._device.start()
 
@@ -138,25 +109,24 @@ class RigController(QObject):
         self._news(replace(self.snapshot, cancelling=True))
 
     def transcript(self) -> list[Line]:
-        """The controller's last lines: of the open one, of the one before, or of the handshake that failed; asks nothing."""
-        rig = self._rig
-        return self._last_lines if rig is None else lines_of(rig)
+        """The controller's last lines, also of one that is closed or was not understood; asks nothing."""
+        return self._devices.transcript()
 
     @property
     def emission(self) -> Emission:
         """Of the laser, by the newest report that the controller has given to whoever owns it now."""
-        rig = self._rig
+        rig = self._devices.rig
         return emission_of(None if rig is None else rig.motion.newest)
 
     def laser_off(self) -> None:
         """Laser off and motion stopped, at once, whatever the device thread is waiting for."""
-        rig = self._rig
+        rig = self._devices.rig
         if rig is not None:
             self._background.run("laser-off", rig.motion.stop, lambda _: self._device.call(self._recover), self._tell)
 
     def let_happen(self, name: str, in_s: float) -> None:
         """Let something go wrong on the virtual rig, in so many seconds of its clock."""
-        rig = self._rig
+        rig = self._devices.rig
         if rig is None:
             return
 
@@ -176,11 +146,11 @@ class RigController(QObject):
     # -------------------------------------------------------------------------------- lending
     def borrow(self) -> OpenRig | None:
         """The open rig for a scan, or None while it is not open; it comes back with :meth:`give_back`."""
-        if self._rig is None or self._loaned.is_set():
+        if self._devices.rig is None or self._loaned.is_set():
             return None
         self._loaned.set()
         self._news(replace(self.snapshot, busy=True, failure=None))  # a scan begins by unlocking
-        return self._rig
+        return self._devices.rig
 
     def give_back(self) -> None:
         self._loaned.clear()
@@ -205,63 +175,33 @@ class RigController(QObject):
                 specimen = load_specimen(wanted.specimen)
                 check_fits(specimen, config.volume)
         except ImprontaError as fault:
-            if self._rig is None:
-                self._wanted = self._failure = None
+            self._devices.forget()
             self._background.post(partial(self._refused, fault, before, wanted))
             return
-        self._wanted, self._pause_s = _Wanted(wanted.preset, config, specimen, wanted.speed), _TRY_S
-        self._open(self._wanted)
-        if self._rig is not None and config.calibration is None and wanted.preset in PRESETS:
+        self._devices.choose(WantedRig(wanted.preset, config, specimen, wanted.speed))
+        if self._devices.rig is not None and config.calibration is None and wanted.preset in PRESETS:
             self.calibration.begin()
             if not self._closing.is_set():  # asked after the line above: the end of the program cancels what begins here
                 self._background.post(self._begin_calibration)
                 self._calibrate(None)
 
-    def _open(self, wanted: _Wanted) -> None:
-        from scanner_core.acquisition.rig_session import open_rig
+    def _idle(self) -> None:
+        if not self._closing.is_set():
+            self._devices.look_for()
+        self._watch()
 
-        try:
-            self._close()
-            rig = self._rig = open_rig(wanted.config, wanted.specimen, _speed(wanted.speed))
-            answers = _ask(rig)
-        except ImprontaError as fault:
-            self._lose(fault, wanted)
-            return
-        except BaseException:
-            self._background.post(partial(self._failed, None, wanted))
-            raise
-        self._failure, self._opened_s = None, time.monotonic()
+    def _tell_opened(self, wanted: WantedRig, answers: Answers) -> None:
         self._background.post(partial(self._opened, wanted, answers, self.files.last_sphere(wanted.preset)))
         self._watch()
 
-    def _lose(self, fault: ImprontaError, wanted: _Wanted) -> None:
-        """A device is not to be had: let go of the others, and tell it once however often it is tried."""
-        try:
-            self._close()
-        except ImprontaError as danger:  # the laser may be on: of the two this must be known
-            fault = danger
-        if fault.details and fault.code.startswith("E-MOT"):
-            self._last_lines = lines_of_details(fault.details) or self._last_lines
-        now_s, failure = time.monotonic(), failure_of(fault, wanted.config)
-        steady = now_s - self._opened_s > _STEADY_S and self._failure is None
-        self._next_try_s, self._pause_s = now_s + self._pause_s, _TRY_S if steady else min(1.5 * self._pause_s, _LONGEST_TRY_S)
-        known, self._failure = failure.same_as(self._failure), failure
+    def _tell_lost(self, failure: DeviceFailure | None, wanted: WantedRig, known: bool) -> None:
         self._background.post(partial(self._failed, failure, wanted, known))
-
-    def _idle(self) -> None:
-        wanted, failure = self._wanted, self._failure
-        if self._rig is not None or wanted is None or failure is None or not failure.returns:
-            self._watch()
-        elif time.monotonic() > self._next_try_s and not self._closing.is_set():
-            self._next_try_s = time.monotonic() + self._pause_s
-            if is_back(failure, wanted.config):
-                self._open(wanted)
 
     def _act(self, name: str, work: Callable[[MotionController], object]) -> None:
         """Something that a person asks of the controller."""
 
         def act() -> None:
-            rig, done = self._rig, False
+            rig, done = self._devices.rig, False
             try:
                 if rig is not None and not self._loaned.is_set():
                     work(rig.motion)
@@ -279,7 +219,7 @@ class RigController(QObject):
             self._device.call(act)
 
     def _calibrate(self, by_hand: ByHand | None) -> None:
-        rig, wanted = self._rig, self._wanted
+        rig, wanted = self._devices.rig, self._devices.wanted
         if rig is None or wanted is None:
             self._background.post(partial(self._ended, None))
             return
@@ -299,12 +239,12 @@ class RigController(QObject):
             raise
         else:
             self._background.post(partial(self._calibrated, result, rig.config))
-            self._wanted = replace(wanted, config=rig.config)
+            self._devices.wanted = replace(wanted, config=rig.config)
             self.files.keep(wanted.preset, rig.config, result.calibration)
 
     def _watch(self) -> None:
-        rig, wanted = self._rig, self._wanted
-        if rig is None or wanted is None or self._loaned.is_set():
+        rig = self._devices.rig
+        if rig is None or self._loaned.is_set():
             return
         try:
             if self.watching.is_set():
@@ -314,34 +254,25 @@ class RigController(QObject):
         except ControllerAlarmError as fault:  # it is there, and says so
             self._background.post(partial(self._alarmed, DeviceFailure(CONTROLLER, fault)))
         except ImprontaError as fault:
-            self._lose(fault, wanted)
+            self._devices.lose(fault)
         else:
             self._background.post(lambda: self._heard(status, needs_homing))
 
     def _recover(self) -> None:
         """After a stop: back to idle, so that the next scan can begin."""
-        rig = self._rig
+        rig = self._devices.rig
         if rig is not None and not self._loaned.is_set():
             rig.motion.recover()
             self._watch()
 
     def _end(self) -> None:
         try:
-            self._close()
+            self._devices.close()
         except ImprontaError as fault:  # the window is about to go: the terminal and the log stay
             _log.error("%s", fault)
 
-    def _close(self) -> None:
-        """Whatever becomes of it the rig is no longer this controller's; E-MOT-11 when the laser may be on."""
-        rig, self._rig = self._rig, None
-        if rig is not None:
-            try:
-                rig.close()
-            finally:
-                self._last_lines = lines_of(rig)
-
     # -------------------------------------------------------------------------------- back in the GUI thread
-    def _opened(self, wanted: _Wanted, answers: _Answers, sphere: SphereTrend | None) -> None:
+    def _opened(self, wanted: WantedRig, answers: Answers, sphere: SphereTrend | None) -> None:
         self.faults.clear()
         self.files.remember(wanted.preset)
         specimen = wanted.specimen
@@ -397,7 +328,7 @@ class RigController(QObject):
 
     def _refused(self, fault: ImprontaError, before: RigSnapshot, wanted: RigSnapshot) -> None:
         """What was open before is still open; where there was nothing the page says what was chosen, and why it cannot be used."""
-        if self._rig is not None:
+        if self._devices.rig is not None:
             self._news(replace(before, connected=True, opening=False))
             self._tell(fault)
             return
@@ -405,7 +336,7 @@ class RigController(QObject):
         self._news(replace(wanted, config=None, motion=None, cameras={}, controller={}, failure=failure, opening=False))
         self._tell_unless_seen(fault)
 
-    def _failed(self, failure: DeviceFailure | None, wanted: _Wanted, known: bool = False) -> None:
+    def _failed(self, failure: DeviceFailure | None, wanted: WantedRig, known: bool = False) -> None:
         """The rig is not open, or no longer."""
         self.files.remember(wanted.preset)
         lost = replace(self.snapshot, config=wanted.config, connected=False, opening=False, failure=failure)
@@ -420,7 +351,7 @@ class RigController(QObject):
 
     def hear_owner(self) -> None:
         """While a scan owns the controller: what it was told."""
-        status = None if self._rig is None else self._rig.motion.newest
+        status = None if self._devices.rig is None else self._devices.rig.motion.newest
         if status is not None:
             self._heard(status, self.snapshot.needs_homing)
 
@@ -432,13 +363,3 @@ class RigController(QObject):
 def _shown_of(status: MotionStatus | None) -> tuple[object, ...]:
     """What the window shows of a report."""
     return () if status is None else (status.state, status.table_deg, status.laser_power > 0.0)
-
-
-def _ask(rig: OpenRig) -> _Answers:
-    """What open devices say of themselves."""
-    controller = {key: value for key, value in rig.motion.description().items() if key != "transcript"}
-    return _Answers({camera.name: camera.report() for camera in (rig.left, rig.right)}, controller, rig.motion.needs_homing)
-
-
-def _speed(text: str) -> Speed:
-    return "max" if text == "max" else float(text)

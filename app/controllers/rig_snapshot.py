@@ -81,11 +81,10 @@ class RigSnapshot:
 
     @property
     def virtual(self) -> bool:
-        """Its scene is computed; of a rig file that was not read yet it is not known, and not said."""
-        return not self.own if self.config is None else self.config.virtual is not None
+        """Its scene is computed, so that a specimen can be chosen; of a rig file that was not read yet it is not known, and not said."""
+        return not self.own if self.config is None else "virtual" in (self.config.left.driver, self.config.right.driver)
 
     @property
     def simulated(self) -> bool:
         """Its controller is computed, too: it has a speed of its own, and faults can be rehearsed."""
         return self.virtual and (self.config is None or is_simulated(self.config))
-

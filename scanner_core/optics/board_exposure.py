@@ -37,7 +37,7 @@ class BoardExposure:
             self._waits[index] -= 1
             return
         dim, bright = (float(value) for value in np.percentile(image[::4, ::4], (1, 99)))
-        if DIM_DN <= bright and dim < BRIGHT_DN and bright < 255.0:
+        if bright >= DIM_DN and dim < BRIGHT_DN and bright < 255.0:
             return
         share = 1.0 / _STEP if bright >= BRIGHT_DN else min(WANTED_DN / max(bright, 1.0), _STEP)
         camera = self._cameras[index]
