@@ -83,6 +83,6 @@ def _check(rig: OpenRig, best: Sighting, stays: list[str]) -> Check:
         remedy = "See with your eyes whether the beam is lit and meets something light-coloured on the table; then check lens caps and exposure."
         return Check(NAME, "fail", detail, remedy)
     blind = next(name for name, spot in best.spots.items() if spot is None)
-    remedy = f"Take its lens cap off, point it at the middle of the table, and put something light-coloured there; is its exposure long enough? "
+    remedy = "Take its lens cap off, point it at the middle of the table, put something light-coloured there, or lengthen its exposure."
     exposure_ms = {camera.name: camera.exposure_ms for camera in (rig.left, rig.right)}[blind]
-    return Check(NAME, "fail", f"only {told[0]}, {where}; camera {blind} sees no difference ({exposure_ms:.2f} ms).", remedy.strip())
+    return Check(NAME, "fail", f"only {told[0]}, {where}; camera {blind} sees no difference ({exposure_ms:.2f} ms).", remedy)

@@ -69,6 +69,7 @@ def measure_table_by_object(rig: OpenRig, place: Place, cancelled: IsCancelled) 
         return None
     limits = rig.config.limits.table_deg
     finding: AxisFinding | None = None
+    small: _Turn | None = None
     try:
         for commanded in (_TURN_DEG, 360.0):
             if limits is not None and not limits[0] <= began_deg + commanded <= limits[1]:
@@ -78,15 +79,16 @@ def measure_table_by_object(rig: OpenRig, place: Place, cancelled: IsCancelled) 
             if turn is None:
                 break
             angle = turn.angle_deg
-            if finding is None:
+            if small is None:
                 if abs(angle) < _LEAST_MOVED_DEG:
-                    return AxisFinding("table", None)
+                    finding = AxisFinding("table", None)
+                    break
+                small = turn
                 finding = AxisFinding("table", 1 if angle > 0 else -1, abs(angle) / commanded, turn.uncertainty_deg / commanded)
                 continue
-            assert finding.ratio is not None and finding.direction is not None and finding.ratio_uncertainty is not None
-            expected = finding.direction * finding.ratio * commanded
+            expected, uncertain = commanded * small.angle_deg / _TURN_DEG, commanded * small.uncertainty_deg / _TURN_DEG
             angle += 360.0 * round((expected - angle) / 360.0)
-            if abs(angle - expected) < 4 * commanded * finding.ratio_uncertainty < 120.0:
+            if abs(angle - expected) < 4 * uncertain < 120.0:
                 finding = AxisFinding("table", finding.direction, abs(angle) / commanded, turn.uncertainty_deg / commanded)
     finally:
         rig.motion.laser(False)

@@ -136,7 +136,7 @@ class _Run:
     def rates(self) -> None:
         for name, rate in measure_rates(self._rig, self._cancelled).items():
             self._tell(RigCheck(check_rate(name, rate)))
-            self._camera(name, rate_hz=rate.rate_hz, wanted_hz=rate.wanted_hz, dropped=rate.missing)
+            self._camera(name, replace(self._found(name), rate_hz=rate.rate_hz, wanted_hz=rate.wanted_hz, dropped=rate.missing))
 
     # ------------------------------------------------------------------------------------------ laser and beam
     def laser(self) -> None:
@@ -144,9 +144,9 @@ class _Run:
         self._tell(RigCheck(seen.check, seen.pictures))
         self.findings = replace(self.findings, laser_left_off=seen.left_off)
         for name, spot in seen.sighting.spots.items():
-            self._camera(name, laser_seen=spot is not None, background_dn=float(seen.dark[name].mean()))
+            self._camera(name, replace(self._found(name), laser_seen=spot is not None, background_dn=float(seen.dark[name].mean())))
             if spot is not None:
-                self._camera(name, spot_px=(spot.x_px, spot.y_px), spot_dn=spot.peak_dn)
+                self._camera(name, replace(self._found(name), spot_px=(spot.x_px, spot.y_px), spot_dn=spot.peak_dn))
 
     def beam(self) -> None:
         seen = self._seen
@@ -199,7 +199,8 @@ class _Run:
         self._tell(RigCheck(judge_exposure(results)))
         for name, result in results.items():
             if result.verdict is ExposureVerdict.GOOD:
-                self._camera(name, exposure_ms=result.readings[-1].exposure_ms, gain_db=result.readings[-1].gain_db)
+                best = result.readings[-1]
+                self._camera(name, replace(self._found(name), exposure_ms=best.exposure_ms, gain_db=best.gain_db))
 
     # ------------------------------------------------------------------------------------------ table
     def table(self) -> None:
@@ -222,6 +223,8 @@ class _Run:
     def _axis(self, finding: AxisFinding) -> None:
         self.findings = replace(self.findings, axes={**self.findings.axes, finding.axis: finding})
 
-    def _camera(self, name: str, **news: object) -> None:
-        cameras = {**self.findings.cameras, name: replace(self.findings.cameras[name], **news)}  # type: ignore[arg-type]
-        self.findings = replace(self.findings, cameras=cameras)
+    def _found(self, name: str) -> CameraFinding:
+        return self.findings.cameras[name]
+
+    def _camera(self, name: str, finding: CameraFinding) -> None:
+        self.findings = replace(self.findings, cameras={**self.findings.cameras, name: finding})

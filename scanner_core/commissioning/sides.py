@@ -27,9 +27,9 @@ _CONTRAST = 4.0
 
 def pairs_of(sightings: Iterable[Sighting]) -> tuple[Array, Array]:
     """The places (n, 2) px in the left and in the right image of all points that both cameras have seen."""
-    seen = [(left, right) for s in sightings if (left := s.spots["left"]) is not None and (right := s.spots["right"]) is not None]
-    left = np.array([[a.x_px, a.y_px] for a, _ in seen]).reshape(-1, 2)
-    return left, np.array([[b.x_px, b.y_px] for _, b in seen]).reshape(-1, 2)
+    seen = [(a.x_px, a.y_px, b.x_px, b.y_px) for s in sightings if (a := s.spots["left"]) is not None and (b := s.spots["right"]) is not None]
+    places = np.array(seen, np.float64).reshape(-1, 4)
+    return places[:, :2].copy(), places[:, 2:].copy()
 
 
 def exchanged(left_px: Array, right_px: Array, size_px: tuple[int, int], calibration: StereoCalibration | None) -> bool | None:
