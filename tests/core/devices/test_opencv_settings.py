@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import cv2
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from scanner_core.devices.luminance import luminance
 from scanner_core.devices.opencv_settings import Wanted, fourcc_name, fourcc_number, set_exposure, set_gain, set_up
-from scanner_core.devices.red_channel import red_channel
 from tests.core.devices.captures import DriverModel
 
 
@@ -113,18 +110,21 @@ def test_four_letters_there_and_back() -> None:
     assert fourcc_name(-1.0) == fourcc_name(0.0) == ""
 
 
-def test_red_is_measured() -> None:
-    colour = np.dstack([np.full((4, 6), value, np.uint8) for value in (10, 20, 200)])
-    assert (red_channel(colour) == 200).all()
-    assert (red_channel(np.dstack([colour, colour[..., :1]])) == 200).all()
+def test_luminance_is_measured() -> None:
+    colour = np.dstack([np.full((16, 16), value, np.uint8) for value in (10, 20, 200)])
+    expected = round(0.114 * 10 + 0.587 * 20 + 0.299 * 200)
+    for frame in (colour, np.dstack([colour, colour[..., :1]]), cv2.imencode(".jpg", colour)[1].reshape(1, -1)):
+        image = luminance(frame)
+        assert image is not None
+        assert image.shape == (16, 16)
+        assert np.abs(image.astype(int) - expected).max() <= 1
     grey = colour[..., 2]
-    assert red_channel(grey) is grey
-    assert red_channel(grey[..., None]).shape == (4, 6)
+    assert luminance(grey) is grey
+    assert np.array_equal(luminance(grey[..., None]), grey)
+    assert luminance(np.zeros((1, 900), np.uint8)) is None  # a broken JPEG
 
 
-@pytest.mark.parametrize(
-    "frame", [np.zeros((4, 6), np.uint16), np.zeros((1, 900), np.uint8), np.zeros((4, 6, 2), np.uint8), np.zeros((4, 6), np.float32)]
-)
-def test_other_frames_are_refused_by_name(frame: NDArray[Any]) -> None:
+@pytest.mark.parametrize(("shape", "kind"), [((4, 6), np.uint16), ((4, 6, 2), np.uint8), ((4, 6), np.float32)])
+def test_other_frames_are_refused_by_name(shape: tuple[int, ...], kind: type[np.generic]) -> None:
     with pytest.raises(ValueError, match=r"bits a pixel|no image"):
-        red_channel(frame)
+        luminance(np.zeros(shape, kind))
