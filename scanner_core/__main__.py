@@ -123,7 +123,7 @@ def _parser() -> argparse.ArgumentParser:
     target.add_argument("--force", action="store_true", help="overwrite the output")
 
     scan = _command(commands, "scan", "acquire into a new case, or go on with an interrupted one")
-    scan.add_argument("--rig", required=True, metavar="RIG.toml", help="a rig file, or the name of a preset")
+    _measuring_rig(scan)
     scan.add_argument("--plan", metavar="PLAN.toml", help="views, points, object_radius_mm, object_height_mm")
     scan.add_argument("--out", required=True, metavar="CASE.impronta")
     scan.add_argument("--specimen", default="ear", metavar="NAME or FILE", help=f"virtual rig only: {_SPECIMENS}")
@@ -228,7 +228,7 @@ def _verify(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> No
         test.add_argument("--reference-uncertainty-mm", type=_positive, default=0.001, metavar="MM", help="of the radius, k = 1 (default 0.001)")
     for test in (static, sphere, acceptance):
         test.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON object")
-        test.add_argument("--rig", required=True, metavar="RIG.toml", help="a rig file, or the name of a preset")
+        _measuring_rig(test)
         test.add_argument("--out", metavar="DIR", help="folder of certificate.pdf and result.json (default: report only)")
         test.add_argument("--force", action="store_true", help="overwrite results that are there")
         _virtual(test)
@@ -238,6 +238,14 @@ def _command(commands: argparse._SubParsersAction[argparse.ArgumentParser], name
     parser = commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".")
     parser.add_argument("--json", action="store_true", help="print one JSON object")
     return parser
+
+
+def _measuring_rig(parser: argparse.ArgumentParser) -> None:
+    """What is measured with: devices, or what they once delivered."""
+    rig = parser.add_mutually_exclusive_group(required=True)
+    rig.add_argument("--rig", metavar="RIG.toml", help="a rig file, or the name of a preset")
+    rig.add_argument("--replay", metavar="DIR", help="the cameras of a recording instead, with the rig that it was made with")
+    parser.add_argument("--record", metavar="DIR", help="record every frame of both cameras, losslessly, into a new folder")
 
 
 def _virtual(parser: argparse.ArgumentParser) -> None:
