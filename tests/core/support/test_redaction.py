@@ -43,12 +43,12 @@ def test_the_words_of_a_patient_count_and_those_of_the_remarks_as_lines() -> Non
 @pytest.mark.parametrize(
     ("text", "clean"),
     [
-        ("/home/anna/Ohr links/case 1.impronta is open in another window", "[file].impronta is open in another window"),
+        ("/Users/anna/Ohr links/case 1.impronta is open in another window", "[file].impronta is open in another window"),
         ("No such file: '/media/stick/Meyer Anna/ear.stl'", "No such file: '[file].stl'"),
         ("rel/Meyer/ear.ply is gone", "[file].ply is gone"),
         ('"C:\\\\Users\\\\Anna M\\\\Documents\\\\p.stl"', '"[file].stl"'),
         ("C:\\Users\\anna\\AppData", "C:\\Users\\[user]\\AppData"),
-        ("in /home/anna/work", "in /home/[user]/work"),
+        ("in /Users/anna/work", "in /Users/[user]/work"),
         ("rtsp://anna:secret@10.0.0.7/left", "rtsp://[login]@10.0.0.7/left"),
         ("write to anna.meyer@lab.example now", "write to [mail] now"),
         ("/dev/serial/by-id/usb-1a86_USB_Serial-if00-port0 opened", "/dev/serial/by-id/usb-1a86_USB_Serial-if00-port0 opened"),
