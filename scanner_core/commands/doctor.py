@@ -32,6 +32,7 @@ from scanner_core.virtual.faults import parse_fault
 from scanner_core.virtual.specimens import load_specimen
 
 _DEFAULT = "bench"
+_SPECIMEN = "sphere"
 _MARKS = {"pass": "ok  ", "warn": "warn", "fail": "FAIL"}
 
 
@@ -46,7 +47,7 @@ class _Report:
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
-    config = load_rig_or_preset(given.rig or _DEFAULT)
+    config = load_rig_or_preset(given.rig or _DEFAULT).without(given.without)
     if given.out is not None:
         check_free(given.out, given.force)
     report = _Report(check_machine(), {"port": config.controller.port, "transcript": []})
@@ -66,6 +67,12 @@ def run(given: argparse.Namespace, console: Console) -> int:
     }
     console.result(values, [_line(check) for check in report.checks])
     return 1 if any(check.verdict == "fail" for check in report.checks) else 0
+
+
+def arguments(rig: str) -> argparse.Namespace:
+    """What :func:`run` is given for one rig and nothing else."""
+    nothing: dict[str, object] = {"find": False, "port": [], "out": None, "thumbnails": None, "force": False, "fault": [], "without": []}
+    return argparse.Namespace(rig=rig, specimen=_SPECIMEN, speed="max", seed=0, **nothing)
 
 
 def _line(check: Check) -> str:

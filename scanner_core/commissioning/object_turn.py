@@ -89,7 +89,7 @@ def measure_table_by_object(rig: OpenRig, place: Place, cancelled: IsCancelled) 
             expected, uncertain = commanded * small.angle_deg / _TURN_DEG, commanded * small.uncertainty_deg / _TURN_DEG
             angle += 360.0 * round((expected - angle) / 360.0)
             if abs(angle - expected) < 4 * uncertain < 120.0:
-                finding = AxisFinding("table", finding.direction, abs(angle) / commanded, turn.uncertainty_deg / commanded)
+                finding = AxisFinding("table", 1 if angle > 0 else -1, abs(angle) / commanded, turn.uncertainty_deg / commanded)
     finally:
         rig.motion.laser(False)
     rig.motion.rotate_to(began_deg)
