@@ -26,8 +26,8 @@ from scanner_core.support.redaction import Redactor
 from scanner_core.user_folders import log_folder
 
 README = "README.txt"
-_PERSONAL = ("recent_cases", "last_order", "case_folder", "export_folder")
-"""Settings that name orders or folders."""
+_PERSONAL = ("recent_cases", "last_order", "case_folder", "export_folder", "own_rigs")
+"""Settings that name orders, files or folders."""
 _MOST_LOG_BYTES = 2_000_000
 """Of one log file, its end; the program's own have 1 MB."""
 _WORDS = {
@@ -253,8 +253,8 @@ def _case_places(sources: SupportSources) -> tuple[list[Path], list[Path]]:
 def _settings_names(settings: Mapping[str, Any]) -> list[PrivateName]:
     folders = [str(settings[key]) for key in ("case_folder", "export_folder") if settings.get(key)]
     order = str(settings.get("last_order") or "")
-    specimen = str(settings.get("specimen") or "")
-    files = [*_strings(settings.get("recent_cases")), *([specimen] if Path(specimen).suffix else [])]
+    chosen = [str(settings.get(key) or "") for key in ("specimen", "preset")]
+    files = [*_strings(settings.get("recent_cases")), *_strings(settings.get("own_rigs")), *(name for name in chosen if Path(name).suffix)]
     return [*order_names(order), *file_names(files), *folder_names(folders)]
 
 
