@@ -136,11 +136,10 @@ class SupportDialog(QDialog):
         elif state.bundle is None:
             self.said.setText(self.tr("Collecting…") if state.fraction is not None else "")
         else:
-            out = self.left_out()
-            total = sum(len(entry.content) for entry in state.bundle.entries if entry.name not in out)
-            taken = ", ".join(f"{mark} {fmt.count(times)}" for mark, times in sorted(state.bundle.replaced.items()))
-            kept = len(state.bundle.entries) - len(out)
-            words = self.tr("{size} in {n} entries. Replaced: {taken}.").format(size=_size(total), n=kept, taken=taken or "–")
+            kept = state.bundle.without(self.left_out())
+            total = sum(len(entry.content) for entry in kept.entries)
+            taken = ", ".join(f"{mark} {fmt.count(times)}" for mark, times in sorted(kept.replaced.items()))
+            words = self.tr("{size} in {n} entries. Replaced: {taken}.").format(size=_size(total), n=len(kept.entries), taken=taken or "–")
             self.said.setText(words)
 
     def _choose(self) -> None:
