@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import logging
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from functools import partial
@@ -28,6 +29,7 @@ from scanner_core.virtual.presets import PRESETS, VirtualPreset
 from scanner_core.virtual.remote_timeline import RemoteTimeline
 from scanner_core.virtual.specimens import Specimen
 
+_log = logging.getLogger("impronta")
 _VIRTUAL = "virtual://"
 _RENDERED = "virtual"
 """Driver of the cameras that the bench makes."""
@@ -133,6 +135,7 @@ def open_rig(config: RigConfig, specimen: Specimen | None = None, speed: Speed =
     except BaseException:
         rig.close()
         raise
+    _log.info("rig opened: %s, cameras %s and %s, controller on %s", config.name, config.left.driver, config.right.driver, config.controller.port)
     return rig
 
 
