@@ -62,6 +62,10 @@ SENTENCES: dict[str, Sentence] = {
     "E-CAM-14": Sentence(
         "Both cameras of the rig file are the same one ({id}).", "Nothing was moved; give the left and the right camera each an 'id' of its own."
     ),
+    "E-CAM-15": Sentence(
+        "Camera {camera} is driven through OpenCV, which cannot trigger it by {trigger}.",
+        'Nothing was moved; write trigger = "free" into the rig file, or use a camera with a trigger of its own and its own driver.',
+    ),
     "E-CAM-20": Sentence("The recording {path} cannot be replayed: {reason}.", "Nothing was measured; choose another recording."),
     "E-CAM-21": Sentence(
         "The recording {path} holds no frames for what was asked of camera {camera}: {reason}.",
@@ -70,6 +74,13 @@ SENTENCES: dict[str, Sentence] = {
     "E-CAM-22": Sentence(
         "The frames of camera {camera} cannot be recorded into {path}: {reason}.",
         "The laser is off and the points so far are kept; free some space or choose another folder, and resume.",
+    ),
+    "E-CAM-30": Sentence(
+        "Camera {camera} reported a fault: {reason}.",
+        "The laser is off and the points so far are kept; unplug the camera, plug it in again, and resume.",
+    ),
+    "E-CAM-31": Sentence(
+        "Camera {camera} cannot be triggered by {line}; it has: {lines}.", "Nothing was measured; correct 'trigger_line' in the rig file."
     ),
     # ------------------------------------------------------------------------------------------ controller
     "E-MOT-01": Sentence(
@@ -130,6 +141,20 @@ SENTENCES: dict[str, Sentence] = {
     "E-MOT-20": Sentence(
         "The controller on {port} reports another position each time although it rests.",
         "A reset was sent and the points so far are kept; check the cable (length, shield, plugs) and resume.",
+    ),
+    "E-MOT-21": Sentence(
+        "{axis} cannot go to {target} deg: {whose} allow {low} to {high} deg.", "Nothing was moved; choose another target, or correct the limits."
+    ),
+    "E-MOT-22": Sentence(
+        "The controller on {port} does not tell its setting {setting} ({meaning}).",
+        "Nothing was moved; install GRBL 1.1 or grblHAL with laser power on its PWM output.",
+    ),
+    "E-MOT-23": Sentence(
+        "The controller on {port} runs {firmware}, which knows no laser mode.", "Nothing was moved; install GRBL 1.1 or newer on the controller."
+    ),
+    "E-MOT-24": Sentence(
+        "Nothing answers on the port {port}.",
+        "Nothing was moved; see that the controller has power and that the cable carries data, then check 'port' and 'baud' in the rig file.",
     ),
     # ------------------------------------------------------------------------------------------ rig, calibration, plan
     "E-RIG-01": Sentence("The rig file {path} cannot be used: {reason}.", "Nothing was moved; correct the file or take one of the presets."),

@@ -17,6 +17,7 @@ _REASONS = {
     "ambiguous": QT_TRANSLATE_NOOP("reasons", "more than one spot"),
     "too_bright": QT_TRANSLATE_NOOP("reasons", "picture too bright"),
     "torn": QT_TRANSLATE_NOOP("reasons", "picture torn"),
+    "out_of_step": QT_TRANSLATE_NOOP("reasons", "cameras did not expose together"),
     "epipolar": QT_TRANSLATE_NOOP("reasons", "cameras saw different spots"),
     "hidden_left": QT_TRANSLATE_NOOP("reasons", "hidden from the left camera"),
     "hidden_right": QT_TRANSLATE_NOOP("reasons", "hidden from the right camera"),

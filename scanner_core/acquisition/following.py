@@ -18,6 +18,7 @@ from scanner_core.acquisition.keeping import Keeper
 from scanner_core.acquisition.plan import Row, ScanPlan, ViewPlan
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.acquisition.row_scan import RowScan
+from scanner_core.acquisition.simultaneous import Counting, rows_in_step
 from scanner_core.acquisition.status import ScanState
 from scanner_core.acquisition.sweep_exposure import exposed_for
 from scanner_core.acquisition.tally import Tally
@@ -44,6 +45,7 @@ class PlanFollower:
     def __init__(self, rig: OpenRig, engine: StereoEngine, store: CaseStore, health: HealthMonitor, control: ScanControl) -> None:
         self._rig, self._engine, self._store, self._health, self._control = rig, engine, store, health, control
         self._keeper = Keeper(store)
+        self._counting = Counting.of(rig.left.report().trigger, rig.right.report().trigger)
         self._asked_s = 0.0
         self.motion: MotionStatus = rig.motion.status()
         """The controller's newest report."""
@@ -91,7 +93,7 @@ class PlanFollower:
             at_rest = partial(self._rig.motion.wait_idle, _MOVE_DEADLINE_S)
             scan = RowScan(left, right, row, self._rig.clock.now_s(), self._control.cancelled, self._poll, at_rest)
             try:
-                for pairs in scan.batches():
+                for pairs in rows_in_step(scan.batches(), self._rig.left.rate_hz, self._counting):
                     seen = self._engine.evaluate(pairs, row.view, table_deg)
                     if wanted is not None and measured + len(seen.points) >= wanted:
                         seen = seen.until(wanted - measured)

@@ -10,6 +10,8 @@ from typing import Protocol, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from scanner_core.devices.camera_config import TriggerSource
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Frame:
@@ -59,7 +61,7 @@ class CameraReport:
     pixel_format: str
     exposure_ms: float
     gain_db: float
-    trigger: str = "free"
+    trigger: TriggerSource = TriggerSource.FREE
     refused: tuple[str, ...] = ()
     dropped: int = 0
 

@@ -14,8 +14,7 @@ from serial.tools import list_ports
 
 from scanner_core.clock import Clock
 from scanner_core.devices.controller_config import ControllerConfig
-from scanner_core.devices.grbl import open_controller
-from scanner_core.devices.grbl.handshake import ControllerIdentity
+from scanner_core.devices.grbl import ControllerIdentity, open_controller
 from scanner_core.errors import DeviceError
 
 
@@ -24,7 +23,8 @@ class PortState(Enum):
 
     CONTROLLER = "a controller that the rig can use"
     UNSUITABLE = "a GRBL board that is set up for something else"
-    OTHER = "something else, or silent"
+    OTHER = "something else"
+    SILENT = "nothing answers"
     BUSY = "used by another program"
     NOT_PERMITTED = "this user may not open it"
     GONE = "it cannot be opened"
@@ -37,6 +37,9 @@ _STATES = {
     "E-MOT-12": PortState.NOT_PERMITTED,
     "E-MOT-13": PortState.UNSUITABLE,
     "E-MOT-14": PortState.UNSUITABLE,
+    "E-MOT-22": PortState.UNSUITABLE,
+    "E-MOT-23": PortState.UNSUITABLE,
+    "E-MOT-24": PortState.SILENT,
 }
 
 

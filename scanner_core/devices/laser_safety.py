@@ -35,6 +35,8 @@ measure it (``tests/core/devices/test_laser_states.py``, ``tests/long/test_laser
 event                         dark in   by whom
 ============================  ========  =============================================================================
 stop, Esc, cancel             0.2 s     ``stop()`` sends reset from the thread that asks, past whatever the owner waits for
+hold                          0.2 s     ``hold()`` lets the axes brake, ``M4`` dims with them; what no report shows dark after
+                                        :data:`HELD_LIT_S` is reset, and its position lost; a standing spot is reset at once
 leaving the rig: return,      0.6 s     ``close()`` sends reset before anything else is let go
 exception, ``sys.exit``
 SIGINT, SIGTERM, SIGHUP       0.6 s     headless: the scan is cancelled and its end recorded, exit 130; window: it closes
@@ -85,6 +87,8 @@ UNWATCHED_S = 2.0
 """Real seconds that a lit laser may be on without its owner having talked to the board."""
 LIT_ANSWER_S = 1.0
 """How long an answer about a lit laser is waited for, on the rig's clock."""
+HELD_LIT_S = 0.1
+"""How long a lit sweep may brake before it is reset, on the rig's clock."""
 
 _TICK_S = 0.2
 _LOCKED = "it is locked until it is homed or unlocked"

@@ -42,7 +42,7 @@ class MotionStatus:
 class MotionController(Protocol):
     """Aims the beam, turns the table, switches the laser.  A context manager: leaving it closes it.
 
-    One owner thread, but ``stop()`` may come from any.  The laser is off after ``close()``, after any fault and
+    One owner thread, but ``stop()``, ``hold()`` and ``jog_cancel()`` may come from any.  The laser is off after ``close()``, after any fault and
     when the host dies.  Every call has a deadline on the rig's clock.
     """
 
@@ -63,6 +63,14 @@ class MotionController(Protocol):
 
     def rotate_to(self, table_deg: float) -> None:
         """Turn the table, laser dark; returns when it is there."""
+        ...
+
+    def jog(self, *, x_deg: float = 0.0, y_deg: float = 0.0, table_deg: float = 0.0, speed_deg_s: float) -> bool:
+        """Move by so many degrees, laser dark; False when :meth:`jog_cancel` ended it before."""
+        ...
+
+    def jog_cancel(self) -> None:
+        """End a :meth:`jog`, from any thread; the position stays known."""
         ...
 
     @property
@@ -91,6 +99,14 @@ class MotionController(Protocol):
         """Laser off and motion stopped, now, from any thread."""
         ...
 
+    def hold(self) -> None:
+        """As ``stop()``, but the axes brake first and the position stays known, as far as the laser is dark in time."""
+        ...
+
+    def unlock(self) -> None:
+        """Take the lock of an alarm off without homing; the position counts as lost."""
+        ...
+
     def recover(self) -> bool:
         """Back to idle after a stop or an alarm; True when the position is still known."""
         ...
@@ -101,6 +117,14 @@ class MotionController(Protocol):
 
     def description(self) -> dict[str, object]:
         """Port, firmware, axes and the transcript of the last lines."""
+        ...
+
+    def transcript(self) -> list[dict[str, object]]:
+        """The last 200 lines of the conversation: ``t_s``, ``direction`` (``out``, ``in``), ``line``."""
+        ...
+
+    def transcript_text(self) -> str:
+        """The same as text to copy."""
         ...
 
     def close(self) -> None:

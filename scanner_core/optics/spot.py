@@ -20,6 +20,8 @@ class MissReason(Enum):
     AMBIGUOUS = "ambiguous"
     TOO_BRIGHT = "too_bright"
     TORN = "torn"
+    OUT_OF_STEP = "out_of_step"
+    """The cameras run freely, and no frame of the other one lies near enough to this instant."""
 
 
 class Spot(NamedTuple):

@@ -75,5 +75,6 @@ _MISSES = {
     MissReason.CUT_BY_EDGE: "The spot is cut by the edge of the picture: it lies outside of what this camera can measure.",
     MissReason.AMBIGUOUS: "Several spots are equally bright: cover or matt what reflects the laser.",
     MissReason.TOO_BRIGHT: "The background is too bright: switch off the lamp or shield the rig from room light.",
+    MissReason.OUT_OF_STEP: "The cameras do not expose together: trigger both from one source.",
     MissReason.TORN: "The picture is not of one exposure: check the camera's cable and port, and close other programs.",
 }

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from scanner_core.clock import Clock, Pacer
 from scanner_core.devices.camera import CameraReport, Frame, Trigger
+from scanner_core.devices.camera_config import TriggerSource
 from scanner_core.errors import DeviceClosedError, DeviceLostError, DeviceTimeoutError
 from scanner_core.virtual.disturbed import Disturbed
 
@@ -164,7 +165,7 @@ class VirtualCamera:
             pixel_format="Mono8",
             exposure_ms=self._exposure_ms,
             gain_db=self._gain_db,
-            trigger="software",
+            trigger=TriggerSource.SOFTWARE,
             dropped=self.dropped,
         )
 

@@ -356,6 +356,7 @@ class Firmware:
         text = status_line(
             machine.state_name(),
             machine.machine_position(sample.position),
+            machine.settings.offset,
             feed_deg_min=sample.speed_deg_s * 60.0,
             power=sample.power * machine.values[30],
             mask=int(machine.values[10]),

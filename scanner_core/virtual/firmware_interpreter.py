@@ -67,7 +67,8 @@ class Interpreter:
             self._say(now_s, f"[VER:{machine.settings.version}:]", "[OPT:V,15,128]", *extra)
         elif line == "$#":
             zeros = ",".join("0.000" for _ in machine.settings.axes)
-            self._say(now_s, f"[G54:{zeros}]", f"[G92:{zeros}]", "[TLO:0.000]")
+            offset = ",".join(f"{value:.3f}" for value in machine.settings.offset)
+            self._say(now_s, f"[G54:{offset}]", f"[G92:{zeros}]", "[TLO:0.000]")
         elif line == "$N":
             self._say(now_s, "$N0=", "$N1=")
         elif line == "$H":
@@ -180,11 +181,12 @@ class Interpreter:
         machine, modal = self._machine, instruction.modal
         here = machine.machine_position(machine.planner.planned_position(self.now_s))
         words = instruction.axes or {}
-        base = (0.0,) * len(here) if modal.absolute else here
+        base = machine.settings.offset if modal.absolute else here
         return tuple([base[i] + words[letter] if letter in words else here[i] for i, letter in enumerate(machine.settings.axes)])
 
     def _beyond_travel(self, target: Position) -> bool:
-        return any(abs(value) > self._machine.values[130 + i] for i, value in enumerate(target))
+        """GRBL's machine zero is the upper end of every axis' travel."""
+        return any(not -self._machine.values[130 + i] <= value <= 0.0 for i, value in enumerate(target))
 
     def _plan(self, target: Position, speed: float, rated: float, power: float, *, scaled: bool) -> None:
         """Queue a block; per axis limits shorten speed and acceleration along the path."""

@@ -14,18 +14,29 @@ def settings_lines(values: dict[int, float]) -> list[str]:
 
 
 def status_line(
-    state: str, machine: Position, *, feed_deg_min: float, power: float, mask: int, room: int, free_bytes: int, count: int, pins: str
+    state: str,
+    machine: Position,
+    offset: Position,
+    *,
+    feed_deg_min: float,
+    power: float,
+    mask: int,
+    room: int,
+    free_bytes: int,
+    count: int,
+    pins: str,
 ) -> str:
     """``<...>``; `count` reports were sent before: every tenth names the work offset, the one after it the overrides."""
-    numbers = ",".join(f"{value:.3f}" for value in machine)
-    fields = [state, f"MPos:{numbers}" if mask & 1 else f"WPos:{numbers}"]
+    is_work = not mask & 1
+    numbers = ",".join(f"{value - is_work * shift:.3f}" for value, shift in zip(machine, offset, strict=True))
+    fields = [state, f"WPos:{numbers}" if is_work else f"MPos:{numbers}"]
     if mask & 2:
         fields.append(f"Bf:{room},{free_bytes}")
     fields.append(f"FS:{feed_deg_min:.0f},{power:.0f}")
     if pins:
         fields.append(f"Pn:{pins}")
     if count % 10 == 0:
-        fields.append("WCO:" + ",".join("0.000" for _ in machine))
+        fields.append("WCO:" + ",".join(f"{value:.3f}" for value in offset))
     elif count % 10 == 1:
         fields.append("Ov:100,100,100")
     return f"<{'|'.join(fields)}>"

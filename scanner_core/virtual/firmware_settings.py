@@ -14,6 +14,7 @@ class FirmwareSettings:
     axes : letters in the order of the status report; X and Y carry the beam
     table_axis : which of them turns the table
     max_rate_deg_min, acceleration_deg_s2, max_travel_deg : for every axis (``$110..``, ``$120..``, ``$130..``)
+    work_offset_deg : of the work coordinates (G54) against the machine's, for every axis; empty = none
     spindle_max : S value of full power (``$30``)
     laser_mode : ``$32``
     homing : ``$22``; False makes ``$H`` an error
@@ -31,6 +32,7 @@ class FirmwareSettings:
     max_rate_deg_min: tuple[float, ...] = (12000.0, 12000.0, 3600.0)
     acceleration_deg_s2: tuple[float, ...] = (4000.0, 4000.0, 360.0)
     max_travel_deg: tuple[float, ...] = (90.0, 90.0, 3600.0)
+    work_offset_deg: tuple[float, ...] = ()
     spindle_max: float = 1000.0
     laser_mode: bool = True
     soft_limits: bool = False
@@ -48,6 +50,11 @@ class FirmwareSettings:
         sizes = {len(self.axes), len(self.max_rate_deg_min), len(self.acceleration_deg_s2), len(self.max_travel_deg)}
         if len(sizes) != 1 or self.table_axis not in self.axes or not self.axes.startswith("XY"):
             raise ValueError("every axis needs a rate, an acceleration and a travel; X and Y come first; the table must be one of the axes")
+
+    @property
+    def offset(self) -> tuple[float, ...]:
+        """The work offset of every axis."""
+        return self.work_offset_deg or (0.0,) * len(self.axes)
 
     def numbered(self) -> dict[int, float]:
         """The values of ``$$``."""

@@ -54,7 +54,7 @@ class MachineState:
             return "Alarm"
         if self._door:
             return "Door:2" if moving else "Door:1" if self.door_ajar else "Door:0"
-        if self._held:
+        if self._held and not self.jogging:  # a jog that is cancelled brakes as a jog
             return "Hold:1" if moving else "Hold:0"
         if self.homing:
             return "Home"

@@ -2,57 +2,39 @@
 
 from __future__ import annotations
 
-import math
-import time
+from typing import TYPE_CHECKING
 
 from scanner_core.clock import Clock
 from scanner_core.devices.check import Check
 from scanner_core.devices.controller_config import ControllerConfig
+from scanner_core.devices.grbl.axes import TABLE, Axes, Target, X, Y
 from scanner_core.devices.grbl.doctor import controller_checks
 from scanner_core.devices.grbl.handshake import shake_hands
 from scanner_core.devices.grbl.lines import Report
 from scanner_core.devices.grbl.link import ANSWER_S, GrblLink, Halt
-from scanner_core.devices.laser_safety import LIT_ANSWER_S, STANDING_LASER_S, Darkened, LaserWatch, Light, breach
+from scanner_core.devices.grbl.transcript import as_text
+from scanner_core.devices.grbl.whereabouts import Whereabouts
+from scanner_core.devices.laser_safety import HELD_LIT_S, LIT_ANSWER_S, STANDING_LASER_S, Darkened, LaserWatch, Light, breach
 from scanner_core.devices.motion import MotionState, MotionStatus
-from scanner_core.devices.serial_port import BytePort, DirectPort
-from scanner_core.errors import ControllerAlarmError, DeviceError, UsageError
+from scanner_core.devices.serial_port import BytePort
+from scanner_core.errors import ControllerAlarmError, DeviceError
+
+if TYPE_CHECKING:
+    from scanner_core.devices.rig import LimitsConfig
 
 _HOME_DEADLINE_S = 120.0
-_SPARE_S = 5.0
 _LOOKS = 5
-_SAME_PLACE_DEG = 0.0015
-"""A unit of the last digit of a report; where a motor's step is coarser, a rested position is asked for twice."""
-_MODES = "G21G90G94M5"
-
-
-def open_controller(config: ControllerConfig, clock: Clock, *, standing_laser_s: float = STANDING_LASER_S) -> GrblController:
-    """Open the port, through a guardian unless it is virtual, and shake hands.
-
-    Raises
-    ------
-    DeviceError
-        E-MOT-03 busy, E-MOT-08 missing, E-MOT-12 not permitted, E-MOT-07 no GRBL, E-MOT-13 no laser mode, E-MOT-14 axis.
-    """
-    port: BytePort
-    can_burn = not config.port.lower().startswith("virtual://")
-    if can_burn:
-        from scanner_core.devices.guardian import GuardedPort
-
-        port = GuardedPort(config.port, config.baud)
-    else:
-        port = DirectPort(config.port, config.baud)
-    return GrblController(port, config, clock, standing_laser_s=standing_laser_s, watched=can_burn)
-
-
-APPROACH_DEG = 1.0
-"""More than any sound drive's play."""
+_OFFSET_LOOKS = 35
+_JOG_LOOK_S = 0.1
+_MODES = "G54G21G90G94M5"
 
 
 class GrblController:
     """Implements :class:`scanner_core.devices.motion.MotionController` on a port that is open.
 
-    One thread owns it; :meth:`stop` may come from any.  Sweeps use M4 (dark at rest); M3 only lights the standing spot
-    of :meth:`laser`.  When it may be lit, and what makes it dark, stands in :mod:`scanner_core.devices.laser_safety`.
+    One thread owns it; :meth:`stop`, :meth:`hold` and :meth:`jog_cancel` may come from any.  Sweeps use M4 (dark at rest); M3
+    only lights the standing spot of :meth:`laser`.  When it may be lit, and what makes it dark, stands in
+    :mod:`scanner_core.devices.laser_safety`.  Degrees are the board's work coordinates (G54), by the rig file's `units_per_deg`.
     """
 
     def __init__(
@@ -60,6 +42,7 @@ class GrblController:
         port: BytePort,
         config: ControllerConfig,
         clock: Clock,
+        limits: LimitsConfig | None = None,
         *,
         standing_laser_s: float = STANDING_LASER_S,
         watched: bool = False,
@@ -68,35 +51,45 @@ class GrblController:
         self._link = GrblLink(port, config.port, clock)
         self._clock = clock
         self._watch = LaserWatch(self._darken, lambda: self._link.talked_s, clock, standing_laser_s, strict=watched)
-        self._table_axis = config.table_axis.upper()
-        self._position_known = True
-        self._homed = False
         self._modes_set = False
-        self._work_offset: tuple[float, ...] = ()
-        self._last: MotionStatus | None = None
-        self._newest: MotionStatus | None = None
+        self._jog_cancelled = False
         try:
-            self.identity, state = shake_hands(self._link, self._table_axis)
-            self._table_index = self.identity.axes.index(self._table_axis)
+            self.identity, report = shake_hands(self._link, config.table_axis.upper())
+            self._axes = Axes(self.identity, config, limits)
+            self._place = Whereabouts(self._axes, clock)
+            self._place.reported(report)
             self._link.judge = self._judge
-            if state is not MotionState.ALARM:
+            for _ in range(_OFFSET_LOOKS):  # it stands in every tenth report or so
+                if self._place.doubts_offset:
+                    self._link.report()
+            if report.state is not MotionState.ALARM:
                 self._set_modes()
             self.status()
         except BaseException as fault:
             self.close()
             if isinstance(fault, DeviceError):
-                fault.details = "\n".join([fault.details, *map(str, self.transcript())]).strip()
+                fault.details = f"{fault.details}\n{self.transcript_text()}".strip()
             raise
 
     # ------------------------------------------------------------------------------------------ motion
     def aim(self, x_deg: float, y_deg: float) -> None:
         """Move the beam's direction, laser dark; returns when it is there."""
-        target = _words(X=x_deg, Y=y_deg)
+        self._go({X: x_deg, Y: y_deg})
+
+    def rotate_to(self, table_deg: float) -> None:
+        """Turn the table, laser dark; returns when it is there."""
+        self._go({TABLE: table_deg})
+
+    def _go(self, target: Target) -> None:
+        """Arrive from below where an axis has play: downwards it goes `approach_deg` too far first."""
+        self._axes.check(target)
         self._ready()
-        self._link.command(f"M5G0{target}")
-        self._watch.allow(Light.DARK)
-        self._link.command("G4P0", self._travel_s({0: x_deg, 1: y_deg}))
-        self._arrived(x_deg=x_deg, y_deg=y_deg)
+        detour = self._place.detour(target)
+        for place in (target,) if detour is None else (detour, target):
+            self._link.command(f"M5G0{self._axes.words(place)}")
+            self._watch.allow(Light.DARK)
+            self._link.command("G4P0", self._axes.travel_s(self._place.delta(place)))
+            self._place.arrived(place)
 
     def sweep(self, x_deg: float, y_deg: float, speed_deg_s: float) -> None:
         """Begin a straight move with the laser lit; returns when the board has accepted it.
@@ -104,16 +97,16 @@ class GrblController:
         Raises
         ------
         UsageError
-            The speed is beyond the board's maximum rate: it would move slower than planned.
+            E-MOT-21 outside of the limits; E-USE-01 the speed is beyond the board's maximum rate: it would move slower than planned.
         """
-        target = _words(X=x_deg, Y=y_deg)
-        if not speed_deg_s > 0.0:
-            raise UsageError("E-USE-01", what=f"A sweep of {speed_deg_s} deg/s goes nowhere", do="give a speed above 0")
+        target = {X: x_deg, Y: y_deg}
+        self._axes.check(target)
+        delta = self._place.delta(target)
+        self._axes.check_rate(delta, speed_deg_s)
         self._ready()
-        self._check_rate(x_deg, y_deg, speed_deg_s)
-        self._watch.allow(Light.SWEEP, self._clock.now_s() + self._sweep_s(x_deg, y_deg, speed_deg_s))
-        self._link.command(f"M4S{self.full_power:.0f}G1{target}F{speed_deg_s * 60.0:.2f}")
-        self._arrived(x_deg=x_deg, y_deg=y_deg)
+        self._watch.allow(Light.SWEEP, self._clock.now_s() + self._axes.sweep_s(delta, speed_deg_s))
+        self._link.command(f"M4S{self.full_power:.0f}G1{self._axes.words(target)}F{self._axes.feed(delta, speed_deg_s):.2f}")
+        self._place.arrived(target)
 
     def wait_idle(self, deadline_s: float) -> None:
         """Wait for the end of the motion."""
@@ -122,28 +115,43 @@ class GrblController:
         if self._watch.light is Light.SWEEP:
             self._watch.allow(Light.DARK)
 
-    def rotate_to(self, table_deg: float) -> None:
-        """Turn the table, laser dark; returns when it is there.
+    def jog(self, *, x_deg: float = 0.0, y_deg: float = 0.0, table_deg: float = 0.0, speed_deg_s: float) -> bool:
+        """Move by so many degrees, laser dark, without taking out play; False when :meth:`jog_cancel` ended it before.
 
-        It always arrives turning forwards, so that play in the drive does not show: backwards it goes :data:`APPROACH_DEG`
-        too far first.
+        Raises
+        ------
+        UsageError
+            E-MOT-21, E-USE-01.
         """
-        target = _words(**{self._table_axis: table_deg})
+        delta = {axis: value for axis, value in ((X, x_deg), (Y, y_deg), (TABLE, table_deg)) if value != 0.0}
+        here = self._place.here()
+        self._axes.check({axis: here[axis] + value for axis, value in delta.items()})
+        self._axes.check_rate(delta, speed_deg_s)
+        if not delta:
+            return True
+        self._jog_cancelled = False
         self._ready()
-        if table_deg < self._here(self._table_index):
-            self._turn(_words(**{self._table_axis: table_deg - APPROACH_DEG}), table_deg - APPROACH_DEG)
-        self._turn(target, table_deg)
+        if self._watch.light is not Light.DARK:
+            self.laser(False)
+        patience_s = 2.0 * self._axes.sweep_s(delta, speed_deg_s) + ANSWER_S
+        end_s = self._clock.now_s() + patience_s
+        self._place.disturb()
+        self._link.command(f"$J=G91{self._axes.words(delta)}F{self._axes.feed(delta, speed_deg_s):.2f}")
+        while self.status().state in (MotionState.MOVING, MotionState.HOLD):
+            if self._clock.now_s() > end_s:
+                raise self._link.late("$J", patience_s)
+            self._clock.sleep(_JOG_LOOK_S)
+        return not self._jog_cancelled
 
-    def _turn(self, target: str, table_deg: float) -> None:
-        self._link.command(f"M5G0{target}")
-        self._watch.allow(Light.DARK)
-        self._link.command("G4P0", self._travel_s({self._table_index: table_deg}))
-        self._arrived(table_deg=table_deg)
+    def jog_cancel(self) -> None:
+        """End a :meth:`jog`: the axes brake and the position stays known.  From any thread; nothing else is touched."""
+        self._jog_cancelled = True
+        self._link.cancel_jog()
 
     @property
     def needs_homing(self) -> bool:
         """``$22`` says that there are switches.  Many boards forget their position when the port is opened, and do not tell."""
-        return bool(int(self.identity.settings.get(22, 0.0)) & 1) and not self._homed
+        return self.identity.homing is True and not self._place.homed
 
     def home(self) -> None:
         """Find the reference position; also unlocks.  After a :meth:`stop` it moves nothing before :meth:`recover`."""
@@ -153,15 +161,16 @@ class GrblController:
             self.laser(False)
         self._link.command("$H", _HOME_DEADLINE_S, mute=True)
         self._set_modes()
-        self._position_known = self._homed = True
+        self._place.known = self._place.homed = True
+        self._place.disturb()
         self._link.restarted = False
         self.status()
 
     # ------------------------------------------------------------------------------------------ laser
     @property
     def full_power(self) -> float:
-        """S value of full power (``$30``)."""
-        return self.identity.settings.get(30, 1000.0)
+        """S value of full power (``$30``); the handshake has seen to it that it is known."""
+        return self.identity.settings[30]
 
     def laser(self, on: bool) -> None:
         """A standing spot for aiming, or dark.
@@ -173,11 +182,11 @@ class GrblController:
         """
         self._ready()
         if not on:
-            self._link.command("M5", self._travel_s({}))
+            self._link.command("M5", self._axes.travel_s({}))
             self._watch.allow(Light.DARK)
             return
         self._watch.allow(Light.STANDING)
-        self._link.command(f"G1F60M3S{self.full_power:.0f}", self._travel_s({}))
+        self._link.command(f"G1F60M3S{self.full_power:.0f}", self._axes.travel_s({}))
         if not self.status().laser_power > 0.0:
             raise self._link.fault(DeviceError("E-MOT-17"))
 
@@ -191,10 +200,10 @@ class GrblController:
             E-MOT-05, E-MOT-16, E-MOT-18: the report breaks a rule of :mod:`scanner_core.devices.laser_safety`; a reset was sent.
             E-MOT-01, E-MOT-02, E-MOT-09: there is no report to be had.  E-MOT-20: noise on the line.
         """
-        expected = before = self._last
+        expected = before = self._place.last
         said, looks = self._asked(), 0
         # A digit that noise has changed makes a report like any other: where the board rests elsewhere than expected, two must agree.
-        while said.state is MotionState.IDLE and not (_same_place(said, expected) or _same_place(said, before)):
+        while not self._place.resting(said, expected, before):
             if looks == _LOOKS:
                 raise self._link.fault(DeviceError("E-MOT-20", port=self._link.port_name))
             expected, said, looks = said, self._asked(), looks + 1
@@ -202,33 +211,33 @@ class GrblController:
 
     def _asked(self) -> MotionStatus:
         report = self._link.report(ANSWER_S if self._watch.light is Light.DARK else LIT_ANSWER_S)
-        return self._newest or self._understood(report)
+        return self.newest or self._place.understood(report)
 
     @property
     def newest(self) -> MotionStatus | None:
         """The last report that came."""
-        return self._newest
+        return self._place.newest
 
     def _judge(self, report: Report) -> DeviceError | None:
         """Every report passes here, whoever asked for it."""
-        self._newest = self._last = self._understood(report)
-        return breach(self._watch.light, report.state, self._newest.laser_power)
-
-    def _understood(self, report: Report) -> MotionStatus:
-        position = report.position
-        self._work_offset = report.work_offset or self._work_offset
-        if position is not None and report.is_work_position and len(self._work_offset) == len(position):
-            position = tuple(p + o for p, o in zip(position, self._work_offset, strict=True))
-        if position is None or len(position) <= self._table_index:
-            last = self._last
-            x_deg, y_deg, table_deg = (last.x_deg, last.y_deg, last.table_deg) if last else (math.nan,) * 3
-        else:
-            x_deg, y_deg, table_deg = position[0], position[1], position[self._table_index]
-        return MotionStatus(report.state, x_deg, y_deg, table_deg, report.laser_power or 0.0, self._clock.now_s(), time.monotonic())
+        return breach(self._watch.light, report.state, self._place.reported(report).laser_power)
 
     def stop(self) -> None:
         """Laser off and motion stopped, now, from any thread; then :meth:`recover` comes first."""
         self._link.stop()
+        self._watch.allow(Light.DARK)
+
+    def hold(self) -> None:
+        """As :meth:`stop`, but the axes brake before the reset, so that the position stays known; from any thread.
+
+        What is lit and not dark within :data:`~scanner_core.devices.laser_safety.HELD_LIT_S` is stopped at once after all;
+        :meth:`recover` tells whether the position is still known.
+        """
+        if self._watch.light is Light.STANDING:  # nothing moves
+            self.stop()
+            return
+        lit_s = HELD_LIT_S if self._watch.light is Light.SWEEP else None
+        self._link.hold(2.0 * self._axes.braking_s() + ANSWER_S, lit_s)
         self._watch.allow(Light.DARK)
 
     def recover(self) -> bool:
@@ -243,32 +252,58 @@ class GrblController:
         """
         alarmed = self._link.revive()
         self._watch.allow(Light.DARK)
+        self._place.disturb()
         state = self._link.report().state
         if state is MotionState.DOOR:
             raise self._link.fault(ControllerAlarmError("E-MOT-16"))
+        if alarmed or self._link.restarted or state is MotionState.ALARM:
+            self._place.lose()
         if state is MotionState.ALARM:
-            alarmed = True
-            self._link.command("$X")
-        if alarmed or self._link.restarted:
-            self._position_known = self._homed = False
+            self.unlock()
+        else:
+            self._set_modes()
+            self.status()
+        return self._place.known
+
+    def unlock(self) -> None:
+        """Take an alarm's lock off (``$X``) without homing: it moves again, and the position counts as lost."""
+        self._place.lose()
+        self._link.command("$X")
         self._set_modes()
         self.status()
-        return self._position_known
 
+    # ------------------------------------------------------------------------------------------ what was said
     def transcript(self) -> list[dict[str, object]]:
         """The last 200 lines: ``t_s`` on the rig's clock, ``direction`` (``out``, ``in``), ``line``."""
         return self._link.transcript()
 
+    def transcript_text(self) -> str:
+        """The same as text to copy, a line each."""
+        return as_text(self.transcript())
+
     def description(self) -> dict[str, object]:
-        """For ``impronta doctor``."""
+        """For ``impronta doctor``; None is what the board did not tell."""
+        identity = self.identity
         return {
             "port": self._link.port_name,
-            "firmware": self.identity.firmware,
-            "version": self.identity.version,
-            "axes": self.identity.axes,
-            "laser_mode": self.identity.laser_mode,
+            "firmware": identity.firmware,
+            "version": identity.version,
+            "family": identity.family.value,
+            "axes": identity.axes,
+            "laser_mode": identity.laser_mode,
+            "full_power": identity.full_power,
+            "homing": identity.homing,
+            "soft_limits": identity.soft_limits,
+            "planner_blocks": identity.planner_blocks,
+            "receive_bytes": identity.receive_bytes,
+            "max_rate_deg_s": [self._axes.rate_deg_s(axis) for axis in (X, Y, TABLE)],
             "transcript": self.transcript(),
         }
+
+    @property
+    def axes(self) -> Axes:
+        """Units, limits and rates of the three axes."""
+        return self._axes
 
     def self_checks(self) -> list[Check]:
         """Handshake, motion and laser, each with a verdict; the laser is off afterwards."""
@@ -305,64 +340,3 @@ class GrblController:
         """For the watch; a link that is halted has been reset, and keeps its reason."""
         if self._link.halt is None:
             self._link.stop(reason)
-
-    def _arrived(self, *, x_deg: float | None = None, y_deg: float | None = None, table_deg: float | None = None) -> None:
-        last = self._last
-        if last is not None:
-            self._last = MotionStatus(
-                last.state,
-                last.x_deg if x_deg is None else x_deg,
-                last.y_deg if y_deg is None else y_deg,
-                last.table_deg if table_deg is None else table_deg,
-                0.0,
-                self._clock.now_s(),
-            )
-
-    def _here(self, axis: int) -> float:
-        last = self._last
-        if last is None:
-            return 0.0
-        value = last.x_deg if axis == 0 else last.y_deg if axis == 1 else last.table_deg
-        return value if math.isfinite(value) else 0.0
-
-    def _rate_deg_s(self, axis: int) -> float:
-        return max(1e-3, self.identity.settings.get(110 + axis, 600.0) / 60.0)
-
-    def _travel_s(self, target: dict[int, float]) -> float:
-        """A deadline that a healthy board keeps: twice the time of the slowest axis, and some."""
-        times = [0.0]
-        for axis, value in target.items():
-            acceleration = max(1e-3, self.identity.settings.get(120 + axis, 10.0))
-            rate = self._rate_deg_s(axis)
-            times.append(abs(value - self._here(axis)) / rate + rate / acceleration)
-        return 2.0 * max(times) + _SPARE_S
-
-    def _sweep_s(self, x_deg: float, y_deg: float, speed_deg_s: float) -> float:
-        """After which a sweep is over and dark, with some to spare."""
-        accelerating_s = speed_deg_s / max(1e-3, min(self.identity.settings.get(120 + axis, 10.0) for axis in (0, 1)))
-        return math.hypot(x_deg - self._here(0), y_deg - self._here(1)) / speed_deg_s + accelerating_s + 0.5
-
-    def _check_rate(self, x_deg: float, y_deg: float, speed_deg_s: float) -> None:
-        delta = (x_deg - self._here(0), y_deg - self._here(1))
-        length = math.hypot(*delta)
-        for axis in (0, 1):
-            if length > 0.0 and speed_deg_s * abs(delta[axis]) / length > self._rate_deg_s(axis) * 1.001:
-                raise UsageError(
-                    "E-USE-01",
-                    what=f"A sweep of {speed_deg_s:g} deg/s is faster than axis {'XY'[axis]} of the controller ({self._rate_deg_s(axis):g} deg/s)",
-                    do="lower the sweep speed in the rig file",
-                )
-
-
-def _same_place(a: MotionStatus, b: MotionStatus | None) -> bool:
-    """Also where neither knows the place."""
-    pairs = [] if b is None else [(a.x_deg, b.x_deg), (a.y_deg, b.y_deg), (a.table_deg, b.table_deg)]
-    return bool(pairs) and not any(abs(p - q) > _SAME_PLACE_DEG or math.isnan(p) != math.isnan(q) for p, q in pairs)
-
-
-def _words(**values: float) -> str:
-    """Axis words with a point and fixed decimals, whatever the locale."""
-    for axis, value in values.items():
-        if not math.isfinite(value):
-            raise UsageError("E-USE-01", what=f"{value} is no position for axis {axis}", do="give a finite number of degrees")
-    return "".join(f"{axis}{value:.4f}" for axis, value in values.items())

@@ -28,22 +28,29 @@ def controller_checks(controller: GrblController) -> list[Check]:
 
 def _handshake(controller: GrblController) -> Check:
     identity = controller.identity
-    return Check("controller handshake", "pass", f"{identity.firmware}, axes {identity.axes}, laser mode on.")
+    detail = f"{identity.firmware}, axes {identity.axes}, laser mode on."
+    untold = identity.untold()
+    if untold:
+        remedy = "Speeds and limits cannot be checked against it; see its manual for these settings."
+        return Check("controller handshake", "warn", f"{detail} It does not tell {', '.join(untold)}.", remedy)
+    return Check("controller handshake", "pass", detail)
 
 
 def _move(controller: GrblController) -> Check:
     start = controller.status()
     if start.state is MotionState.ALARM:
         return Check("controller move", "warn", "it is locked, so nothing was moved.", "Home the rig, then run the doctor again.")
-    goal = (start.x_deg + _STEP_DEG, start.y_deg + _STEP_DEG, start.table_deg + _STEP_DEG)
+    axes = controller.axes
+    here = (start.x_deg, start.y_deg, start.table_deg)
+    goal = tuple(value + (_STEP_DEG if axes.allows(axis, value + _STEP_DEG) else -_STEP_DEG) for axis, value in enumerate(here))
     controller.aim(goal[0], goal[1])
     controller.rotate_to(goal[2])
     there = controller.status()
     controller.aim(start.x_deg, start.y_deg)
     controller.rotate_to(start.table_deg)
-    error_deg = max(abs(a - b) for a, b in zip((there.x_deg, there.y_deg, there.table_deg), goal, strict=True))
-    if not error_deg <= _TOLERANCE_DEG:
-        detail = f"beam or table ended {error_deg:.3f} deg beside the goal."
+    errors = [abs(a - b) for a, b in zip((there.x_deg, there.y_deg, there.table_deg), goal, strict=True)]
+    if not all(error <= max(_TOLERANCE_DEG, axes.resolution_deg(axis)) for axis, error in enumerate(errors)):
+        detail = f"beam or table ended {max(errors):.3f} deg beside the goal."
         return Check("controller move", "fail", detail, "Check $100 to $132 of the board.")
     return Check("controller move", "pass", f"beam and table went {_STEP_DEG:g} deg and back.")
 

@@ -1,8 +1,8 @@
 """The conversation with a GRBL board: a line out, its one answer in, and a deadline on every wait.
 
-One thread talks; :meth:`GrblLink.stop` may come from any.  After a stop or a fault the board has been reset (laser
-off) and the link is *halted*: nothing is sent any more until :meth:`GrblLink.revive`, so that a thread that has not
-noticed yet cannot start the next move.
+One thread talks; :meth:`GrblLink.stop`, :meth:`GrblLink.hold` and :meth:`GrblLink.cancel_jog` may come from any.  After a
+stop or a fault the board has been reset (laser off) and the link is *halted*: nothing is sent any more until
+:meth:`GrblLink.revive`, so that a thread that has not noticed yet cannot start the next move.
 """
 
 from __future__ import annotations
@@ -31,6 +31,7 @@ from scanner_core.errors import (
 )
 
 RESET = b"\x18"
+_HOLD, _JOG_CANCEL = b"!", b"\x85"
 ANSWER_S = 2.0
 """Deadline of an answer that waits for no motion."""
 
@@ -39,6 +40,7 @@ _ALIVE_PERIOD_S = 0.5
 _AGAIN_S = 0.4
 """After so much silence a question that costs nothing is asked again."""
 _QUIET_S = 0.1
+_HOLD_LOOK_S = 0.05
 _TRANSCRIPT_LINES = 200
 _LOCKED_NUMBER, _DOOR_NUMBER = 9, 13
 
@@ -74,8 +76,13 @@ class GrblLink:
         self._lines: deque[Line] = deque()
         self._transcript: deque[TranscriptLine] = deque(maxlen=_TRANSCRIPT_LINES)
         self._write_lock = threading.RLock()
+        self._read_lock = threading.RLock()
+        self._hold_lock = threading.RLock()
+        """Whoever revives the board waits for the end of a hold; :meth:`stop` does not."""
         self._halt: Halt | Darkened | None = None
         self._closed = False
+        self._greeted = False
+        """It is a GRBL board, which greets after a reset."""
         self._axes = 0
         """Numbers of a position, from the first report that had one."""
 
@@ -179,6 +186,47 @@ class GrblLink:
             self._note("out", "<ctrl-x>")
             self._port.write(RESET)
 
+    def hold(self, deadline_s: float, lit_s: float | None) -> None:
+        """Let the axes brake, see them rest, then reset: as :meth:`stop`, but the position stays known.  From any thread.
+
+        Nothing else is sent from now on; the owner, who may be waiting for an answer, is told that the motion was stopped.
+
+        Parameters
+        ----------
+        deadline_s : then the reset comes whatever moves
+        lit_s : the laser may be lit; when no report has shown it dark after so long the reset comes at once.  None = it is dark
+        """
+        with self._hold_lock:
+            with self._write_lock:
+                if self._closed or self._halt is not None:
+                    return
+                self._halt = Halt.STOPPED
+                self._note("out", "!")
+                self._port.write(_HOLD)
+            try:
+                self._see_it_rest(deadline_s, lit_s)
+            finally:
+                self.stop()
+
+    def _see_it_rest(self, deadline_s: float, lit_s: float | None) -> None:
+        begin_s = self.clock.now_s()
+        end_s = begin_s + deadline_s
+        dark_by_s = end_s if lit_s is None else begin_s + lit_s
+        while (now_s := self.clock.now_s()) < min(end_s, dark_by_s):
+            self._send(b"?", "?", even_when_halted=True)
+            line = self._next_line(now_s + _HOLD_LOOK_S, "!", even_when_halted=True)
+            if isinstance(line, Alarm | Banner) or (isinstance(line, Report) and at_rest(line)):
+                return
+            if isinstance(line, Report) and line.laser_power == 0.0:
+                dark_by_s = end_s
+
+    def cancel_jog(self) -> None:
+        """End a jog; from any thread."""
+        with self._write_lock:
+            if not self._closed and self._halt is None:
+                self._note("out", "<jog-cancel>")
+                self._port.write(_JOG_CANCEL)
+
     def ask_for_banner(self) -> None:
         """Reset a board that may not have been reset by the opening of the port."""
         self._send(RESET, "<ctrl-x>")
@@ -190,7 +238,7 @@ class GrblLink:
         ------
         DeviceTimeoutError, DeviceLostError
         """
-        with self._write_lock:
+        with self._hold_lock, self._write_lock:
             self.stop(Halt.FAULT)
             self._halt = None
         alarmed, greeted, again = False, False, False
@@ -218,13 +266,13 @@ class GrblLink:
         return error
 
     def close(self) -> None:
-        """Reset the board, see that it happened where it still answers, release the port."""
+        """Reset the board, see that it happened where it has answered before, release the port."""
         with self._write_lock:
             if self._closed:
                 return
             try:
                 self.stop(Halt.STOPPED)
-                end_s = self.clock.now_s() + 0.5
+                end_s = self.clock.now_s() + (0.5 if self._greeted else 0.0)
                 while (line := self._next_line(end_s, "reset", even_when_halted=True)) is not None and not isinstance(line, Banner):
                     continue
             except DeviceError as fault:
@@ -249,14 +297,16 @@ class GrblLink:
             self.talked_s = time.monotonic()
             if self._halt is not None and not even_when_halted:
                 raise self._stopped(text)
-            if self._lines:
-                return self._lines.popleft()
-            self._check_open()
-            left_s = end_s - self.clock.now_s()
-            # One look also when the time is up: a process that did not run for a while must not take that for a silent board.
-            for line in self._buffer.feed(self._port.read(min(max(left_s, 0.0), _SLICE_S))):
-                self._note("in", line)
-                self._lines.append(parse_line(line))
+            with self._read_lock:
+                if self._lines:
+                    return self._lines.popleft()
+                self._check_open()
+                left_s = end_s - self.clock.now_s()
+                # One look also when the time is up: a process that did not run for a while must not take that for a silent board.
+                for said in self._buffer.feed(self._port.read(min(max(left_s, 0.0), _SLICE_S))):
+                    self._note("in", said)
+                    self._lines.append(line := parse_line(said))
+                    self._greeted = self._greeted or isinstance(line, Banner)
             if left_s <= 0.0 and not self._lines:
                 return None
 
@@ -303,5 +353,15 @@ class GrblLink:
             return self.fault(ControllerAlarmError("E-MOT-16"))
         return self.fault(DeviceError("E-MOT-06", command=text, number=number, meaning=refusal_meaning(number)))
 
+    def late(self, text: str, deadline_s: float) -> DeviceError:
+        """What is to be raised when something took too long; laser off, halted."""
+        return self.fault(self._timeout(text, deadline_s))
+
     def _timeout(self, text: str, deadline_s: float) -> DeviceTimeoutError:
         return DeviceTimeoutError("E-MOT-01", port=self.port_name, command=text, seconds=round(deadline_s, 1))
+
+
+def at_rest(report: Report) -> bool:
+    """Nothing moves any more: idle, locked, or a hold or an open door with the axes braked (``Hold:0``, ``Door:0``, ``Door:1``)."""
+    braked = {MotionState.HOLD: (0,), MotionState.DOOR: (0, 1)}.get(report.state)
+    return report.state in (MotionState.IDLE, MotionState.ALARM) or (braked is not None and report.substate in braked)

@@ -23,14 +23,14 @@ def test_each_kind_of_port_is_told_apart() -> None:
             "usable": PortState.CONTROLLER,
             "cutter": PortState.UNSUITABLE,
             "taken": PortState.BUSY,
-            "dead": PortState.OTHER,
+            "dead": PortState.SILENT,
             "nowhere": PortState.GONE,
         }
         identity, error = answers["usable"].identity, answers["dead"].error
         assert identity is not None
         assert identity.laser_mode
         assert error is not None
-        assert "said: nothing" in str(error)
+        assert error.code == "E-MOT-24"
         usable.open().close()  # the port was released
 
 

@@ -58,7 +58,7 @@ GRBL_HAL = {
     b"$I\n": b"[VER:1.1f.20240101:]\r\n[OPT:VNMSL,35,1024,4,0]\r\n[AXS:4:XYZA]\r\n[FIRMWARE:grblHAL]\r\nok\r\n",
     b"$$\n": b"$30=255.000\r\n$32=1\r\n$110=6000.000\r\n$111=6000.000\r\n$112=600.000\r\n$113=3600.000\r\nok\r\n",
     b"?": b"<Idle|WPos:1.000,2.000,3.000,4.000|Bf:100,1023|FS:0,0|WCO:10.000,0.000,0.000,1.000>\r\n",
-    b"G21G90G94M5\n": b"ok\r\n",
+    b"G54G21G90G94M5\n": b"ok\r\n",
 }
 
 
@@ -85,7 +85,7 @@ def test_grblhal_with_a_fourth_axis_and_work_positions() -> None:
     assert controller.identity.version == "1.1f.20240101"
     assert controller.full_power == 255.0
     status = controller.status()
-    assert (status.x_deg, status.y_deg, status.table_deg) == (11.0, 2.0, 5.0)
+    assert (status.x_deg, status.y_deg, status.table_deg) == (1.0, 2.0, 4.0), "work coordinates, as the moves that are sent"
     assert b"\x18" not in port.written
     controller.close()
     assert port.written[-1] == b"\x18"
@@ -109,7 +109,7 @@ def test_something_else_is_quoted() -> None:
 
 
 def test_silence_is_said() -> None:
-    assert refused({}).fields["said"] == "nothing"
+    assert refused({}).code == "E-MOT-24"
 
 
 @pytest.mark.parametrize(("line", "value"), [(b"$32=0\r\n", "0"), (b"", "missing")])
@@ -151,7 +151,7 @@ def test_question_that_a_reset_swallowed_is_asked_again() -> None:
     controller.stop()
     asked = port.written.count(b"?")
     port.answers = {b"?": GRBL_HAL[b"?"]}
-    assert controller.status().x_deg == 11.0
+    assert controller.status().x_deg == 1.0
     assert port.written.count(b"?") == asked + 2
 
 

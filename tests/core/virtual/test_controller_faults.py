@@ -113,7 +113,7 @@ def test_a_position_with_a_wrong_digit_is_not_believed() -> None:
             _watch(controller, places)
         assert ended.value.code == "E-MOT-18"  # a digit of the laser's power: to darken it comes before to ask again
         assert len(places) > 20
-        assert set(places) == {22.5}
+        assert max(abs(place - 22.5) for place in places) < 0.0015, "a unit of the last digit may be a motor's step"
         said = [line["line"] for line in controller.transcript() if line["direction"] == "in"]
         assert any("22.500" not in str(line) for line in said)
 

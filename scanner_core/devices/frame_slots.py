@@ -1,0 +1,92 @@
+"""Frames of a camera that keeps its own time, counted into the planned exposures of a run.
+
+The slot of a frame is its place in the run by its time.  Both cameras of a rig count from one origin, which is settled by
+whichever of them delivers the first frame of the run: cameras that expose on the same edge then always agree about its
+number, whatever their time stamps' jitter, and cameras that run freely are paired at most half a period apart.
+"""
+
+from __future__ import annotations
+
+import math
+import threading
+from weakref import WeakKeyDictionary
+
+from scanner_core.clock import Clock
+from scanner_core.devices.camera import Trigger
+
+
+def slot_of(time_s: float, start_s: float, rate_hz: float) -> int:
+    """Number of the period of `rate_hz` that `time_s` falls into; period 0 begins at `start_s`."""
+    return math.floor((time_s - start_s) * rate_hz)
+
+
+class RunOrigin:
+    """When a run really begins: settled once for both cameras of a rig, by the first of them that can tell.
+
+    Parameters
+    ----------
+    clock : the rig's; cameras that share it belong together
+    trigger : the run; both cameras are armed with the same object
+    camera : name of the camera; one that is armed again begins a new run
+    """
+
+    def __init__(self, clock: Clock, trigger: Trigger, camera: str) -> None:
+        self._shared = _join(clock, trigger, camera)
+
+    def settle(self, time_s: float) -> float:
+        """`time_s`, or what the other camera settled before."""
+        return self._shared.settle(time_s)
+
+
+class FrameSlots:
+    """One camera's frames of one run of `rate_hz` planned exposures a second, the first no earlier than `start_s`."""
+
+    def __init__(self, origin: RunOrigin, start_s: float, rate_hz: float) -> None:
+        self._origin, self._start_s, self._rate_hz = origin, start_s, rate_hz
+        self._first: tuple[float, int] | None = None
+
+    def slot(self, time_s: float) -> int | None:
+        """Slot of a frame whose middle of the exposure is `time_s`; None before the run begins.
+
+        From its first frame on a camera counts by the time since then, rounded, so that jitter of less than half a period
+        neither doubles nor skips a slot.
+        """
+        if self._first is None:
+            # A frame in the middle of its slot: slots that begin no earlier than start_s hold no frame that was earlier.
+            if time_s < self._start_s + 0.5 / self._rate_hz:
+                return None
+            slot = slot_of(time_s, self._origin.settle(time_s - 0.5 / self._rate_hz), self._rate_hz)
+            if slot < 0:
+                return None
+            self._first = (time_s, slot)
+        first_s, slot = self._first
+        return slot + round((time_s - first_s) * self._rate_hz)
+
+
+class _SharedOrigin:
+    """A run's origin and the cameras that have joined it."""
+
+    def __init__(self, trigger: Trigger) -> None:
+        self.trigger = trigger
+        self.cameras: set[str] = set()
+        self._time_s: float | None = None
+        self._lock = threading.Lock()
+
+    def settle(self, time_s: float) -> float:
+        with self._lock:
+            if self._time_s is None:
+                self._time_s = time_s
+            return self._time_s
+
+
+_origins: WeakKeyDictionary[Clock, _SharedOrigin] = WeakKeyDictionary()
+_joining = threading.Lock()
+
+
+def _join(clock: Clock, trigger: Trigger, camera: str) -> _SharedOrigin:
+    with _joining:
+        origin = _origins.get(clock)
+        if origin is None or origin.trigger is not trigger or camera in origin.cameras:
+            origin = _origins[clock] = _SharedOrigin(trigger)
+        origin.cameras.add(camera)
+        return origin
