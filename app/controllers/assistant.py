@@ -39,6 +39,8 @@ if TYPE_CHECKING:
 
 _LOOK_PERIOD_S = 0.25
 _JOG_DEG_S = 20.0
+_END_S = 2.0
+"""Of a thread that has nothing more to do."""
 _log = logging.getLogger("impronta")
 
 
@@ -60,8 +62,8 @@ class AssistantController(QObject):
         self._devices = AssistantDevices()
         self._cancelled, self._closing = threading.Event(), threading.Event()
         self._began_s = 0.0
-        self._device = DeviceThread("assistant", self._look, _LOOK_PERIOD_S, tell)
-        self._started = self._leaving = False
+        self._device = self._new_thread()
+        self._leaving = False
         self._next_rig: str | None = None
 
     # -------------------------------------------------------------------------------- what a person asks for
@@ -208,14 +210,16 @@ class AssistantController(QObject):
     def _work(self, work: Callable[[], None]) -> None:
         """In the device thread, once the devices are free."""
         self._leaving = False
-        if not self._started:
-            self._device.start()
-            self._started = True
         if self.holds_devices:
             self._device.call(work)
         else:
             self.holds_devices = True
+            self._device.start()
             self._rig_controller.release(partial(self._released, work))
+
+    def _new_thread(self) -> DeviceThread:
+        """It lives while devices are held."""
+        return DeviceThread("assistant", self._look, _LOOK_PERIOD_S, self._tell)
 
     def _released(self, work: Callable[[], None]) -> None:
         if self._leaving:
@@ -279,6 +283,8 @@ class AssistantController(QObject):
             rig = self._devices.open_rig(config)
             self._background.post(self._opened)
             findings = check_rig(rig, progress=self._progress, cancelled=self._cancelled.is_set, on_check=tell)
+            if self._cancelled.is_set():  # what was measured while somebody stopped it is not to be relied on
+                findings = None
         except Cancelled:
             pass
         except ImprontaError as fault:
@@ -376,6 +382,8 @@ class AssistantController(QObject):
     def _given_back(self) -> None:
         if self._leaving:  # nobody has come back meanwhile
             self.holds_devices = self._leaving = False
+            self._device.close(_END_S)
+            self._device = self._new_thread()
             self._end_job()
             if not self._closing.is_set():
                 self._use_next_rig()

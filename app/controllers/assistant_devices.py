@@ -39,6 +39,7 @@ class AssistantDevices:
         """The newest frames of the cameras that were found."""
         self._cameras: dict[CameraKey, Camera] = {}
         self._to_open: list[CameraConfig] = []
+        self._virtual: tuple[PortAnswer, list[FoundCamera]] | None = None
 
     # -------------------------------------------------------------------------------- the rig that is checked
     def open_rig(self, config: RigConfig) -> OpenRig:
@@ -57,7 +58,9 @@ class AssistantDevices:
 
     # -------------------------------------------------------------------------------- the cameras that were found
     def virtual_devices(self) -> tuple[PortAnswer, list[FoundCamera]]:
-        """Those of the virtual rig, each with a picture; its lamp is on and the board lies on its table."""
+        """Those of the virtual rig, each with a picture, which is always the same; its lamp is on and the board lies on its table."""
+        if self._virtual is not None:
+            return self._virtual
         from scanner_core.acquisition.rig_session import open_rig
         from scanner_core.devices.rig import load_preset
 
@@ -68,7 +71,8 @@ class AssistantDevices:
                 FoundCamera(VIRTUAL, f"virtual:{camera.name}", "", CameraState.READY, None, camera.report(), thumbnail(camera.grab().image))
                 for camera in (rig.left, rig.right)
             ]
-        return PortAnswer(SerialPort(VIRTUAL_PORT, ""), PortState.CONTROLLER), cameras
+        self._virtual = PortAnswer(SerialPort(VIRTUAL_PORT, ""), PortState.CONTROLLER), cameras
+        return self._virtual
 
     def show(self, found: Sequence[FoundCamera]) -> None:
         """Look through these from now on, one opened with every :meth:`look`."""

@@ -35,7 +35,7 @@ class CameraSettings(QWidget):
         self.size_px, self.trigger = QComboBox(), QComboBox()
         self.size_px.addItem(as_it_is, None)
         for width, height in _SIZES:
-            self.size_px.addItem(f"{width} × {height} px", (width, height))
+            self.size_px.addItem(self.tr("{width} × {height} px").format(width=width, height=height), (width, height))
         for source, word in TRIGGER_WORDS.items():
             self.trigger.addItem(QCoreApplication.translate("assistant", word), source)
         self.rate_hz = _number(_MOST_HZ, self.tr(" frames/s"), as_it_is, self._edit)

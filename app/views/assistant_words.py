@@ -15,6 +15,7 @@ _PORTS = {
     PortState.CONTROLLER: ("good", QT_TRANSLATE_NOOP("assistant", "controller")),
     PortState.UNSUITABLE: ("warn", QT_TRANSLATE_NOOP("assistant", "GRBL board, set up for something else")),
     PortState.OTHER: ("idle", QT_TRANSLATE_NOOP("assistant", "something else")),
+    PortState.SILENT: ("idle", QT_TRANSLATE_NOOP("assistant", "silent")),
     PortState.BUSY: ("warn", QT_TRANSLATE_NOOP("assistant", "used by another program")),
     PortState.NOT_PERMITTED: ("warn", QT_TRANSLATE_NOOP("assistant", "not permitted")),
     PortState.GONE: ("idle", QT_TRANSLATE_NOOP("assistant", "cannot be opened")),
@@ -29,8 +30,6 @@ _CAMERAS = {
     CameraState.GONE: ("warn", QT_TRANSLATE_NOOP("assistant", "cannot be opened")),
 }
 
-_SILENT = "nothing"
-"""What a port that answers nothing has said, as the core puts it."""
 _VERDICTS = {
     "pass": ("good", QT_TRANSLATE_NOOP("assistant", "good")),
     "warn": ("warn", QT_TRANSLATE_NOOP("assistant", "look at this")),
@@ -55,8 +54,6 @@ _VIRTUAL_NAMES = {
 def port_state(answer: PortAnswer) -> tuple[str, str]:
     """Mood of a lamp, and a word."""
     mood, word = _PORTS[answer.state]
-    if answer.error is not None and answer.error.fields.get("said") == _SILENT:
-        word = QT_TRANSLATE_NOOP("assistant", "silent")
     return mood, QCoreApplication.translate("assistant", word)
 
 
