@@ -374,6 +374,8 @@ SENTENCES: dict[str, Sentence] = {
         "DICOM files are written by the package pydicom, which is not installed.",
         "Nothing was written; install it with pip install 'impronta[dicom]', or choose another format.",
     ),
+    # ------------------------------------------------------------------------------------------ support bundle
+    "E-SUP-01": Sentence("The support bundle has no entry '{name}'; it has {known}.", "Nothing was written; see what would be in it with --list."),
     # ------------------------------------------------------------------------------------------ memory and worker process
     "E-MEM-01": Sentence(
         "There is not enough memory for '{command}'.", "Nothing was written; close other programs, or ask for fewer points or triangles."

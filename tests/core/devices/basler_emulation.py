@@ -65,9 +65,11 @@ def show(camera: BaslerCamera, folder: Path) -> None:
 
 
 def give_edge(camera: BaslerCamera) -> None:
-    """An edge on the trigger line; a camera that does not grab does not see it."""
-    with suppress(load_sdk().genicam.GenericException):
-        device_of(camera).ExecuteSoftwareTrigger()
+    """An edge on the trigger line, when the camera is ready for one; a camera that does not grab does not see it."""
+    sdk, device = load_sdk(), device_of(camera)
+    with suppress(sdk.genicam.GenericException):
+        device.WaitForFrameTriggerReady(1000, sdk.pylon.TimeoutHandling_Return)
+        device.ExecuteSoftwareTrigger()
 
 
 def pull_cable(camera: BaslerCamera) -> None:
