@@ -158,7 +158,7 @@ class RigController(QObject):
 
     def release(self, released: Callable[[], None]) -> None:
         """Close the devices, so that others may open them; then `released` in the GUI thread.  :meth:`choose` opens them again."""
-        self._news(replace(self.snapshot, connected=False, motion=None))
+        self._news(replace(self.snapshot, connected=False, opening=False, failure=None, motion=None))
         self._device.call(partial(self._release, released))
 
     def shutdown(self, timeout_s: float) -> bool:
@@ -272,8 +272,9 @@ class RigController(QObject):
 
     def _release(self, released: Callable[[], None]) -> None:
         try:
-            self._close()
+            self._devices.close()
         finally:
+            self._devices.forget()
             self._background.post(released)
 
     def _end(self) -> None:
