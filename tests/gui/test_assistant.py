@@ -217,22 +217,23 @@ def test_a_board_and_two_streams_make_a_rig_and_their_pictures_live(
         return image
 
     with remote_board() as board, MjpegServer(picture, 15.0) as left, MjpegServer(picture, 15.0) as right:
-        streams = [FoundCamera("opencv", stream.url, name, CameraState.READY, None, None, GREY) for name, stream in (("L", left), ("R", right))]
+        first, second = sorted((left.url, right.url))
+        streams = [FoundCamera("opencv", url, "A stream", CameraState.READY, None, None, GREY) for url in (first, second)]
         _finds(monkeypatch, [lambda: ask_ports([SerialPort(board.url, "a board")], make_clock(1.0))[0]], streams)
         snapshot = _look(page, shared_program)
-        assert snapshot.choice == DeviceChoice(board.url, ("opencv", left.url), ("opencv", right.url))
+        assert snapshot.choice == DeviceChoice(board.url, ("opencv", first), ("opencv", second))
         card = page.finding.cards[0]
         before = pixels_of(card.thumbnail).copy()
         until(lambda: (pixels_of(card.thumbnail) != before).any(), 20, "a picture that moves")
         page.finding.exchange.click()
-        assert _assistant(shared_program).snapshot.choice.left == ("opencv", right.url)
+        assert _assistant(shared_program).snapshot.choice.left == ("opencv", second)
         page.finding.settings.exposure_ms.setValue(4.0)
         page.go_to(WRITE)
         until(lambda: page.writing.text.toPlainText(), 20, "the text")
         text = page.writing.text.toPlainText()
         assert board.url in text
         assert text.count("exposure_ms = 4.0") == 2
-        assert text.index(right.url) < text.index(left.url)
+        assert text.index(second) < text.index(first)
         shared_program.window.show_page("home")  # before the streams end
         until(lambda: not _assistant(shared_program).holds_devices, 30, "the devices given back")
 
