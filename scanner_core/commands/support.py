@@ -61,7 +61,7 @@ class _Listener(Console):
 
 def _doctor(rig: str, console: Console) -> Mapping[str, Any]:
     listener = _Listener(console)
-    doctor.run(argparse.Namespace(rig=rig, json=True), listener)
+    doctor.run(doctor.arguments(rig), listener)
     return listener.values
 
 

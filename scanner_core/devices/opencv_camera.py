@@ -252,10 +252,9 @@ def _locate(config: CameraConfig, nodes: VideoNodes) -> tuple[Source, Path | Non
         if has_video_nodes():
             raise access_error(config, Access.GONE, lambda: [node.id for node in nodes.list()])
         return int(number[1]), None, f"camera {number[1]} of this machine"
-    path = nodes.resolve(config.id)
+    path = nodes.resolve(config.id).resolve()  # its stable name may vanish before the node does
     if (access := nodes.access(path)) is not Access.FREE:
         raise access_error(config, access, lambda: [node.id for node in nodes.list()])
-    path = path.resolve()  # its name of by-id may vanish before the node does
     return str(path), path, nodes.description(path)
 
 
