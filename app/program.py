@@ -69,7 +69,7 @@ class Program(QObject):
         self.heartbeat = Heartbeat(self)
         self.undo_stack, self.compare_stack = QUndoStack(self), QUndoStack(self)
         draft = Draft(self.undo_stack, self)
-        rig = RigController(self.background, self._settings_file.parent / "rigs", self.tell, self)
+        rig = RigController(self.background, self._settings_file.parent / "rigs", self.tell, self, known=self.settings.own_rigs)
         cases = CaseController(self.background, self.settings, draft, self.tell, self, settings_file=self._settings_file)
         acquisition = AcquisitionController(self.background, rig, cases, self.tell, self)
         reconstruction = ReconstructionController(self.background, cases, self.tell, self)

@@ -31,6 +31,14 @@ class Settings:
     version: int = VERSION
     language: str = ""
     preset: str = "bench"
+    """A preset's name, or the path of a rig file."""
+    own_rigs: list[str] = field(default_factory=list)
+    """Paths of own rig files, the last one opened first."""
+    length_kind: str = "bar"
+    length_mm: float = 150.0
+    print_width_mm: float = 225.0
+    board_thickness_mm: float = 0.0
+    """Of the last calibration by hand: ``bar``, ``print`` or ``none``, and what was measured."""
     specimen: str = "ear"
     speed: str = "max"
     case_folder: str = field(default_factory=_documents)
@@ -83,7 +91,7 @@ def _fits(value: Any, kind: object) -> bool:
     if kind in ("list[str]", "list[int]"):
         entry = str if kind == "list[str]" else int
         return isinstance(value, list) and all(type(part) is entry for part in value)
-    return type(value) is {"str": str, "int": int}[str(kind)]
+    return type(value) is {"str": str, "int": int, "float": float}[str(kind)]
 
 
 def _set_aside(path: Path) -> None:

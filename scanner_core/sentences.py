@@ -75,6 +75,13 @@ SENTENCES: dict[str, Sentence] = {
         "The frames of camera {camera} cannot be recorded into {path}: {reason}.",
         "The laser is off and the points so far are kept; free some space or choose another folder, and resume.",
     ),
+    "E-CAM-30": Sentence(
+        "Camera {camera} reported a fault: {reason}.",
+        "The laser is off and the points so far are kept; unplug the camera, plug it in again, and resume.",
+    ),
+    "E-CAM-31": Sentence(
+        "Camera {camera} cannot be triggered by {line}; it has: {lines}.", "Nothing was measured; correct 'trigger_line' in the rig file."
+    ),
     # ------------------------------------------------------------------------------------------ controller
     "E-MOT-01": Sentence(
         "The controller on {port} did not answer '{command}' within {seconds} s.",
@@ -367,6 +374,8 @@ SENTENCES: dict[str, Sentence] = {
         "DICOM files are written by the package pydicom, which is not installed.",
         "Nothing was written; install it with pip install 'impronta[dicom]', or choose another format.",
     ),
+    # ------------------------------------------------------------------------------------------ support bundle
+    "E-SUP-01": Sentence("The support bundle has no entry '{name}'; it has {known}.", "Nothing was written; see what would be in it with --list."),
     # ------------------------------------------------------------------------------------------ memory and worker process
     "E-MEM-01": Sentence(
         "There is not enough memory for '{command}'.", "Nothing was written; close other programs, or ask for fewer points or triangles."

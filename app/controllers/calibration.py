@@ -1,11 +1,10 @@
-"""A calibration in the device thread: what is looked at, what came of it, and where the rig's calibration is kept."""
+"""A calibration in the device thread: who shows the board, what is looked at, and what came of it."""
 
 from __future__ import annotations
 
 import threading
 import time
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from app.controllers.tapped_camera import TappedCamera
@@ -16,7 +15,6 @@ from scanner_core.optics.board_watch import BoardWatch
 
 if TYPE_CHECKING:
     from scanner_core.acquisition.rig_session import OpenRig
-    from scanner_core.devices.rig import RigConfig
     from scanner_core.optics.calibration_result import CalibrationResult
 
 
@@ -31,6 +29,22 @@ class BoardLook:
     watch: BoardWatch
 
 
+@dataclass(frozen=True, slots=True)
+class ByHand:
+    """A person shows the board, and knows a length.
+
+    Attributes
+    ----------
+    bar_mm : certified length of the length bar, or None without one
+    print_width_mm : the printed row of squares by a caliper, or None; not asked for when there is a bar
+    thickness_mm : of the board, from the table to its printed face
+    """
+
+    bar_mm: float | None = None
+    print_width_mm: float | None = None
+    thickness_mm: float = 0.0
+
+
 class CalibrationRun:
     """Calibrates an open rig; the newest look at the board waits in `looks`."""
 
@@ -43,15 +57,16 @@ class CalibrationRun:
         self.cancelled.clear()
         self.looks.take()
 
-    def run(self, rig: OpenRig, progress: OnProgress) -> CalibrationResult:
-        """In the device thread; from then on the rig measures by the new calibration.
+    def run(self, rig: OpenRig, progress: OnProgress, by_hand: ByHand | None = None) -> CalibrationResult:
+        """In the device thread; from then on the rig measures by the new calibration.  Without `by_hand` the virtual bench shows the board.
 
         Raises
         ------
         CalibrationError, DeviceError, Cancelled
             The rig keeps the calibration that it had.
         """
-        from scanner_core.acquisition.calibrating import calibrate_rig
+        from scanner_core.acquisition.calibrating import calibrate_rig, known_length
+        from scanner_core.optics.calibration_session import Person
 
         frames: dict[str, Frame] = {}
 
@@ -68,25 +83,15 @@ class CalibrationRun:
             self.looks.put(BoardLook(dict(frames), seen))
 
         watched = replace(rig, left=TappedCamera(rig.left, tapped), right=TappedCamera(rig.right, tapped))
-        result = calibrate_rig(watched, progress=progress, watch=watch, cancelled=self.cancelled.is_set)
+        asked = by_hand or ByHand()
+        result = calibrate_rig(
+            watched,
+            None if by_hand is None else Person(lambda _: None),  # the page says it, larger
+            settings=None if by_hand is None else known_length(rig, asked.bar_mm, asked.print_width_mm, asked.thickness_mm),
+            progress=progress,
+            watch=watch,
+            cancelled=self.cancelled.is_set,
+        )
         rig.calibration = result.calibration
         rig.config = rig.config.with_calibration(result.calibration)
         return result
-
-
-def keep_rig(config: RigConfig, path: Path) -> None:
-    """Write the rig with its calibration, for the next start.
-
-    Raises
-    ------
-    StorageError
-    """
-    from scanner_core.devices.rig import dump_rig
-    from scanner_core.files import replaced_when_whole, storage_error
-
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-    except OSError as fault:
-        raise storage_error(path.parent, fault) from fault
-    with replaced_when_whole(path, force=True) as partial:
-        partial.write_text(dump_rig(config), encoding="utf-8")

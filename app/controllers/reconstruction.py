@@ -40,9 +40,7 @@ class ReconstructionController(QObject):
     grown = Signal(object)
     """A :class:`Surface` of the unfinished mesh, while its case is the open one."""
 
-    def __init__(
-        self, background: Background, case: CaseController, tell: Callable[[BaseException], None], parent: QObject | None = None
-    ) -> None:
+    def __init__(self, background: Background, case: CaseController, tell: Callable[[BaseException], None], parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._background, self._case, self._tell = background, case, tell
         self._cancelled = threading.Event()

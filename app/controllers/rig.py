@@ -1,6 +1,7 @@
 """The rig: which one, what stands on its table, is it open, what does its controller say, how well is it calibrated.
 
-The open rig has one owner at a time: this controller's device thread, or the scan that borrowed it.
+The open rig has one owner at a time: this controller's device thread, or the scan that borrowed it.  A device that is gone is
+looked for every two seconds and the rig opened again when it is back; nothing is moved or lit by that beyond what opening does.
 """
 
 from __future__ import annotations
@@ -17,24 +18,27 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from app.background import Background
-from app.controllers.calibration import CalibrationRun, keep_rig
+from app.controllers.calibration import ByHand, CalibrationRun
+from app.controllers.device_failure import CONTROLLER, RIG_FILE, DeviceFailure
 from app.controllers.device_thread import DeviceThread
 from app.controllers.emission import Emission, emission_of
-from app.controllers.rig_snapshot import RigSnapshot
+from app.controllers.rig_devices import Answers, RigDevices, WantedRig
+from app.controllers.rig_files import RigFiles
+from app.controllers.rig_snapshot import PRESETS, RigSnapshot
 from app.controllers.target import TargetController
+from app.controllers.transcript import Line
 from scanner_core.acquisition.handover import LatestSlot
 from scanner_core.devices.camera import Frame
 from scanner_core.devices.motion import MotionStatus
-from scanner_core.errors import CalibrationError, ImprontaError
+from scanner_core.errors import CalibrationError, ControllerAlarmError, ImprontaError, MotionStoppedError
 from scanner_core.jobs.progress import Cancelled, Progress
 
 if TYPE_CHECKING:
     from scanner_core.acquisition.rig_session import OpenRig
-    from scanner_core.clock import Speed
+    from scanner_core.devices.motion import MotionController
     from scanner_core.devices.rig import RigConfig
     from scanner_core.metrology.history import SphereTrend
     from scanner_core.optics.calibration_result import CalibrationResult
-    from scanner_core.virtual.specimens import Specimen
 
 SPECIMENS = ("ear", "arch", "heart", "sphere")
 SPEEDS: tuple[str, ...] = ("1", "5", "max")
@@ -47,12 +51,21 @@ class RigController(QObject):
 
     changed = Signal()
 
-    def __init__(self, background: Background, folder: Path, tell: Callable[[BaseException], None], parent: QObject | None = None) -> None:
-        """`folder` keeps the rigs as they were calibrated here."""
+    def __init__(
+        self,
+        background: Background,
+        folder: Path,
+        tell: Callable[[BaseException], None],
+        parent: QObject | None = None,
+        *,
+        known: list[str] | None = None,
+    ) -> None:
+        """`folder` keeps the presets as they were calibrated here; `known` are paths of own rig files, kept up to date in place."""
         super().__init__(parent)
-        self._background, self._folder, self._tell = background, folder, tell
+        self._background, self._tell = background, tell
+        self.files = RigFiles(folder, [] if known is None else known, tell)
         self.snapshot = RigSnapshot()
-        self._rig: OpenRig | None = None
+        self._devices = RigDevices(self._tell_opened, self._tell_lost)
         self._loaned = threading.Event()
         self.watching = threading.Event()
         """Set while somebody looks at the cameras of the idle rig."""
@@ -63,45 +76,57 @@ class RigController(QObject):
         self.calibration = CalibrationRun()
         self.target = TargetController(background, tell, self)
         self._closing = threading.Event()
-        self._device = DeviceThread("rig", self._watch, _STATUS_PERIOD_S, tell)
+        self._device = DeviceThread("rig", self._idle, _STATUS_PERIOD_S, tell)
         self._device.start()
 
     # -------------------------------------------------------------------------------- what a person chooses
     def choose(self, *, preset: str | None = None, specimen: str | None = None, speed: str | None = None) -> None:
-        """Open the rig anew with this; what is not given stays."""
+        """Read the rig file again and open the rig anew with this; what is not given stays.  `preset` may be the path of a rig file."""
         before = self.snapshot
         wanted = replace(before, preset=preset or before.preset, specimen=specimen or before.specimen, speed=speed or before.speed, connected=False)
         if wanted.preset != before.preset:
             wanted = replace(wanted, found=None, refused=None)
-        self._news(wanted)
+        self._news(replace(wanted, failure=None, opening=True))
         self._device.call(lambda: self._reopen(before, wanted))
 
-    def calibrate(self) -> None:
-        """Show the board and measure, in the device thread."""
+    def find_reference(self) -> None:
+        """Let the controller find its reference position: the axes move."""
+        self._act("home", lambda motion: motion.home())
+
+    def unlock(self) -> None:
+        """Back to idle after an alarm; nothing moves."""
+        self._act("unlock", lambda motion: motion.recover())
+
+    def calibrate(self, by_hand: ByHand | None = None) -> None:
+        """Measure in the device thread; a person shows the board as `by_hand` says, or the virtual bench does when it is None."""
         self.calibration.begin()
-        self._begin_calibration()
-        self._device.call(self._calibrate)
+        self._begin_calibration(by_hand is not None)
+        self._device.call(partial(self._calibrate, by_hand))
 
     def cancel_calibration(self) -> None:
         """The calibration in use stays."""
         self.calibration.cancelled.set()
         self._news(replace(self.snapshot, cancelling=True))
 
+    def transcript(self) -> list[Line]:
+        """The controller's last lines, also of one that is closed or was not understood; asks nothing."""
+        return self._devices.transcript()
+
     @property
     def emission(self) -> Emission:
         """Of the laser, by the newest report that the controller has given to whoever owns it now."""
-        rig = self._rig
+        rig = self._devices.rig
         return emission_of(None if rig is None else rig.motion.newest)
 
     def laser_off(self) -> None:
         """Laser off and motion stopped, at once, whatever the device thread is waiting for."""
-        rig = self._rig
+        rig = self._devices.rig
         if rig is not None:
             self._background.run("laser-off", rig.motion.stop, lambda _: self._device.call(self._recover), self._tell)
 
     def let_happen(self, name: str, in_s: float) -> None:
         """Let something go wrong on the virtual rig, in so many seconds of its clock."""
-        rig = self._rig
+        rig = self._devices.rig
         if rig is None:
             return
 
@@ -121,11 +146,11 @@ class RigController(QObject):
     # -------------------------------------------------------------------------------- lending
     def borrow(self) -> OpenRig | None:
         """The open rig for a scan, or None while it is not open; it comes back with :meth:`give_back`."""
-        if self._rig is None or self._loaned.is_set():
+        if self._devices.rig is None or self._loaned.is_set():
             return None
         self._loaned.set()
-        self._news(replace(self.snapshot, busy=True))
-        return self._rig
+        self._news(replace(self.snapshot, busy=True, failure=None))  # a scan begins by unlocking
+        return self._devices.rig
 
     def give_back(self) -> None:
         self._loaned.clear()
@@ -140,54 +165,62 @@ class RigController(QObject):
 
     # -------------------------------------------------------------------------------- the device thread
     def _reopen(self, before: RigSnapshot, wanted: RigSnapshot) -> None:
-        from scanner_core.acquisition.rig_session import open_rig
         from scanner_core.virtual.specimens import check_fits, load_specimen
 
         if self._closing.is_set():
             return
         try:
-            config = self._load(wanted.preset)
-            specimen = load_specimen(wanted.specimen)
-            check_fits(specimen, config.volume)
-            self._close()
-            self._rig = open_rig(config, specimen, _speed(wanted.speed))
+            config, specimen = self.files.read(wanted.preset), None
+            if config.virtual is not None:
+                specimen = load_specimen(wanted.specimen)
+                check_fits(specimen, config.volume)
         except ImprontaError as fault:
-            self._background.post(partial(self._refused, fault, before))
+            self._devices.forget()
+            self._background.post(partial(self._refused, fault, before, wanted))
             return
-        self._background.post(partial(self._opened, config, specimen, self._last_sphere(wanted.preset)))
-        self._watch()
-        if config.calibration is None:
+        self._devices.choose(WantedRig(wanted.preset, config, specimen, wanted.speed))
+        if self._devices.rig is not None and config.calibration is None and wanted.preset in PRESETS:
             self.calibration.begin()
             if not self._closing.is_set():  # asked after the line above: the end of the program cancels what begins here
                 self._background.post(self._begin_calibration)
-                self._calibrate()
+                self._calibrate(None)
 
-    def _load(self, preset: str) -> RigConfig:
-        """The rig as it was calibrated here, or else as it was shipped."""
-        from scanner_core.devices.rig import load_preset, load_rig
+    def _idle(self) -> None:
+        if not self._closing.is_set():
+            self._devices.look_for()
+        self._watch()
 
-        own = self._folder / f"{preset}.toml"
-        if own.exists():
+    def _tell_opened(self, wanted: WantedRig, answers: Answers) -> None:
+        self._background.post(partial(self._opened, wanted, answers, self.files.last_sphere(wanted.preset)))
+        self._watch()
+
+    def _tell_lost(self, failure: DeviceFailure | None, wanted: WantedRig, known: bool) -> None:
+        self._background.post(partial(self._failed, failure, wanted, known))
+
+    def _act(self, name: str, work: Callable[[MotionController], object]) -> None:
+        """Something that a person asks of the controller."""
+
+        def act() -> None:
+            rig, done = self._devices.rig, False
             try:
-                return load_rig(own)
+                if rig is not None and not self._loaned.is_set():
+                    work(rig.motion)
+                    done = True
+            except MotionStoppedError:
+                pass  # by a person, who knows
             except ImprontaError as fault:
                 self._tell(fault)
-        return load_preset(preset)
+            finally:
+                self._background.post(partial(self._acted, done))
+            self._watch()
 
-    def _last_sphere(self, preset: str) -> SphereTrend | None:
-        """The newer one of the tests of the rig as it was shipped and of the rig as it was calibrated here."""
-        from scanner_core.metrology.history import history_path, last_reference_sphere
+        if self.snapshot.connected and not self.snapshot.acting:
+            self._news(replace(self.snapshot, acting=name))
+            self._device.call(act)
 
-        try:
-            known = [last_reference_sphere(history_path(rig)) for rig in (preset, str(self._folder / f"{preset}.toml"))]
-        except ImprontaError as fault:
-            self._tell(fault)
-            return None
-        return max((trend for trend in known if trend is not None), key=lambda trend: trend.last.moment, default=None)
-
-    def _calibrate(self) -> None:
-        rig = self._rig
-        if rig is None:
+    def _calibrate(self, by_hand: ByHand | None) -> None:
+        rig, wanted = self._devices.rig, self._devices.wanted
+        if rig is None or wanted is None:
             self._background.post(partial(self._ended, None))
             return
         began_s = time.monotonic()
@@ -196,7 +229,7 @@ class RigController(QObject):
             self._background.post(partial(self._calibrating, told.fraction, began_s))
 
         try:
-            result = self.calibration.run(rig, tell)
+            result = self.calibration.run(rig, tell, by_hand)
         except Cancelled:
             self._background.post(partial(self._ended, None))
         except CalibrationError as fault:
@@ -206,52 +239,61 @@ class RigController(QObject):
             raise
         else:
             self._background.post(partial(self._calibrated, result, rig.config))
-            keep_rig(rig.config, self._folder / f"{self.snapshot.preset}.toml")
+            self._devices.wanted = replace(wanted, config=rig.config)
+            self.files.keep(wanted.preset, rig.config, result.calibration)
 
     def _watch(self) -> None:
-        rig = self._rig
+        rig = self._devices.rig
         if rig is None or self._loaned.is_set():
             return
         try:
             if self.watching.is_set():
                 for camera in (rig.left, rig.right):
                     self.frames[camera.name].put(camera.grab())
-            status = rig.motion.status()
+            status, needs_homing = rig.motion.status(), rig.motion.needs_homing
+        except ControllerAlarmError as fault:  # it is there, and says so
+            self._background.post(partial(self._alarmed, DeviceFailure(CONTROLLER, fault)))
         except ImprontaError as fault:
-            try:
-                self._close()
-            finally:
-                self._background.post(partial(self._failed, fault))
-            return
-        self._background.post(lambda: self._heard(status))
+            self._devices.lose(fault)
+        else:
+            self._background.post(lambda: self._heard(status, needs_homing))
 
     def _recover(self) -> None:
         """After a stop: back to idle, so that the next scan can begin."""
-        rig = self._rig
+        rig = self._devices.rig
         if rig is not None and not self._loaned.is_set():
             rig.motion.recover()
             self._watch()
 
     def _end(self) -> None:
         try:
-            self._close()
+            self._devices.close()
         except ImprontaError as fault:  # the window is about to go: the terminal and the log stay
             _log.error("%s", fault)
 
-    def _close(self) -> None:
-        """Whatever becomes of it the rig is no longer this controller's; E-MOT-11 when the laser may be on."""
-        rig, self._rig = self._rig, None
-        if rig is not None:
-            rig.close()
-
     # -------------------------------------------------------------------------------- back in the GUI thread
-    def _opened(self, config: RigConfig, specimen: Specimen, sphere: SphereTrend | None) -> None:
+    def _opened(self, wanted: WantedRig, answers: Answers, sphere: SphereTrend | None) -> None:
         self.faults.clear()
-        opened = replace(self.snapshot, config=config, connected=True, sphere=sphere)
-        self._news(replace(opened, specimen_radius_mm=specimen.radius_mm, specimen_height_mm=specimen.height_mm))
+        self.files.remember(wanted.preset)
+        specimen = wanted.specimen
+        self._news(
+            replace(
+                self.snapshot,
+                config=wanted.config,
+                connected=True,
+                failure=None,
+                opening=False,
+                cameras=answers.cameras,
+                controller=answers.controller,
+                needs_homing=answers.needs_homing,
+                sphere=sphere,
+                specimen_radius_mm=None if specimen is None else specimen.radius_mm,
+                specimen_height_mm=None if specimen is None else specimen.height_mm,
+            )
+        )
 
-    def _begin_calibration(self) -> None:
-        self._news(replace(self.snapshot, calibrating=0.0, calibration_left_s=None, cancelling=False, refused=None))
+    def _begin_calibration(self, by_hand: bool = False) -> None:
+        self._news(replace(self.snapshot, calibrating=0.0, calibration_left_s=None, by_hand=by_hand, cancelling=False, refused=None))
 
     def _calibrating(self, fraction: float, began_s: float) -> None:
         spent_s = time.monotonic() - began_s
@@ -265,31 +307,53 @@ class RigController(QObject):
     def _not_accepted(self, fault: CalibrationError) -> None:
         """It is not used; the page says why, or the banner when nobody looks at the page."""
         self._ended(fault)
-        if not self.watching.is_set():
-            self._tell(fault)
+        self._tell_unless_seen(fault)
 
     def _ended(self, refused: ImprontaError | None) -> None:
         """The calibration in use is the one of the rig's configuration."""
         self._news(replace(self.snapshot, calibrating=None, calibration_left_s=None, cancelling=False, refused=refused))
 
-    def _heard(self, status: MotionStatus) -> None:
-        if _shown_of(self.snapshot.motion) != _shown_of(status):
-            self._news(replace(self.snapshot, motion=status))
+    def _heard(self, status: MotionStatus, needs_homing: bool) -> None:
+        if _shown_of(self.snapshot.motion) != _shown_of(status) or self.snapshot.needs_homing != needs_homing:
+            self._news(replace(self.snapshot, motion=status, needs_homing=needs_homing))
 
-    def _refused(self, fault: ImprontaError, before: RigSnapshot) -> None:
-        """What was open before is still open, unless the devices themselves failed."""
-        self._news(replace(before, connected=self._rig is not None))
-        self._tell(fault)
+    def _alarmed(self, failure: DeviceFailure) -> None:
+        """The controller stopped by itself; it stays open, and waits to be unlocked."""
+        if not failure.same_as(self.snapshot.failure):
+            self._news(replace(self.snapshot, failure=failure))
+            self._tell_unless_seen(failure.fault)
 
-    def _failed(self, fault: ImprontaError) -> None:
-        self._news(replace(self.snapshot, connected=self._rig is not None))
-        self._tell(fault)
+    def _acted(self, done: bool) -> None:
+        self._news(replace(self.snapshot, acting="", failure=None if done else self.snapshot.failure))
+
+    def _refused(self, fault: ImprontaError, before: RigSnapshot, wanted: RigSnapshot) -> None:
+        """What was open before is still open; where there was nothing the page says what was chosen, and why it cannot be used."""
+        if self._devices.rig is not None:
+            self._news(replace(before, connected=True, opening=False))
+            self._tell(fault)
+            return
+        failure = DeviceFailure(RIG_FILE, fault)
+        self._news(replace(wanted, config=None, motion=None, cameras={}, controller={}, failure=failure, opening=False))
+        self._tell_unless_seen(fault)
+
+    def _failed(self, failure: DeviceFailure | None, wanted: WantedRig, known: bool = False) -> None:
+        """The rig is not open, or no longer."""
+        self.files.remember(wanted.preset)
+        lost = replace(self.snapshot, config=wanted.config, connected=False, opening=False, failure=failure)
+        self._news(replace(lost, motion=None, needs_homing=False, acting="", cameras={}, controller={}))
+        if failure is not None and not known:
+            self._tell_unless_seen(failure.fault)
+
+    def _tell_unless_seen(self, fault: ImprontaError) -> None:
+        """The page says it at the device; elsewhere, and when the laser may be on, the banner does."""
+        if not self.watching.is_set() or fault.code == "E-MOT-11":
+            self._tell(fault)
 
     def hear_owner(self) -> None:
         """While a scan owns the controller: what it was told."""
-        status = None if self._rig is None else self._rig.motion.newest
+        status = None if self._devices.rig is None else self._devices.rig.motion.newest
         if status is not None:
-            self._heard(status)
+            self._heard(status, self.snapshot.needs_homing)
 
     def _news(self, snapshot: RigSnapshot) -> None:
         self.snapshot = snapshot
@@ -299,7 +363,3 @@ class RigController(QObject):
 def _shown_of(status: MotionStatus | None) -> tuple[object, ...]:
     """What the window shows of a report."""
     return () if status is None else (status.state, status.table_deg, status.laser_power > 0.0)
-
-
-def _speed(text: str) -> Speed:
-    return "max" if text == "max" else float(text)

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from app.controllers.device_failure import DeviceFailure, is_simulated
+from scanner_core.devices.camera import CameraReport
 from scanner_core.devices.motion import MotionStatus
 from scanner_core.errors import ImprontaError
 
@@ -14,6 +17,9 @@ if TYPE_CHECKING:
     from scanner_core.optics.calibration import StereoCalibration
     from scanner_core.optics.calibration_result import CalibrationResult
 
+PRESETS: tuple[str, ...] = ("bench", "paper-2003", "workshop")
+"""The rigs that are shipped with the program; any other name is the path of a rig file."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RigSnapshot:
@@ -21,12 +27,20 @@ class RigSnapshot:
 
     Attributes
     ----------
-    preset, specimen, speed : what was chosen; `specimen` is a name or a file's path
+    preset : what was chosen: a preset's name, or the path of a rig file
+    specimen, speed : what was chosen for the virtual rig; `specimen` is a name or a file's path
     config : the rig as it is used, with its calibration; None until it was read
     connected : cameras and controller are open
+    failure : what keeps it from being open, and at which device
+    opening : somebody is opening it just now
     busy : a scan owns it
     motion : the controller's newest report
+    needs_homing : the controller does not know its position, and can find it
+    acting : what the controller does because a person asked: ``home``, ``unlock``, or nothing
+    cameras : what each camera says of itself, by its name, as of when it was opened
+    controller : what the controller said of itself then: ``port``, ``firmware``, ``axes``, ``laser_mode``
     calibrating, calibration_left_s : progress of the running calibration, 0 to 1, or None; estimate of the rest
+    by_hand : a person shows the board
     cancelling : the running calibration was asked to end
     found, refused : what the last calibration of this rig has found, or why it was not accepted; None before there is one
     sphere : the last test with the reference sphere, as of when the rig was opened; None when there is none
@@ -38,10 +52,17 @@ class RigSnapshot:
     speed: str = "max"
     config: RigConfig | None = None
     connected: bool = False
+    failure: DeviceFailure | None = None
+    opening: bool = False
     busy: bool = False
     motion: MotionStatus | None = None
+    needs_homing: bool = False
+    acting: str = ""
+    cameras: Mapping[str, CameraReport] = field(default_factory=dict)
+    controller: Mapping[str, object] = field(default_factory=dict)
     calibrating: float | None = None
     calibration_left_s: float | None = None
+    by_hand: bool = False
     cancelling: bool = False
     found: CalibrationResult | None = None
     refused: ImprontaError | None = None
@@ -52,3 +73,18 @@ class RigSnapshot:
     @property
     def calibration(self) -> StereoCalibration | None:
         return None if self.config is None else self.config.calibration
+
+    @property
+    def own(self) -> bool:
+        """A rig file of somebody, no preset."""
+        return self.preset not in PRESETS
+
+    @property
+    def virtual(self) -> bool:
+        """Its scene is computed, so that a specimen can be chosen; of a rig file that was not read yet it is not known, and not said."""
+        return not self.own if self.config is None else "virtual" in (self.config.left.driver, self.config.right.driver)
+
+    @property
+    def simulated(self) -> bool:
+        """Its controller is computed, too: it has a speed of its own, and faults can be rehearsed."""
+        return self.virtual and (self.config is None or is_simulated(self.config))

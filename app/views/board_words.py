@@ -29,6 +29,16 @@ _TASKS = {
     Phase.BAR: QT_TRANSLATE_NOOP("board", "Hold the length bar into the volume"),
     Phase.TABLE: QT_TRANSLATE_NOOP("board", "Lay the board on the table"),
 }
+_TAKEN = {
+    Phase.BOARD: QT_TRANSLATE_NOOP("board", "Taken. Now tilt it another way."),
+    Phase.BAR: QT_TRANSLATE_NOOP("board", "Taken. Now hold the bar another way."),
+    Phase.TABLE: QT_TRANSLATE_NOOP("board", "Taken. The table turns: hands off."),
+}
+_MOVING = {
+    Phase.BOARD: QT_TRANSLATE_NOOP("board", "Hold the board still."),
+    Phase.BAR: QT_TRANSLATE_NOOP("board", "Hold the bar still."),
+    Phase.TABLE: QT_TRANSLATE_NOOP("board", "Take your hands away."),
+}
 _COUNTS = {
     Phase.BOARD: QT_TRANSLATE_NOOP("board", "View {n} of {count}"),
     Phase.BAR: QT_TRANSLATE_NOOP("board", "Length bar {n} of {count}"),
@@ -89,6 +99,30 @@ def sighting_text(watch: BoardWatch, side: Side) -> str:
     if watch.verdict is not ViewVerdict.TAKEN:
         return verdict_text(watch.verdict)
     return _tr(QT_TRANSLATE_NOOP("board", "{n} corners")).format(n=seen.corners)
+
+
+def now_text(watch: BoardWatch) -> str:
+    """What to do now, short enough to be shown large: what is wrong first, then what would help most."""
+    if watch.verdict is ViewVerdict.TAKEN:
+        if watch.index + 1 == watch.count:
+            return computing_text(watch.phase)
+        return _tr(_TAKEN[watch.phase])
+    if watch.verdict is ViewVerdict.MOVING:
+        return _tr(_MOVING[watch.phase])
+    if watch.verdict is ViewVerdict.TOO_SIMILAR and watch.phase is Phase.TABLE:
+        return task_text(watch.phase)  # it is still where a hand has held it
+    if watch.verdict is ViewVerdict.TOO_SIMILAR and watch.wishes:
+        return _wish_text(watch.wishes[0]) if watch.wishes[0].kind is not WishKind.MORE_VIEWS else verdict_text(watch.verdict)
+    if watch.verdict in (ViewVerdict.MISSED, ViewVerdict.ONE_CAMERA):
+        left, right = watch.left.reason, watch.right.reason
+        if left is right is BoardMissReason.NO_BOARD:
+            return task_text(watch.phase)
+        if left is right and left is not None:
+            return _tr(_MISSES[left])
+        side, reason = ("left camera's", left) if left is not None else ("right camera's", right)
+        if reason is not None:
+            return _tr(QT_TRANSLATE_NOOP("board", "{what} in the {camera} picture")).format(what=_tr(_MISSES[reason]), camera=_tr(side))
+    return verdict_text(watch.verdict)
 
 
 def computing_text(phase: Phase) -> str:

@@ -87,8 +87,8 @@ class CalibratingPanel(QWidget):
         self._share.show_number(fmt.percent(fraction))
         self._bar.setValue(round(1000 * fraction))
         left = self.tr("{left} left").format(left=fmt.left_time(snapshot.calibration_left_s))
-        virtual = snapshot.config is not None and snapshot.config.virtual is not None
-        self._left_time.setText(self.tr("{left}  ·  the virtual rig shows the board by itself").format(left=left) if virtual else left)
+        by_hand = snapshot.by_hand
+        self._left_time.setText(left if by_hand else self.tr("{left}  ·  the virtual rig shows the board by itself").format(left=left))
         self._cancel.setEnabled(not snapshot.cancelling)
         self._cancel.setText(self.tr("Cancelling…") if snapshot.cancelling else self.tr("Cancel"))
         calibration = snapshot.calibration

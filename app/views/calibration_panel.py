@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import Qt
@@ -29,7 +30,8 @@ from app.views.parts import BigNumber, Lamp, button, label, row, seam
 class CalibrationPanel(QWidget):
     """The right half of the Rig page while nothing is calibrated."""
 
-    def __init__(self, rig: RigController) -> None:
+    def __init__(self, rig: RigController, calibrate: Callable[[], None] | None = None) -> None:
+        """`calibrate` is called when a person wants to; the rig's own way when None."""
         super().__init__()
         self._rig = rig
         self._shown: object = None
@@ -43,7 +45,7 @@ class CalibrationPanel(QWidget):
         self.numbers, self.moved = Facts(), Facts()
         self._written = label("", "muted", wrap=True)
         self._written.hide()
-        self._calibrate = button(self.tr("Calibrate"), "primary", rig.calibrate, "calibrate", "#0b1f1b")
+        self._calibrate = button(self.tr("Calibrate"), "primary", calibrate or rig.calibrate, "calibrate", "#0b1f1b")
         self._target = button(self.tr("Print the target…"), "", self._choose_target, "export")
         inside = QWidget()
         box = QVBoxLayout(inside)
@@ -105,7 +107,7 @@ class CalibrationPanel(QWidget):
     def show_calibration(self) -> None:
         """The rig's calibration, and what came of the last one."""
         snapshot = self._rig.snapshot
-        self._calibrate.setEnabled(snapshot.connected and not snapshot.busy and snapshot.calibrating is None)
+        self._calibrate.setEnabled(snapshot.connected and snapshot.failure is None and not snapshot.busy and snapshot.calibrating is None)
         self._show_target()
         days = "" if snapshot.calibration is None else age_text(age_of(snapshot.calibration))
         shown = (snapshot.calibration, snapshot.found, snapshot.refused, snapshot.sphere, days)

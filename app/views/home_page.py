@@ -11,12 +11,13 @@ from PySide6.QtWidgets import QButtonGroup, QGridLayout, QHBoxLayout, QLineEdit,
 
 from app.controllers.case import read_case_name
 from app.draft import KINDS, SIDES, DraftValues
+from app.faults import sentence_of
 from app.services import Services
 from app.views import format as fmt
 from app.views.interrupted_strip import InterruptedStrip
 from app.views.page import Page
 from app.views.parts import BigNumber, SideBadge, button, label, number_field, row, seam
-from app.views.rig_page import specimen_words
+from app.views.rig_choice import specimen_words
 
 
 class HomePage(Page):
@@ -84,7 +85,7 @@ class HomePage(Page):
         self._views = number_field(1, 360, 1, lambda value: draft.edit("views", value), suffix=self.tr(" views"))
         self._points = number_field(500, 2_000_000, 1000, lambda value: draft.edit("points", value), suffix=self.tr(" points"))
         self._on_table = label("")
-        change = button(self.tr("Change"), "link", lambda: self.wanted.emit("rig"))
+        self._change = button(self.tr("Change"), "link", lambda: self.wanted.emit("rig"))
         plan = QGridLayout()
         plan.setHorizontalSpacing(18)
         plan.setVerticalSpacing(14)
@@ -92,8 +93,9 @@ class HomePage(Page):
         plan.setColumnStretch(1, 1)
         plan.addWidget(label(self.tr("Scan plan"), "muted"), 0, 0)
         plan.addLayout(row(self._views, self._points), 0, 1)
-        plan.addWidget(label(self.tr("On the table"), "muted"), 1, 0)
-        plan.addLayout(row(self._on_table, change, 1, spacing=14), 1, 1)
+        self._on_table_caption = label("", "muted")
+        plan.addWidget(self._on_table_caption, 1, 0)
+        plan.addLayout(row(self._on_table, self._change, 1, spacing=14), 1, 1)
         for count_field in (self._views, self._points):
             count_field.setMinimumHeight(34)
         self._start = button(self.tr("Start scan"), "primary", lambda: self.intent.emit("start_scan"), "play", "#0b1f1b")
@@ -225,13 +227,16 @@ class HomePage(Page):
         self._start.setEnabled(rig.connected and rig.calibration is not None and not running)
         if running:
             self._ready.setText(self.tr("A scan is running."))
+        elif rig.failure is not None and not rig.opening:
+            self._ready.setText(" ".join(sentence_of(rig.failure.fault)))
         elif not rig.connected:
             self._ready.setText(self.tr("Opening the rig…"))
         elif rig.calibration is None:
             self._ready.setText(self.tr("The rig has to be calibrated first."))
         else:
             self._ready.setText(self.tr("Ready. The scan makes a new case.") if self.services.case.store is not None else self.tr("Ready."))
-        self._on_table.setText(specimen_words(rig.specimen))
+        self._on_table_caption.setText(self.tr("On the table") if rig.virtual else self.tr("Rig"))
+        self._on_table.setText(specimen_words(rig.specimen) if rig.virtual else Path(rig.preset).stem)
 
     def _show_recent(self) -> None:
         self._recent.clear()

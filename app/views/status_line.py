@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from PySide6.QtWidgets import QFrame, QHBoxLayout
 
+from app.controllers.device_failure import CONTROLLER, LEFT, RIGHT
 from app.controllers.rig_snapshot import RigSnapshot
 from app.views import format as fmt
 from app.views.calibration_words import age_of, age_text, expired_text
@@ -35,11 +38,12 @@ class StatusLine(QFrame):
 
     def show_rig(self, rig: RigSnapshot) -> None:
         """All but the laser, which has a pace of its own."""
-        self.cameras.show_state(*(("good", self.tr("Cameras ready")) if rig.connected else ("idle", self.tr("Cameras opening"))))
+        self.cameras.show_state(*self._cameras_state(rig))
         if rig.motion is None:
             self.turntable.show_state("idle", self.tr("Turntable"))
         else:
-            self.turntable.show_state("good", self.tr("Turntable {angle:.1f}°").format(angle=rig.motion.table_deg))
+            mood = "warn" if rig.needs_homing else "good"
+            self.turntable.show_state(mood, self.tr("Turntable {angle:.1f}°").format(angle=rig.motion.table_deg))
         calibration = rig.calibration
         if calibration is None:
             self.calibration.show_state("warn", self.tr("Not calibrated"))
@@ -47,8 +51,23 @@ class StatusLine(QFrame):
             age = age_of(calibration)
             text = self.tr("Calibration expired") if expired_text(age) else self.tr("Calibration {age}").format(age=fmt.age(calibration.date))
             self.calibration.show_state(age_text(age)[0], text)
+        name = Path(rig.preset).stem if rig.own else rig.preset
         speed = self.tr("full speed") if rig.speed == "max" else f"{rig.speed}×"
-        self._rig.setText(self.tr("Virtual rig  ·  {rig}  ·  {speed}").format(rig=rig.preset, speed=speed))
+        words = self.tr("Virtual rig  ·  {rig}  ·  {speed}") if rig.simulated else self.tr("Virtual rig  ·  {rig}") if rig.virtual else "{rig}"
+        self._rig.setText(words.format(rig=name, speed=speed))
+
+    def _cameras_state(self, rig: RigSnapshot) -> tuple[str, str]:
+        """Of both; what keeps the rig from being open when it is another device, or its file."""
+        if rig.connected:
+            return "good", self.tr("Cameras ready")
+        if rig.failure is None or rig.opening:
+            return "idle", self.tr("Cameras opening")
+        words = {
+            LEFT: self.tr("Camera left not available"),
+            RIGHT: self.tr("Camera right not available"),
+            CONTROLLER: self.tr("Controller not available"),
+        }
+        return "warn", words.get(rig.failure.device, self.tr("The rig file cannot be used"))
 
     def show_activity(self, text: str) -> None:
         self._activity.setText(text)

@@ -8,7 +8,7 @@ from scanner_core import wall_clock
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.errors import CalibrationError
 from scanner_core.jobs.progress import IsCancelled, OnProgress
-from scanner_core.optics.board import DEFAULT_TARGET, CharucoTarget
+from scanner_core.optics.board import DEFAULT_BAR, DEFAULT_TARGET, CharucoTarget
 from scanner_core.optics.board_watch import OnBoardWatch
 from scanner_core.optics.calibration_result import CalibrationResult
 from scanner_core.optics.calibration_session import BoardOperator, CalibrationSettings, run_calibration
@@ -18,6 +18,13 @@ def default_settings(rig: OpenRig) -> CalibrationSettings:
     """The virtual rig has a certified bar, hardware only when its owner says so; the validity is the rig's own."""
     settings = CalibrationSettings(bar=None if rig.bench is None else rig.bench.bar)
     return settings if rig.calibration is None else replace(settings, valid_days=rig.calibration.valid_days)
+
+
+def known_length(rig: OpenRig, bar_mm: float | None, print_width_mm: float | None, thickness_mm: float) -> CalibrationSettings:
+    """The rig's own way with a length that a person knows: of the bar, else of the print, else none."""
+    settings = default_settings(rig)
+    bar = None if bar_mm is None else replace(settings.bar or DEFAULT_BAR, length_mm=bar_mm)
+    return replace(settings, bar=bar, measured_width_mm=print_width_mm if bar is None else None, board_thickness_mm=thickness_mm)
 
 
 def calibrate_rig(

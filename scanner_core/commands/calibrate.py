@@ -8,13 +8,14 @@ from pathlib import Path
 
 from scanner_core.acquisition.calibrating import calibrate_rig, default_settings
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
+from scanner_core.commands.by_hand import Prompter
 from scanner_core.commands.calibration_report import calibration_json, calibration_summary, result_json, result_summary
 from scanner_core.commands.console import Console
 from scanner_core.devices.rig import parse_rig, recalibrated, rig_text
 from scanner_core.errors import UsageError
 from scanner_core.files import check_free, replaced_when_whole
 from scanner_core.optics.board import DEFAULT_BAR, DEFAULT_TARGET, CharucoTarget
-from scanner_core.optics.calibration_session import CalibrationSettings
+from scanner_core.optics.calibration_session import CalibrationSettings, Person
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
@@ -24,12 +25,18 @@ def run(given: argparse.Namespace, console: Console) -> int:
     if out is not None:
         check_free(out, given.force)
     with open_rig(config, None, "max", given.seed) as rig:
-        result = calibrate_rig(
-            rig,
-            target=target_given(given),
-            settings=settings_given(given, rig),
-            progress=lambda told: console.progress("calibrate", told.fraction, told.seconds_left),
-        )
+        target, settings = target_given(given), settings_given(given, rig)
+        if rig.bench is not None:
+            result = calibrate_rig(
+                rig,
+                target=target,
+                settings=settings,
+                progress=lambda told: console.progress("calibrate", told.fraction, told.seconds_left),
+            )
+        else:
+            asks = Prompter(console)
+            asks.begin(settings)
+            result = calibrate_rig(rig, Person(asks.say), target=target, settings=settings, progress=asks.progress, watch=asks.watch)
     lines = [calibration_summary(result.calibration), *result_summary(result)]
     if out is not None:
         with replaced_when_whole(out, given.force) as partial:

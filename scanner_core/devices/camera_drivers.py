@@ -21,18 +21,29 @@ def open_camera(config: CameraConfig, clock: Clock) -> Camera:
     Raises
     ------
     DeviceError
-        E-CAM-05 in use, E-CAM-06 not permitted, E-CAM-07 not found, E-CAM-08 wrong format, E-CAM-10 it does not open, E-CAM-12 no SDK,
-        E-CAM-20 the recording cannot be read.
+        E-CAM-05 in use, E-CAM-06 not permitted, E-CAM-07 not found, E-CAM-08 wrong format, E-CAM-10 it does not open, E-CAM-11 too slow,
+        E-CAM-12 no SDK, E-CAM-15 no such trigger, E-CAM-20 the recording cannot be read.
     UsageError
         E-USE-01: there is no such driver.
     """
+    if config.driver == "basler":
+        from scanner_core.devices.basler_camera import open_basler
+
+        return open_basler(config, clock)
     if config.driver == "opencv":
         from scanner_core.devices.opencv_camera import open_opencv_camera
 
         return open_opencv_camera(config, clock)
+    if config.driver == "replay":
+        from scanner_core.devices.replay_camera import open_replay
+
+        return open_replay(config, clock)
     raise UsageError("E-USE-01", what=f"There is no driver '{config.driver}' for cameras", do=f"write one of {', '.join(DRIVERS)} into the rig file")
 
 
 def find_cameras() -> list[FoundCamera]:
     """Every camera of this machine, each opened for a moment; one that cannot be used is a value, not an error."""
-    return []
+    from scanner_core.devices.basler_finding import find_basler
+    from scanner_core.devices.opencv_finding import find_opencv_cameras
+
+    return [*find_opencv_cameras(), *find_basler()]

@@ -20,20 +20,29 @@ def slot_of(time_s: float, start_s: float, rate_hz: float) -> int:
     return math.floor((time_s - start_s) * rate_hz)
 
 
-class FrameSlots:
-    """One camera's frames of one run.
+class RunOrigin:
+    """When a run really begins: settled once for both cameras of a rig, by the first of them that can tell.
 
     Parameters
     ----------
     clock : the rig's; cameras that share it belong together
     trigger : the run; both cameras are armed with the same object
-    camera : name of the camera
-    rate_hz : planned exposures a second
+    camera : name of the camera; one that is armed again begins a new run
     """
 
-    def __init__(self, clock: Clock, trigger: Trigger, camera: str, rate_hz: float) -> None:
-        self._origin = _join(clock, trigger, camera)
-        self._start_s, self._rate_hz = trigger.start_s, rate_hz
+    def __init__(self, clock: Clock, trigger: Trigger, camera: str) -> None:
+        self._shared = _join(clock, trigger, camera)
+
+    def settle(self, time_s: float) -> float:
+        """`time_s`, or what the other camera settled before."""
+        return self._shared.settle(time_s)
+
+
+class FrameSlots:
+    """One camera's frames of one run of `rate_hz` planned exposures a second, the first no earlier than `start_s`."""
+
+    def __init__(self, origin: RunOrigin, start_s: float, rate_hz: float) -> None:
+        self._origin, self._start_s, self._rate_hz = origin, start_s, rate_hz
         self._first: tuple[float, int] | None = None
 
     def slot(self, time_s: float) -> int | None:
@@ -54,8 +63,8 @@ class FrameSlots:
         return slot + round((time_s - first_s) * self._rate_hz)
 
 
-class _Origin:
-    """Where slot 0 of a run begins, and the cameras that count from there."""
+class _SharedOrigin:
+    """A run's origin and the cameras that have joined it."""
 
     def __init__(self, trigger: Trigger) -> None:
         self.trigger = trigger
@@ -70,14 +79,14 @@ class _Origin:
             return self._time_s
 
 
-_origins: WeakKeyDictionary[Clock, _Origin] = WeakKeyDictionary()
+_origins: WeakKeyDictionary[Clock, _SharedOrigin] = WeakKeyDictionary()
 _joining = threading.Lock()
 
 
-def _join(clock: Clock, trigger: Trigger, camera: str) -> _Origin:
+def _join(clock: Clock, trigger: Trigger, camera: str) -> _SharedOrigin:
     with _joining:
         origin = _origins.get(clock)
         if origin is None or origin.trigger is not trigger or camera in origin.cameras:
-            origin = _origins[clock] = _Origin(trigger)
+            origin = _origins[clock] = _SharedOrigin(trigger)
         origin.cameras.add(camera)
         return origin

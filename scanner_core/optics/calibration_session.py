@@ -22,6 +22,7 @@ from scanner_core.jobs.progress import Cancelled, IsCancelled, OnProgress, Progr
 from scanner_core.optics.board import CharucoTarget, LengthBar
 from scanner_core.optics.board_coverage import CoverageSoFar, judge, moved_px
 from scanner_core.optics.board_detection import detect_board
+from scanner_core.optics.board_exposure import BoardExposure
 from scanner_core.optics.board_watch import BoardWatch, CameraSighting, OnBoardWatch, Phase, ViewVerdict, sighting
 from scanner_core.optics.calibration import VALID_DAYS, ScaleReference, StereoCalibration
 from scanner_core.optics.calibration_change import compare_calibrations
@@ -43,6 +44,8 @@ LYING_LOOKS = 8
 """Looks for which a person's board must lie still on the table: a hand does not keep it so."""
 PATIENCE_LOOKS = 3000
 """Looks without a view before a person is given up."""
+SETTLING_LOOKS = 20
+"""Looks for which a board on a table that has turned may tremble, where nobody says that it rests."""
 
 _SHOW, _BAR, _FIT, _TABLE = 0.50, 0.68, 0.72, 1.0
 """Parts of the whole at which showing the board, showing the bar, fitting and turning the table end."""
@@ -163,7 +166,7 @@ def run_calibration(
             scale = session.show_bar(fit, session.settings.bar)
         laid = session.turn_table(motion)
     finally:
-        operator.remove()
+        session.end()
     return session.result(fit, scale, laid, date)
 
 
@@ -197,6 +200,15 @@ class _Session:
         self._tell, self._watch, self._cancelled = progress, watch, cancelled
         self._misses: Counter[str] = Counter()
         self._covered = CoverageSoFar(target, left.size_px, settings.views, None if previous is None else previous.left)
+        self._exposure = BoardExposure(self._cameras) if operator.by_hand else None
+
+    def end(self) -> None:
+        """Nothing more is looked at: the board may be taken away, and the cameras are as they were."""
+        try:
+            self._operator.remove()
+        finally:
+            if self._exposure is not None:
+                self._exposure.restore()
 
     # ------------------------------------------------------------------------------------------ steps
     def show_board(self) -> StereoCalibrationFit:
@@ -240,7 +252,8 @@ class _Session:
             taken = list(self._covered.views) if self._operator.by_hand and index == 0 else []
             known = len(taken)
             lying = _Shown(self._target, Phase.TABLE, LYING_LOOKS)
-            self._take(lying, index, self.settings.table_angles, taken, patient=index == 0)
+            shown = lying if index == 0 else _Shown(self._target, Phase.TABLE)
+            self._take(shown, index, self.settings.table_angles, taken, turned=index > 0)
             laid += [TableView(motion.status().table_deg, view) for view in taken[known:]]
         motion.rotate_to(began_deg)
         return laid
@@ -279,13 +292,17 @@ class _Session:
         if self._tell is not None:
             self._tell(Progress("calibrate", fraction))
 
-    def _take(self, what: _Shown, index: int, count: int, taken: list[StereoView], *, patient: bool = True) -> None:
-        """Add a view to `taken`; a person's board is awaited until it is new and at rest, anything else is looked at once."""
-        waits = self._operator.by_hand and patient
+    def _take(self, what: _Shown, index: int, count: int, taken: list[StereoView], *, turned: bool = False) -> None:
+        """Add a view to `taken`; where a person shows the board it is awaited until it is new and at rest, anything else is looked at once.
+
+        A person is given up after :data:`PATIENCE_LOOKS` (E-CAL-01).  A board that the table has `turned` is nobody's to bring: where it
+        does not come to rest in sight, that angle is left out.
+        """
+        waits = self._operator.by_hand
         before: StereoView | None = None
         still = 0
-        for _ in range(PATIENCE_LOOKS if waits else 1):
-            left, right = (detect_board(camera.grab().image, what.target) for camera in self._cameras)
+        for _ in range((SETTLING_LOOKS if turned else PATIENCE_LOOKS) if waits else 1):
+            left, right = (detect_board(self._look(camera), what.target) for camera in (0, 1))
             judged = judge(left, right, taken, self._cameras[0].size_px[0], what.needed)
             view = judged if isinstance(judged, StereoView) else None
             verdict = ViewVerdict.TAKEN if view is not None else judged
@@ -301,12 +318,17 @@ class _Session:
                 return
             if waits and self._cancelled is not None and self._cancelled():
                 raise Cancelled
-            if not waits:
-                self._misses.update({seen.reason.value for seen in (sighting(left), sighting(right)) if seen.reason is not None})
-                if isinstance(verdict, ViewVerdict) and verdict is not ViewVerdict.MISSED:
-                    self._misses[verdict.value] += 1
-        if waits:
+        if waits and not turned:
             raise CalibrationError("E-CAL-01", reason="no new view of the board at rest for a long time")
+        self._misses.update({seen.reason.value for seen in (sighting(left), sighting(right)) if seen.reason is not None})
+        if isinstance(verdict, ViewVerdict) and verdict is not ViewVerdict.MISSED:
+            self._misses[verdict.value] += 1
+
+    def _look(self, camera: int) -> NDArray[np.uint8]:
+        image = self._cameras[camera].grab().image
+        if self._exposure is not None:
+            self._exposure.adapt(camera, image)
+        return image
 
     def _watched(self, phase: Phase, index: int, count: int, left: CameraSighting, right: CameraSighting, verdict: ViewVerdict) -> BoardWatch:
         tilt_deg, distance_mm = self._covered.spread()
@@ -320,4 +342,3 @@ class _Session:
             return fault
         why = ", ".join(f"{count} views {reason.replace('_', ' ')}" for reason, count in self._misses.most_common())
         return CalibrationError(fault.code, details=fault.details, reason=f"{fault.fields['reason']} ({why})")
-

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from datetime import datetime, timedelta
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any, cast
 
 import numpy as np
@@ -15,6 +16,7 @@ from PySide6.QtWidgets import QApplication, QPushButton
 from app.background import Background
 from app.controllers.calibration import BoardLook
 from app.controllers.rig import RigController
+from app.controllers.rig_devices import WantedRig
 from app.program import Program
 from app.theme import ACCENT, RAISED, WARNING
 from app.views.board_watch_view import BoardWatchView
@@ -55,6 +57,7 @@ def rig(application: QApplication, tmp_path: Path, told: list[BaseException]) ->
     controller = RigController(background, tmp_path / "rigs", told.append)
     config = load_preset("bench")
     controller.snapshot = replace(controller.snapshot, config=config, connected=True)
+    controller._devices.wanted = WantedRig("bench", config, None, "max")
     yield controller
     assert controller.shutdown(5)
     assert background.join(20) == []
@@ -224,7 +227,7 @@ def test_one_that_is_not_accepted_is_told_on_the_page_and_the_one_before_stays(
     fault = CalibrationError("E-CAL-03", reason="the bar measures +40 um too much")
     before = _calibration(rig)
     monkeypatch.setattr(rig.calibration, "run", lambda *_: (_ for _ in ()).throw(fault))
-    rig._rig = cast(OpenRig, _Standing())
+    rig._devices.rig = cast(OpenRig, _Standing())
     rig.watching.set()
     rig.calibrate()
     assert rig.snapshot.calibrating == 0.0
@@ -246,7 +249,7 @@ def test_one_that_is_not_accepted_is_told_on_the_page_and_the_one_before_stays(
 def test_a_fault_of_a_device_ends_the_calibration_and_is_told(rig: RigController, told: list[BaseException], monkeypatch: pytest.MonkeyPatch) -> None:
     fault = RuntimeError("camera gone")
     monkeypatch.setattr(rig.calibration, "run", lambda *_: (_ for _ in ()).throw(fault))
-    rig._rig = cast(OpenRig, _Standing())
+    rig._devices.rig = cast(OpenRig, _Standing())
     rig.calibrate()
     _drained(rig)
     assert told == [fault]
@@ -296,6 +299,8 @@ def test_a_target_that_cannot_be_written_is_told_in_a_sentence(rig: RigControlle
 
 class _Standing:
     """An open rig at which nothing happens."""
+
+    motion = SimpleNamespace(description=dict)
 
     def close(self) -> None:
         pass

@@ -138,7 +138,7 @@ def test_a_new_case_is_remembered_at_once_and_a_scan_that_fails_is_offered(progr
     window.start_scan()
     until(lambda: services.acquisition.status is not None and services.acquisition.status.counts.measured > 100, 60, "points")
     assert json.loads(shared_settings.read_text())["recent_cases"][0] == str(services.case.path)
-    rig = services.rig._rig
+    rig = services.rig._devices.rig
     assert rig is not None
     rig.left.close()  # it is gone
     until(lambda: not services.acquisition.running, 30, "the end")

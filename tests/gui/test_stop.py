@@ -114,7 +114,8 @@ def test_every_dialog(shared_program: Program, stops: Stops) -> None:
     rig, export = window.pages["rig"], window.pages["export"]
     opened = {
         "case": lambda: window.actions_by_id["open_case"].trigger(),
-        "mesh": rig._choose_file,
+        "mesh": rig.choice.choose_mesh,
+        "rig": rig.choice.choose_rig_file,
         "target": rig.calibration._choose_target,
         "folder": export._browse,
     }

@@ -150,7 +150,7 @@ def test_the_end_takes_every_step_though_one_fails(
     monkeypatch.setattr(services.acquisition, "shutdown", fails)
     program.window.close()
     assert "the end of: scan" in caplog.text
-    assert services.rig._rig is None
+    assert services.rig._devices.rig is None
     assert not services.case._thread._thread.is_alive()
     kept = json.loads(settings_file.read_text())
     assert kept["preset"] == "bench"

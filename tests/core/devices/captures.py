@@ -179,7 +179,7 @@ class FakeNodes(VideoNodes):
             (root / name).touch()
 
     def list(self) -> list[VideoNode]:
-        return [VideoNode(path, path.name, f"model {path.name}") for path in sorted(self._folder.iterdir())]
+        return [VideoNode(path, path.name, self.description(path)) for path in sorted(self._folder.iterdir())]
 
     def resolve(self, identity: str) -> Path:
         return self._folder / identity

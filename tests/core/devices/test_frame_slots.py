@@ -5,14 +5,18 @@ from __future__ import annotations
 from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
-from scanner_core.clock import ScaledClock
+from scanner_core.clock import Clock, ScaledClock
 from scanner_core.devices.camera import Trigger
-from scanner_core.devices.frame_slots import FrameSlots, slot_of
+from scanner_core.devices.frame_slots import FrameSlots, RunOrigin, slot_of
 
 RATES = st.floats(1.0, 500.0)
 STARTS = st.floats(-1e4, 1e5)
 PHASES = st.floats(0.0, 1.0, exclude_max=True)
 JITTER = st.lists(st.floats(-0.2, 0.2), min_size=30, max_size=30)
+
+
+def _slots(clock: Clock, trigger: Trigger, camera: str, rate_hz: float) -> FrameSlots:
+    return FrameSlots(RunOrigin(clock, trigger, camera), trigger.start_s, rate_hz)
 
 
 @given(st.integers(-1000, 100_000), STARTS, RATES, st.floats(0.01, 0.99))
@@ -26,7 +30,7 @@ def test_two_cameras_agree_about_the_number_of_every_edge(
     start_s: float, rate_hz: float, phase: float, left_jitter: list[float], right_jitter: list[float]
 ) -> None:
     clock, trigger = ScaledClock(), Trigger(7, 30, start_s)
-    left, right = (FrameSlots(clock, trigger, name, rate_hz) for name in ("left", "right"))
+    left, right = (_slots(clock, trigger, name, rate_hz) for name in ("left", "right"))
     pairs = []
     for k in range(30):
         edge_s = start_s + (k - 3 + phase) / rate_hz
@@ -41,7 +45,7 @@ def test_free_cameras_are_paired_at_most_half_a_period_apart(start_s: float, rat
     assume(abs(abs(left_phase - right_phase) - 0.5) > 1e-3)
     clock, trigger = ScaledClock(), Trigger(7, 30, start_s)
     times = sorted((start_s + (k + phase) / rate_hz, name) for k in range(30) for phase, name in ((left_phase, "left"), (right_phase, "right")))
-    slots = {name: FrameSlots(clock, trigger, name, rate_hz) for name in ("left", "right")}
+    slots = {name: _slots(clock, trigger, name, rate_hz) for name in ("left", "right")}
     seen: dict[str, dict[int, float]] = {"left": {}, "right": {}}
     for time_s, name in times:
         slot = slots[name].slot(time_s)
@@ -56,11 +60,11 @@ def test_free_cameras_are_paired_at_most_half_a_period_apart(start_s: float, rat
 
 
 def test_a_lost_frame_leaves_its_slot_empty() -> None:
-    slots = FrameSlots(ScaledClock(), Trigger(0, 10, 1.0), "left", 50.0)
+    slots = _slots(ScaledClock(), Trigger(0, 10, 1.0), "left", 50.0)
     assert [slots.slot(1.015 + k / 50) for k in (0, 1, 2, 4, 5)] == [0, 1, 2, 4, 5]
 
 
 def test_a_run_that_is_armed_again_begins_anew() -> None:
     clock, trigger = ScaledClock(), Trigger(0, 10, 1.0)
-    assert FrameSlots(clock, trigger, "left", 50.0).slot(1.015) == 0
-    assert FrameSlots(clock, trigger, "left", 50.0).slot(9.0) == 0
+    assert _slots(clock, trigger, "left", 50.0).slot(1.015) == 0
+    assert _slots(clock, trigger, "left", 50.0).slot(9.0) == 0

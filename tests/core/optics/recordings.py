@@ -59,7 +59,7 @@ class Replay:
         self.asked: list[str] = []
 
     def camera(self, side: int) -> Camera:
-        return cast(Camera, _ReplayCamera(self, side))  # the two members that a calibration asks for
+        return cast(Camera, _ReplayCamera(self, side))  # the members that a calibration asks for
 
     def image(self, side: int) -> Image:
         step = f"table {self.table.reported_deg:.0f}" if self._step == "table" else self._step
@@ -84,6 +84,8 @@ class Replay:
 
 
 class _ReplayCamera:
+    exposure_ms = 1.0
+
     def __init__(self, replay: Replay, side: int) -> None:
         self._replay, self._side = replay, side
 

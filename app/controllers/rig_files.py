@@ -1,0 +1,90 @@
+"""Where the rig stands: a preset and what was calibrated of it here, or a laboratory's own rig file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from app.controllers.rig_snapshot import PRESETS
+from scanner_core.errors import ImprontaError
+
+if TYPE_CHECKING:
+    from scanner_core.devices.rig import RigConfig
+    from scanner_core.metrology.history import SphereTrend
+    from scanner_core.optics.calibration import StereoCalibration
+
+Tell = Callable[[BaseException], None]
+
+KNOWN = 12
+"""Own rig files that are remembered."""
+
+
+class RigFiles:
+    """Reads rigs and keeps their calibrations.  Presets are calibrated into `folder`, an own rig into its own file."""
+
+    def __init__(self, folder: Path, known: list[str], tell: Tell) -> None:
+        """`known` are the paths of own rig files, the last one opened first; the list is kept up to date in place."""
+        self._folder, self.known, self._tell = folder, known, tell
+
+    def remember(self, name: str) -> None:
+        """In the GUI thread: an own rig file goes to the front of the list."""
+        if name not in PRESETS:
+            self.known[:] = [name, *(other for other in self.known if other != name)][:KNOWN]
+
+    def forget(self, name: str) -> None:
+        """In the GUI thread: it is no longer listed; the file stays."""
+        self.known[:] = [other for other in self.known if other != name]
+
+    def read(self, name: str) -> RigConfig:
+        """A preset as it was calibrated here, or else as it was shipped; or a rig file.
+
+        Raises
+        ------
+        UsageError
+            E-RIG-01.
+        """
+        from scanner_core.devices.rig import load_preset, load_rig
+
+        if name not in PRESETS:
+            return load_rig(Path(name))
+        own = self._folder / f"{name}.toml"
+        if own.exists():
+            try:
+                return load_rig(own)
+            except ImprontaError as fault:
+                self._tell(fault)
+        return load_preset(name)
+
+    def keep(self, name: str, config: RigConfig, calibration: StereoCalibration) -> None:
+        """Write the calibration, for the next start; an own rig file keeps everything else as it was written.
+
+        Raises
+        ------
+        StorageError, UsageError
+        """
+        from scanner_core.devices.rig import dump_rig, recalibrated, rig_text
+        from scanner_core.files import replaced_when_whole, storage_error
+
+        if name in PRESETS:
+            path, text = self._folder / f"{name}.toml", dump_rig(config)
+            try:
+                path.parent.mkdir(parents=True, exist_ok=True)
+            except OSError as fault:
+                raise storage_error(path.parent, fault) from fault
+        else:
+            path, text = Path(name), recalibrated(rig_text(name), calibration)
+        with replaced_when_whole(path, force=True) as partial:
+            partial.write_text(text, encoding="utf-8")
+
+    def last_sphere(self, name: str) -> SphereTrend | None:
+        """The last test with the reference sphere; of a preset the newer one of as it was shipped and as it was calibrated here."""
+        from scanner_core.metrology.history import history_path, last_reference_sphere
+
+        rigs = [name, str(self._folder / f"{name}.toml")] if name in PRESETS else [name]
+        try:
+            tests = [last_reference_sphere(history_path(rig)) for rig in rigs]
+        except ImprontaError as fault:
+            self._tell(fault)
+            return None
+        return max((trend for trend in tests if trend is not None), key=lambda trend: trend.last.moment, default=None)
