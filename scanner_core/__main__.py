@@ -156,7 +156,14 @@ def _parser() -> argparse.ArgumentParser:
     _verify(commands)
 
     doctor = _command(commands, "doctor", "check the rig and the machine")
-    doctor.add_argument("--rig", default="bench", metavar="RIG.toml", help="a rig file, or the name of a preset")
+    doctor.add_argument("--rig", metavar="RIG.toml", help="a rig file, or the name of a preset (default: find devices, and check the virtual rig)")
+    doctor.add_argument("--find", action="store_true", help="ask every serial port and look at every camera; --rig gives limits for --out")
+    doctor.add_argument("--port", action="append", default=[], metavar="URL", help="ask this port instead of those of the system; may be repeated")
+    doctor.add_argument("--out", metavar="RIG.toml", help="write a rig file for what was found, after a check of it")
+    doctor.add_argument("--thumbnails", metavar="DIR", help="write what the cameras show as pictures")
+    doctor.add_argument("--force", action="store_true", help="overwrite files that are there")
+    doctor.add_argument("--specimen", default="sphere", metavar="NAME or FILE", help=f"on the virtual rig's table: {_SPECIMENS}")
+    _virtual(doctor)
 
     support = _command(commands, "support", "one archive for whoever helps: log, versions, rig, transcript and doctor's report, without names")
     support.add_argument("--rig", default="bench", metavar="RIG.toml", help="a rig file, or the name of a preset")
