@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.background import Background
 from app.controllers.acquisition import AcquisitionController
+from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
 from app.controllers.export import ExportController
@@ -76,7 +77,10 @@ class Program(QObject):
         export = ExportController(self.background, self.settings, cases, self.tell, self)
         comparing = Comparing(self.background, self.settings, self.compare_stack, cases, self.tell, self)
         recovery = RecoveryController(self.background, self.settings, cases, acquisition, self.tell, self)
-        self.services = Services(self.settings, draft, self.background, rig, cases, acquisition, reconstruction, export, comparing, recovery)
+        assistant = AssistantController(self.background, rig, self.tell, self)
+        self.services = Services(
+            self.settings, draft, self.background, rig, cases, acquisition, reconstruction, export, comparing, recovery, assistant
+        )
         draft.load(first_order(self.settings.last_order))
         self.window = MainWindow(self.services, UndoHistory(self.undo_stack, self.compare_stack, draft, cases, self))
         self.window.closing.connect(self.shut_down)
@@ -139,6 +143,7 @@ class Program(QObject):
             ("heartbeat", self._end_heartbeat),
             ("recovery", services.recovery.shutdown),
             ("scan", lambda: services.acquisition.shutdown(_DEADLINE_S)),
+            ("assistant", lambda: services.assistant.shutdown(_DEADLINE_S)),
             ("rig", lambda: services.rig.shutdown(_DEADLINE_S)),
             ("reconstruction", services.reconstruction.shutdown),
             ("comparison", services.comparing.shutdown),

@@ -8,14 +8,18 @@ from __future__ import annotations
 
 import argparse
 import importlib
+import logging
 import signal
 import sys
 import threading
 from collections.abc import Sequence
+from types import ModuleType
 
 from scanner_core import __version__
 from scanner_core.commands.console import Console
-from scanner_core.errors import ImprontaError, UsageError
+from scanner_core.errors import ImprontaError
+from scanner_core.log_file import log_fault, logging_to_file
+from scanner_core.support.private_names import file_names
 
 _INTERRUPTED = {
     "calibrate": "the laser is off, nothing was kept, and the previous calibration stays in use",
@@ -24,6 +28,7 @@ _INTERRUPTED = {
     "demo": "the laser is off, and what was scanned before is kept in the case",
 }
 """What is true when a command is interrupted that did not itself say how it ended."""
+_log = logging.getLogger("impronta")
 _SPECIMENS = "ear, arch, heart, sphere, or a mesh file (STL, PLY, OBJ, VTP in millimetres, 3MF)"
 
 
@@ -43,21 +48,38 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 130
     console = Console(given.json)
     try:
-        return int(command.run(given, console))
+        with logging_to_file(f"impronta {given.command}", file_names(_paths(given))):
+            code = _run(command, given, console)
+            _log.info("exit code %d", code)
+            return code
     except KeyboardInterrupt:
         console.say(f"Interrupted; {_INTERRUPTED.get(given.command, 'nothing was written')}.")
         return 130
-    except UsageError as error:
+
+
+def _run(command: ModuleType, given: argparse.Namespace, console: Console) -> int:
+    try:
+        return int(command.run(given, console))
+    except ImprontaError as error:
+        log_fault(error, given.command)
         console.say(str(error))
         return 2 if error.code == "E-USE-01" else 1
-    except ImprontaError as error:
-        console.say(str(error))
-        return 1
     except BrokenPipeError:
         return 1
-    except MemoryError:
+    except MemoryError as fault:
+        log_fault(fault, given.command)
         console.say(str(ImprontaError("E-MEM-01", command=given.command)))
         return 1
+    except Exception as fault:
+        log_fault(fault, given.command)
+        raise
+
+
+def _paths(given: argparse.Namespace) -> list[str]:
+    """What of the arguments are files: a person has chosen their names, and they may be a patient's."""
+    values = [value for value in vars(given).values() if value]
+    texts = [text for value in values for text in (value if isinstance(value, list) else [value]) if isinstance(text, str)]
+    return [text for text in texts if any(mark in text for mark in "/\\.")]
 
 
 def _as_interrupt(_number: int, _frame: object) -> None:
@@ -101,7 +123,7 @@ def _parser() -> argparse.ArgumentParser:
     target.add_argument("--force", action="store_true", help="overwrite the output")
 
     scan = _command(commands, "scan", "acquire into a new case, or go on with an interrupted one")
-    scan.add_argument("--rig", required=True, metavar="RIG.toml", help="a rig file, or the name of a preset")
+    _measuring_rig(scan)
     scan.add_argument("--plan", metavar="PLAN.toml", help="views, points, object_radius_mm, object_height_mm")
     scan.add_argument("--out", required=True, metavar="CASE.impronta")
     scan.add_argument("--specimen", default="ear", metavar="NAME or FILE", help=f"virtual rig only: {_SPECIMENS}")
@@ -134,7 +156,21 @@ def _parser() -> argparse.ArgumentParser:
     _verify(commands)
 
     doctor = _command(commands, "doctor", "check the rig and the machine")
-    doctor.add_argument("--rig", default="bench", metavar="RIG.toml", help="a rig file, or the name of a preset")
+    doctor.add_argument("--rig", metavar="RIG.toml", help="a rig file, or the name of a preset (default: find devices, and check the virtual rig)")
+    doctor.add_argument("--find", action="store_true", help="ask every serial port and look at every camera; --rig gives limits for --out")
+    doctor.add_argument("--port", action="append", default=[], metavar="URL", help="ask this port instead of those of the system; may be repeated")
+    doctor.add_argument("--out", metavar="RIG.toml", help="write a rig file for what was found, after a check of it")
+    doctor.add_argument("--thumbnails", metavar="DIR", help="write what the cameras show as pictures")
+    doctor.add_argument("--force", action="store_true", help="overwrite files that are there")
+    doctor.add_argument("--specimen", default="sphere", metavar="NAME or FILE", help=f"on the virtual rig's table: {_SPECIMENS}")
+    _virtual(doctor)
+
+    support = _command(commands, "support", "one archive for whoever helps: log, versions, rig, transcript and doctor's report, without names")
+    support.add_argument("--rig", default="bench", metavar="RIG.toml", help="a rig file, or the name of a preset")
+    support.add_argument("--out", metavar="FILE.zip", help="where to write it; nothing is sent")
+    support.add_argument("--list", action="store_true", help="only show what would go in")
+    support.add_argument("--without", action="append", default=[], metavar="NAME", help="leave an entry out; may be repeated")
+    support.add_argument("--force", action="store_true", help="overwrite an archive that is there")
     return parser
 
 
@@ -199,7 +235,7 @@ def _verify(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> No
         test.add_argument("--reference-uncertainty-mm", type=_positive, default=0.001, metavar="MM", help="of the radius, k = 1 (default 0.001)")
     for test in (static, sphere, acceptance):
         test.add_argument("--json", action="store_true", default=argparse.SUPPRESS, help="print one JSON object")
-        test.add_argument("--rig", required=True, metavar="RIG.toml", help="a rig file, or the name of a preset")
+        _measuring_rig(test)
         test.add_argument("--out", metavar="DIR", help="folder of certificate.pdf and result.json (default: report only)")
         test.add_argument("--force", action="store_true", help="overwrite results that are there")
         _virtual(test)
@@ -209,6 +245,14 @@ def _command(commands: argparse._SubParsersAction[argparse.ArgumentParser], name
     parser = commands.add_parser(name, help=text, description=text[0].upper() + text[1:] + ".")
     parser.add_argument("--json", action="store_true", help="print one JSON object")
     return parser
+
+
+def _measuring_rig(parser: argparse.ArgumentParser) -> None:
+    """What is measured with: devices, or what they once delivered."""
+    rig = parser.add_mutually_exclusive_group(required=True)
+    rig.add_argument("--rig", metavar="RIG.toml", help="a rig file, or the name of a preset")
+    rig.add_argument("--replay", metavar="DIR", help="the cameras of a recording instead, with the rig that it was made with")
+    parser.add_argument("--record", metavar="DIR", help="record every frame of both cameras, losslessly, into a new folder")
 
 
 def _virtual(parser: argparse.ArgumentParser) -> None:

@@ -162,6 +162,10 @@ SENTENCES: dict[str, Sentence] = {
         "The specimen is {size_mm} mm large, but both cameras see a volume of {volume_mm} mm.",
         "Nothing was scanned; choose a smaller specimen, or scale it (is its unit millimetres?).",
     ),
+    "E-RIG-03": Sentence(
+        "A rig needs a controller and two cameras that work; what was found: {controller}, cameras: {cameras}.",
+        "No rig file was written; 'impronta doctor --find' says what became of every port and camera.",
+    ),
     "E-CAL-01": Sentence("The calibration failed: {reason}.", "The previous calibration stays in use; take the views again."),
     "E-CAL-02": Sentence("The rig has no calibration.", "Nothing was measured; run 'impronta calibrate' or the Rig page first."),
     "E-CAL-03": Sentence("The calibration was not accepted: {reason}.", "It is not used; take more views with the board filling the volume."),
@@ -374,6 +378,8 @@ SENTENCES: dict[str, Sentence] = {
         "DICOM files are written by the package pydicom, which is not installed.",
         "Nothing was written; install it with pip install 'impronta[dicom]', or choose another format.",
     ),
+    # ------------------------------------------------------------------------------------------ support bundle
+    "E-SUP-01": Sentence("The support bundle has no entry '{name}'; it has {known}.", "Nothing was written; see what would be in it with --list."),
     # ------------------------------------------------------------------------------------------ memory and worker process
     "E-MEM-01": Sentence(
         "There is not enough memory for '{command}'.", "Nothing was written; close other programs, or ask for fewer points or triangles."

@@ -160,6 +160,11 @@ class RigController(QObject):
         self._loaned.clear()
         self._news(replace(self.snapshot, busy=False))
 
+    def release(self, released: Callable[[], None]) -> None:
+        """Close the devices, so that others may open them; then `released` in the GUI thread.  :meth:`choose` opens them again."""
+        self._news(replace(self.snapshot, connected=False, opening=False, failure=None, motion=None))
+        self._device.call(partial(self._release, released))
+
     def shutdown(self, timeout_s: float) -> bool:
         """Laser off, devices released; False when they did not answer in time."""
         self._closing.set()
@@ -276,6 +281,13 @@ class RigController(QObject):
         if rig is not None and not self._loaned.is_set():
             rig.motion.recover()
             self._watch()
+
+    def _release(self, released: Callable[[], None]) -> None:
+        try:
+            self._devices.close()
+        finally:
+            self._devices.forget()
+            self._background.post(released)
 
     def _end(self) -> None:
         try:

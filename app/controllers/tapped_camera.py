@@ -2,66 +2,20 @@
 
 from __future__ import annotations
 
-import threading
-from collections.abc import Callable, Iterator
-from typing import Self
+from collections.abc import Callable
 
-from scanner_core.devices.camera import Camera, CameraReport, Frame, Trigger
+from scanner_core.devices.camera import Camera, Frame
+from scanner_core.devices.wrapped_camera import WrappedCamera
 
 
-class TappedCamera:
+class TappedCamera(WrappedCamera):
     """Everything of another camera; `tap` gets a copy of every frame that is grabbed one by one."""
 
     def __init__(self, camera: Camera, tap: Callable[[Frame], None]) -> None:
-        self._camera, self._tap = camera, tap
-
-    @property
-    def name(self) -> str:
-        return self._camera.name
-
-    @property
-    def size_px(self) -> tuple[int, int]:
-        return self._camera.size_px
-
-    @property
-    def rate_hz(self) -> float:
-        return self._camera.rate_hz
-
-    @property
-    def exposure_ms(self) -> float:
-        return self._camera.exposure_ms
-
-    @exposure_ms.setter
-    def exposure_ms(self, value: float) -> None:
-        self._camera.exposure_ms = value
-
-    @property
-    def gain_db(self) -> float:
-        return self._camera.gain_db
-
-    @gain_db.setter
-    def gain_db(self, value: float) -> None:
-        self._camera.gain_db = value
-
-    def start(self, trigger: Trigger) -> None:
-        self._camera.start(trigger)
-
-    def frames(self, stop: threading.Event) -> Iterator[Frame]:
-        return self._camera.frames(stop)
+        super().__init__(camera)
+        self._tap = tap
 
     def grab(self) -> Frame:
-        frame = self._camera.grab()
+        frame = super().grab()
         self._tap(frame)
         return frame
-
-    def report(self) -> CameraReport:
-        return self._camera.report()
-
-    def close(self) -> None:
-        self._camera.close()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *exception: object) -> None:
-        self.close()

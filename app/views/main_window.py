@@ -20,7 +20,7 @@ from app.views import format as fmt
 from app.views.banner import Banner
 from app.views.file_dialogs import choose_file
 from app.views.page import Page
-from app.views.pages import PAGES
+from app.views.pages import ASIDE, PAGES
 from app.views.parts import seam
 from app.views.rail import Rail
 from app.views.scan_page import status_words
@@ -59,7 +59,7 @@ class MainWindow(QMainWindow):
         self.stage = Stage([self.actions_by_id[name] for name in ("show_points", "show_edges", "show_uncertainty", "fit", "front", "top")])
         self.pages: dict[str, Page] = {}
         self._stack = QStackedWidget()
-        for info in PAGES:
+        for info in (*PAGES, *ASIDE):
             page = info.make(services)
             page.wanted.connect(self.show_page)
             page.intent.connect(self._do)
@@ -111,7 +111,7 @@ class MainWindow(QMainWindow):
 
     # -------------------------------------------------------------------------------- slots of the action table
     def show_page(self, page_id: str) -> None:
-        info = next(info for info in PAGES if info.id == page_id)
+        info = next(info for info in (*PAGES, *ASIDE) if info.id == page_id)
         page = self.pages[page_id]
         beside = bool(info.stage)
         if beside:
@@ -123,7 +123,7 @@ class MainWindow(QMainWindow):
         if not beside:
             self._stack.setMinimumWidth(0)
             self._stack.setMaximumWidth(16_777_215)
-        self.rail.show_page(page_id)
+        self.rail.show_page(info.of or page_id)
         self._show_whose()
         page.entered()
 
@@ -156,6 +156,9 @@ class MainWindow(QMainWindow):
     def show_export(self) -> None:
         self.show_page("export")
 
+    def set_up_rig(self) -> None:
+        self.show_page("assistant")
+
     def undo(self) -> None:
         self._undo.undo()
 
@@ -180,6 +183,7 @@ class MainWindow(QMainWindow):
             self.services.acquisition.stop()
         else:
             self.services.rig.laser_off()
+            self.services.assistant.laser_off()
 
     def start_reconstruction(self) -> None:
         if not self.services.acquisition.running:
@@ -249,6 +253,7 @@ class MainWindow(QMainWindow):
         services.reconstruction.changed.connect(self._show_activity)
         services.comparing.answers.changed.connect(self._show_activity)
         services.comparing.draft.changed.connect(self._show_whose)
+        services.assistant.changed.connect(self._show_activity)
         self._undo.changed.connect(self._show_undo)
         self.rail.show_order(services.draft.values)
 
@@ -371,6 +376,8 @@ class MainWindow(QMainWindow):
             text = self.tr("Comparing")
         elif services.rig.snapshot.calibrating is not None:
             text = self.tr("Calibrating")
+        elif services.assistant.snapshot.busy:
+            text = self.tr("Setting up a rig")
         elif services.case.computing:
             text = self.tr("Computing the points anew…")
         elif services.case.opening:
@@ -384,7 +391,8 @@ class MainWindow(QMainWindow):
     def _show_laser(self) -> None:
         """Lit while the controller reports emission, and a moment longer: between two rows it is dark too briefly to be told."""
         now = time.monotonic()
-        emission = self.services.rig.emission
+        services = self.services
+        emission = services.assistant.emission if services.assistant.holds_devices else services.rig.emission
         if emission is Emission.LIT:
             self._lit_s = now
         elif emission is Emission.DARK and now - self._lit_s < LASER_HOLD_S:

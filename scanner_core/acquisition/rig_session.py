@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import itertools
+import logging
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from functools import partial
+from pathlib import Path
 
 from scanner_core.case.store import CaseStore
 from scanner_core.clock import Clock, Speed, SteppedClock, make_clock
@@ -14,6 +16,7 @@ from scanner_core.devices.camera_config import CameraConfig
 from scanner_core.devices.camera_drivers import open_camera
 from scanner_core.devices.grbl import open_controller
 from scanner_core.devices.motion import MotionController
+from scanner_core.devices.recording import is_recording
 from scanner_core.devices.rig import RigConfig
 from scanner_core.errors import DeviceError, ImprontaError, UsageError
 from scanner_core.optics.calibration import StereoCalibration
@@ -26,6 +29,7 @@ from scanner_core.virtual.presets import PRESETS, VirtualPreset
 from scanner_core.virtual.remote_timeline import RemoteTimeline
 from scanner_core.virtual.specimens import Specimen
 
+_log = logging.getLogger("impronta")
 _VIRTUAL = "virtual://"
 _RENDERED = "virtual"
 """Driver of the cameras that the bench makes."""
@@ -52,6 +56,11 @@ class OpenRig:
     faults: FaultInjection | None = None
     release: Callable[[], None] | None = None
     """What else has to be let go when the rig is closed."""
+
+    @property
+    def replayed(self) -> bool:
+        """Both cameras show what was recorded: nobody has to put anything before them."""
+        return self.config.left.driver == self.config.right.driver == "replay"
 
     def inject(self, fault: Fault) -> None:
         """Let something go wrong on the virtual rig, its time counted from now; see :mod:`scanner_core.virtual.faults`.
@@ -126,6 +135,7 @@ def open_rig(config: RigConfig, specimen: Specimen | None = None, speed: Speed =
     except BaseException:
         rig.close()
         raise
+    _log.info("rig opened: %s, cameras %s and %s, controller on %s", config.name, config.left.driver, config.right.driver, config.controller.port)
     return rig
 
 
@@ -140,7 +150,8 @@ def _checked(config: RigConfig) -> VirtualPreset | None:
         E-CAM-14.
     """
     left, right = config.left, config.right
-    if (left.driver, left.id) == (right.driver, right.id):
+    recorded = left.driver == "replay" and is_recording(Path(left.id))  # one folder holds both of its cameras
+    if (left.driver, left.id) == (right.driver, right.id) and not recorded:
         raise DeviceError("E-CAM-14", id=left.id)
     if config.virtual is not None and config.virtual not in PRESETS:
         raise UsageError("E-RIG-01", path=config.name, reason=f"'virtual' must be one of {', '.join(PRESETS)}")

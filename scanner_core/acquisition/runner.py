@@ -16,6 +16,7 @@ fails cannot lose the end.
 from __future__ import annotations
 
 import json
+import logging
 import threading
 import time
 import traceback
@@ -44,8 +45,11 @@ from scanner_core.case.recovery import Interruption
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import dump_rig
 from scanner_core.errors import AcquisitionError, CalibrationError, DeviceError, ImprontaError, MotionStoppedError, StorageError
+from scanner_core.log_file import log_fault
 from scanner_core.optics.spot import MissReason
 from scanner_core.optics.spot_detection import SpotDetector
+
+_log = logging.getLogger("impronta")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -183,6 +187,7 @@ class ScanRunner:
         views: RegisteredViews | None = None
         wall_s = time.monotonic()
         captures: list[CaptureThread] = []
+        _log.info("scan %s: %d views, %d points wanted", "begun" if self._interruption is None else "resumed", self._request.views, self._request.points)
         try:
             detector = SpotDetector(self._rig.config.spot)
             captures = [CaptureThread(camera, detector, self.previews[camera.name]) for camera in (self._rig.left, self._rig.right)]
@@ -216,6 +221,11 @@ class ScanRunner:
         except BaseException as fault:
             error = error or self._as_error(fault)
             reason = FinishReason.FAILED
+        told = "scan %s: %d planned, %d measured, %s rejected, %d skipped, %d findings, %.1f s"
+        findings = len(self._health.findings)
+        _log.info(told, reason.value, counts.planned, counts.measured, counts.rejected or "none", counts.skipped, findings, wall_s)
+        if error is not None:
+            log_fault(error, "scan")
         _without_frames(error)
         result = ScanResult(
             finish_reason=reason,

@@ -1,41 +1,131 @@
-"""``impronta doctor``: every check of the rig and of the machine, each with one sentence and its remedy."""
+"""``impronta doctor``: what is plugged in, and every check of the rig and of the machine, each with one sentence and its remedy.
+
+With a rig file it checks that rig; with ``--find`` it asks every port and every camera of the machine; with neither it does both,
+on the virtual rig.  With ``--out`` it writes a rig file for what it found, after it has checked that rig by what the cameras see.
+"""
 
 from __future__ import annotations
 
 import argparse
-from dataclasses import asdict
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
 
 from scanner_core.acquisition.rig_session import open_rig
+from scanner_core.clock import ScaledClock
 from scanner_core.commands.console import Console
 from scanner_core.commissioning.calibration_check import check_calibration
+from scanner_core.commissioning.device_checks import check_devices, found_values
+from scanner_core.commissioning.found_devices import FoundDevices, find_devices
 from scanner_core.commissioning.machine import check_machine
+from scanner_core.commissioning.proposed_rig import corrected_rig, propose_rig, write_rig
 from scanner_core.commissioning.rig_check import RigCheck, check_rig
+from scanner_core.commissioning.rig_findings import RigFindings
+from scanner_core.commissioning.thumbnails import picture_name, write_picture
 from scanner_core.devices.check import Check
-from scanner_core.devices.rig import load_rig_or_preset
-from scanner_core.errors import ImprontaError
+from scanner_core.devices.discovery import SerialPort, serial_ports
+from scanner_core.devices.rig import RigConfig, load_rig_or_preset
+from scanner_core.errors import DeviceError, ImprontaError
+from scanner_core.files import check_free
+from scanner_core.jobs.progress import Progress
+from scanner_core.virtual.faults import parse_fault
 from scanner_core.virtual.specimens import load_specimen
+
+_DEFAULT = "bench"
+_SPECIMEN = "sphere"
+_MARKS = {"pass": "ok  ", "warn": "warn", "fail": "FAIL"}
+
+
+@dataclass(slots=True)
+class _Report:
+    """What is told in the end."""
+
+    checks: list[Check] = field(default_factory=list)
+    controller: dict[str, object] = field(default_factory=dict)
+    cameras: list[dict[str, object]] = field(default_factory=list)
+    more: dict[str, object] = field(default_factory=dict)
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
-    config = load_rig_or_preset(given.rig)
-    checks = [*check_machine(), check_calibration(config)]
-    controller: dict[str, object] = {"port": config.controller.port, "transcript": []}
-    cameras: list[dict[str, object]] = []
+    config = load_rig_or_preset(given.rig or _DEFAULT).without(given.without)
+    if given.out is not None:
+        check_free(given.out, given.force)
+    report = _Report(check_machine(), {"port": config.controller.port, "transcript": []})
+    if given.find or given.out is not None:
+        _find_and_write(given, console, config, report)
+    else:
+        if given.rig is None:
+            report.checks += check_devices(_find(given, console, report), needed=False)
+        report.checks.append(check_calibration(config))
+        _check(given, console, config, report)
+    values = {
+        "rig": config.name,
+        "checks": [asdict(check) for check in report.checks],
+        "controller": report.controller,
+        "cameras": report.cameras,
+        **report.more,
+    }
+    console.result(values, [_line(check) for check in report.checks])
+    return 1 if any(check.verdict == "fail" for check in report.checks) else 0
+
+
+def arguments(rig: str) -> argparse.Namespace:
+    """What :func:`run` is given for one rig and nothing else."""
+    nothing: dict[str, object] = {"find": False, "port": [], "out": None, "thumbnails": None, "force": False, "fault": [], "without": []}
+    return argparse.Namespace(rig=rig, specimen=_SPECIMEN, speed="max", seed=0, **nothing)
+
+
+def _line(check: Check) -> str:
+    return f"{_MARKS[check.verdict]}  {check.name}: {check.detail} {check.remedy}".rstrip()
+
+
+def _find(given: argparse.Namespace, console: Console, report: _Report) -> FoundDevices:
+    ports = [SerialPort(url, "") for url in given.port] or serial_ports()
+    found = find_devices(ScaledClock(), progress=_shown(console), cancelled=lambda: False, ports=ports)
+    report.more["found"] = found_values(found)
+    for camera in found.cameras:
+        if given.thumbnails is not None and camera.thumbnail is not None:
+            write_picture(Path(given.thumbnails) / picture_name(camera.driver, camera.id), camera.thumbnail, force=given.force)
+    return found
+
+
+def _find_and_write(given: argparse.Namespace, console: Console, template: RigConfig, report: _Report) -> None:
+    found = _find(given, console, report)
+    report.checks += check_devices(found, needed=True)
+    controller, cameras = found.controller(), found.usable_cameras()
+    report.controller["port"] = "" if controller is None else controller.port.url
+    if given.out is None:
+        return
+    if controller is None or len(cameras) < 2:
+        raise DeviceError("E-RIG-03", controller="no controller" if controller is None else "a controller", cameras=len(cameras))
+    config = propose_rig(template, controller, cameras[0], cameras[1])
+    findings = _check(given, console, config, report)
+    write_rig(Path(given.out), corrected_rig(config, findings), force=given.force)
+    report.more["out"] = str(given.out)
+
+
+def _check(given: argparse.Namespace, console: Console, config: RigConfig, report: _Report) -> RigFindings | None:
+    """Open the rig and check it; a rig that does not open is a line."""
+
+    def told(made: RigCheck) -> None:
+        report.checks.append(made.check)
+        if made.check.name.startswith("camera "):
+            report.cameras.append(dict(made.values))
+        for name, image in made.pictures.items():
+            if given.thumbnails is not None:
+                write_picture(Path(given.thumbnails) / picture_name(made.check.name, name), image, force=given.force)
+
+    faults = [parse_fault(text) for text in given.fault]
     try:
-        specimen = load_specimen("sphere") if config.virtual else None
-        with open_rig(config, specimen) as rig:
-
-            def told(made: RigCheck) -> None:
-                checks.append(made.check)
-                if made.check.name.startswith("camera "):
-                    cameras.append(dict(made.values))
-
-            check_rig(rig, progress=lambda at: console.progress(at.phase, at.fraction), cancelled=lambda: False, on_check=told)
-            controller = rig.motion.description()
+        specimen = load_specimen(given.specimen) if config.virtual else None
+        with open_rig(config, specimen, given.speed, given.seed, faults) as rig:
+            findings = check_rig(rig, progress=_shown(console), cancelled=lambda: False, on_check=told)
+            report.controller = rig.motion.description()
+            return findings
     except ImprontaError as error:
-        checks.append(Check("controller handshake" if error.code.startswith("E-MOT") else "open the rig", "fail", error.message, error.hint))
-    values = {"rig": config.name, "checks": [asdict(check) for check in checks], "controller": controller, "cameras": cameras}
-    marks = {"pass": "ok  ", "warn": "warn", "fail": "FAIL"}
-    lines = [f"{marks[check.verdict]}  {check.name}: {check.detail}" + (f" {check.remedy}" if check.verdict != "pass" else "") for check in checks]
-    console.result(values, lines)
-    return 1 if any(check.verdict == "fail" for check in checks) else 0
+        report.checks.append(Check("controller handshake" if error.code.startswith("E-MOT") else "open the rig", "fail", error.message, error.hint))
+        return None
+
+
+def _shown(console: Console) -> Callable[[Progress], None]:
+    return lambda at: console.progress(at.phase, at.fraction)

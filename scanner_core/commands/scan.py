@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from scanner_core.acquisition.plan import PlanRequest, read_plan
+from scanner_core.acquisition.recording import check_recordable, recorded_plan
 from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.acquisition.status import FinishReason
 from scanner_core.case.recovery import Interruption, interruption
@@ -21,6 +22,8 @@ from scanner_core.commands.scanning import (
     case_as_found,
     faults,
     finding_warnings,
+    is_rendered,
+    recording,
     run_scan,
     scan_json,
     scan_summary,
@@ -36,14 +39,21 @@ def run(given: argparse.Namespace, console: Console) -> int:
     if given.resume and (given.plan is not None or given.force):
         raise UsageError("E-USE-01", what="An interrupted scan goes on with its own plan, in its own case", do="leave --plan and --force away")
     config, calibration = calibrated_rig(given)
-    request = PlanRequest() if given.plan is None else read_plan(Path(given.plan))
-    specimen = specimen_on_table(given, config) if config.virtual else None
+    request = recorded_plan(config) or PlanRequest()
+    if given.plan is not None:
+        asked = read_plan(Path(given.plan))
+        if request != PlanRequest() and asked != request:  # its frames would be taken for others
+            raise UsageError("E-USE-01", what="The recording was made with another plan", do="leave --plan away")
+        request = asked
+    specimen = specimen_on_table(given, config) if is_rendered(config) else None
     to_come = faults(given, config)
     if any(isinstance(fault, WorkerFault) for fault in to_come):
         raise UsageError("E-USE-01", what="A scan has no worker process that could fail", do="let that happen in 'impronta demo'")
     warnings = age_warnings(calibration)
     for warning in warnings:
         console.say(f"Warning: {warning}")
+    if given.record is not None:
+        check_recordable(Path(given.record).resolve())
     path = Path(given.out).resolve()
     old = given.force and path.exists()
     with case_as_found(path, to_come):
@@ -54,12 +64,23 @@ def run(given: argparse.Namespace, console: Console) -> int:
             overwriting(path, given.force) as begun,
             _case(path, given, specimen) as (store, interrupted),
         ):
-            result = run_scan(console, rig, sized_for(request, specimen), store, interrupted, begun)
-            values = scan_json(result, rig.left.rate_hz, str(path)) | {"warnings": [*warnings, *finding_warnings(result)]}
+            request = sized_for(request, specimen)
+            with recording(given, rig, request) as told:
+                result = run_scan(console, rig, request, store, interrupted, begun)
+            values = scan_json(result, rig.left.rate_hz, str(path))
+    warnings += finding_warnings(result)
+    lines = scan_summary(result)
+    if told is not None:
+        values["recording"] = told.as_dict()
+        lines.append(told.summary())
+        if told.error is not None and result.error is None:  # the last frames only: the scan itself is whole
+            console.say(f"Warning: {told.error}")
+            warnings.append(str(told.error))
+    values["warnings"] = warnings
     kept = f"Nothing was measured; {path} is as it was." if old and not begins(result) else f"Kept in {path}."
     if result.finish_reason is not FinishReason.COMPLETED and begins(result):
-        kept += f" Go on with: impronta scan --rig {given.rig} --resume --out {path}"
-    console.result(values, [*scan_summary(result), kept])
+        kept += f" Go on with: impronta scan --rig {given.rig} --resume --out {path}" if given.rig is not None else ""
+    console.result(values, [*lines, kept])
     if result.error is not None:
         console.say(str(result.error))
     return {FinishReason.COMPLETED: 0, FinishReason.CANCELLED: 130, FinishReason.FAILED: 1}[result.finish_reason]

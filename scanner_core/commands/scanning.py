@@ -10,6 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from scanner_core.acquisition.plan import PlanRequest
+from scanner_core.acquisition.recording import RIG, Recorded, recorded, recorded_rig
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.acquisition.runner import ScanResult, ScanRunner
 from scanner_core.acquisition.status import ScanState
@@ -27,6 +28,34 @@ from scanner_core.virtual.presets import GEOMETRIC_TERMS, PRESETS
 from scanner_core.virtual.specimens import Specimen, check_fits, load_specimen
 
 
+def rig_given(given: argparse.Namespace) -> RigConfig:
+    """The rig of ``--rig``, or the one of ``--replay`` with the cameras of its recording.
+
+    Raises
+    ------
+    UsageError
+        E-RIG-01.
+    DeviceError
+        E-CAM-20.
+    """
+    return load_rig_or_preset(given.rig) if given.replay is None else recorded_rig(Path(given.replay))
+
+
+def rig_path(given: argparse.Namespace) -> str:
+    """The file that describes the rig, or a preset's name."""
+    return str(given.rig) if given.replay is None else str(Path(given.replay) / RIG)
+
+
+def is_rendered(config: RigConfig) -> bool:
+    """Whether the virtual bench makes images of a specimen."""
+    return any(camera.driver == "virtual" for camera in (config.left, config.right))
+
+
+def recording(given: argparse.Namespace, rig: OpenRig, request: PlanRequest | None = None) -> AbstractContextManager[Recorded | None]:
+    """What ``--record`` asks for, while the body runs."""
+    return nullcontext() if given.record is None else recorded(rig, Path(given.record).resolve(), request)
+
+
 def calibrated_rig(given: argparse.Namespace) -> tuple[RigConfig, StereoCalibration]:
     """The rig to measure with, as it was asked for, and its calibration.
 
@@ -37,7 +66,7 @@ def calibrated_rig(given: argparse.Namespace) -> tuple[RigConfig, StereoCalibrat
     CalibrationError
         E-CAL-02.
     """
-    config = load_rig_or_preset(given.rig)
+    config = rig_given(given)
     other_cameras = [term for term in GEOMETRIC_TERMS if term in given.without]
     if config.virtual is not None and other_cameras:
         raise UsageError(
@@ -77,8 +106,8 @@ def specimen_on_table(given: argparse.Namespace, rig: RigConfig) -> Specimen:
 
 
 def faults(given: argparse.Namespace, config: RigConfig) -> list[Fault]:
-    """What ``--fault`` lets go wrong on the virtual rig; E-USE-01 on hardware."""
-    if given.fault and not config.virtual:
+    """What ``--fault`` lets go wrong on the virtual rig; E-USE-01 on hardware and on recordings."""
+    if given.fault and not is_rendered(config):
         raise UsageError("E-USE-01", what="Faults happen on the virtual rig only", do="leave --fault away")
     return [parse_fault(text) for text in given.fault]
 

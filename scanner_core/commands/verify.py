@@ -10,7 +10,7 @@ from pathlib import Path
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
 from scanner_core.commands.console import Console
-from scanner_core.commands.scanning import age_warnings, calibrated_rig, faults, specimen_on_table
+from scanner_core.commands.scanning import age_warnings, calibrated_rig, faults, is_rendered, recording, rig_path, specimen_on_table
 from scanner_core.commands.verifying import Bar, Conditions, Outcome, Session, part
 from scanner_core.devices.rig import RigConfig
 from scanner_core.metrology.acceptance import AcceptanceTest, planned_positions
@@ -26,18 +26,22 @@ def run(given: argparse.Namespace, console: Console) -> int:
     config, calibration = calibrated_rig(given)
     to_come = faults(given, config)
     measure = _planned(given, config)
-    conditions = Conditions(tuple(given.without), tuple(given.fault), given.specimen if given.test == "sphere" and config.virtual else None)
+    specimen = given.specimen if given.test == "sphere" and is_rendered(config) else None
+    conditions = Conditions(tuple(given.without), tuple(given.fault), specimen, given.replay)
     warnings = age_warnings(calibration)
     session = Session.prepare(
-        console, config, given.rig, calibration, given.test, given.seed, given.out, given.force, conditions=conditions, warnings=warnings
+        console, config, rig_path(given), calibration, given.test, given.seed, given.out, given.force, conditions=conditions, warnings=warnings
     )
     for warning in warnings:
         console.say(f"Warning: {warning}")
     with open_rig(config, None, given.speed, given.seed, to_come) as rig:
         try:
-            outcome = measure(rig, Bar(console, given.test))
+            with recording(given, rig) as told:
+                outcome = measure(rig, Bar(console, given.test))
         finally:
             console.clear()
+    if told is not None:
+        console.say(told.summary())
     if outcome.interrupted:
         session.keep_part(outcome)
         return 130
@@ -52,7 +56,7 @@ def _planned(given: argparse.Namespace, config: RigConfig) -> Callable[[OpenRig,
     PlanRequest(given.views, given.points)
     radius = Reference(given.reference_mm, given.reference_uncertainty_mm)
     if given.test == "sphere":
-        return partial(_sphere, given, radius, specimen_on_table(given, config) if config.virtual else None)
+        return partial(_sphere, given, radius, specimen_on_table(given, config) if is_rendered(config) else None)
     spacing = Reference(given.spacing_mm, given.spacing_uncertainty_mm)
     planned_positions(config.volume, radius, spacing, given.positions)
     return partial(_acceptance, given, radius, spacing)

@@ -52,18 +52,20 @@ class Outcome:
 
 @dataclass(frozen=True, slots=True)
 class Conditions:
-    """What the command line changed of a test on the virtual rig.
+    """What the command line changed of a test.
 
     Attributes
     ----------
     switched_off : terms of the image model
     faults : as they were given
     specimen : what was put down as the reference sphere; None in the other tests and on hardware
+    replayed : the recording whose frames were measured again
     """
 
     switched_off: tuple[str, ...]
     faults: tuple[str, ...]
     specimen: str | None
+    replayed: str | None = None
 
     def foreign(self) -> str | None:
         """Why the result says nothing about the rig as its file describes it, or None when it does."""
@@ -74,6 +76,8 @@ class Conditions:
             reasons.append(f"it was disturbed by {', '.join(self.faults)}")
         if self.specimen not in (None, ARTEFACT):
             reasons.append(f"the specimen '{self.specimen}' is not the reference sphere")
+        if self.replayed is not None:
+            reasons.append(f"it was measured from the recording {self.replayed}")
         return "; ".join(reasons) or None
 
     def parameters(self, config: RigConfig) -> tuple[tuple[str, str], ...]:
@@ -84,6 +88,7 @@ class Conditions:
             ("Switched off", ", ".join(off)),
             ("Image model", ", ".join(numbers)),
             ("Faults", ", ".join(self.faults)),
+            ("Replayed", self.replayed or ""),
             ("Specimen", "" if self.specimen in (None, ARTEFACT) else self.specimen or ""),
         )
         return tuple((label, value) for label, value in facts if value)
@@ -219,6 +224,7 @@ class Session:
             "image_model": dict(self.config.image_model),
             "faults": list(self.conditions.faults),
             "specimen": self.conditions.specimen,
+            "replayed": self.conditions.replayed,
             "warnings": self.warnings,
             "calibration": {"id": self.calibration.identity(), "date": self.calibration.date},
             "date": date,

@@ -17,7 +17,8 @@ _AXES = ("x", "y", "table")
 _CERTAIN = 3.0
 """A scale is corrected when it is off by so many of its standard uncertainties."""
 _COMMENTS = {
-    "[camera.left]": "# The camera that stands to the left, seen from behind the cameras.\n# 'id' is what its driver finds it by, wherever it is plugged in.",
+    "[camera.left]": "# The camera that stands to the left, seen from behind the cameras.\n"
+    "# 'id' is what its driver finds it by, wherever it is plugged in.",
     "[controller]": "# 'units_per_deg': how many units of the board (its \"mm\") make a degree of beam x, beam y and table;\n"
     "# negative turns the direction round.",
     "[limits]": "# How far beam and table may go, in degrees, and how fast.  Correct them for your mechanics before you scan.",

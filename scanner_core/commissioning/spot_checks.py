@@ -24,7 +24,7 @@ def check_spot(rig: OpenRig) -> Check:
         rig.motion.laser(False)
     after = [detector.detect(camera.grab().image) for camera in (rig.left, rig.right)]
     if any(isinstance(spot, Spot) for spot in after):
-        return Check("laser seen", "fail", "a spot stays after the laser was switched off.", "Disconnect the laser and check its driver.")
+        return Check("laser spot", "fail", "a spot stays after the laser was switched off.", "Disconnect the laser and check its driver.")
     shown = "; ".join(f"{name} {_spot_words(spot)}" for name, spot in seen.items())
     judged = {name: judge_spot(spot, detector.parameters) for name, spot in seen.items()}
     advised: dict[str, list[str]] = {}
@@ -32,7 +32,7 @@ def check_spot(rig: OpenRig) -> Check:
         if quality.grade is not SpotGrade.GOOD:
             advised.setdefault(quality.advice, []).append(name)
     remedy = " ".join(f"Camera {' and '.join(names)}: {advice}" for advice, names in advised.items())
-    return Check("laser seen", "warn" if remedy else "pass", f"{shown}; dark after switching off.", remedy)
+    return Check("laser spot", "warn" if remedy else "pass", f"{shown}; dark after switching off.", remedy)
 
 
 def _spot_words(seen: Spot | SpotMiss) -> str:

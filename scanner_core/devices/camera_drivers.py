@@ -34,6 +34,10 @@ def open_camera(config: CameraConfig, clock: Clock) -> Camera:
         from scanner_core.devices.opencv_camera import open_opencv_camera
 
         return open_opencv_camera(config, clock)
+    if config.driver == "replay":
+        from scanner_core.devices.replay_camera import open_replay
+
+        return open_replay(config, clock)
     raise UsageError("E-USE-01", what=f"There is no driver '{config.driver}' for cameras", do=f"write one of {', '.join(DRIVERS)} into the rig file")
 
 

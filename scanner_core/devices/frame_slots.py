@@ -14,6 +14,9 @@ from weakref import WeakKeyDictionary
 from scanner_core.clock import Clock
 from scanner_core.devices.camera import Trigger
 
+JITTER = 0.25
+"""How far, in periods, a frame may lie outside of its slot and still continue the count of the frame before it."""
+
 
 def slot_of(time_s: float, start_s: float, rate_hz: float) -> int:
     """Number of the period of `rate_hz` that `time_s` falls into; period 0 begins at `start_s`."""
@@ -44,12 +47,16 @@ class FrameSlots:
     def __init__(self, origin: RunOrigin, start_s: float, rate_hz: float) -> None:
         self._origin, self._start_s, self._rate_hz = origin, start_s, rate_hz
         self._first: tuple[float, int] | None = None
+        self._last: tuple[float, int] | None = None
+        """Position and slot of the last frame."""
 
     def slot(self, time_s: float) -> int | None:
         """Slot of a frame whose middle of the exposure is `time_s`; None before the run begins.
 
         From its first frame on a camera counts by the time since then, rounded, so that jitter of less than half a period
-        neither doubles nor skips a slot.
+        neither doubles nor skips a slot.  A camera that is a little faster or slower than `rate_hz` drifts to the border of two
+        slots, where that would happen frame by frame; so a frame that follows its predecessor by whole periods goes on counting
+        until it lies :data:`JITTER` periods outside of its slot: then one slot is doubled or skipped, and no more.
         """
         if self._first is None:
             # A frame in the middle of its slot: slots that begin no earlier than start_s hold no frame that was earlier.
@@ -60,7 +67,15 @@ class FrameSlots:
                 return None
             self._first = (time_s, slot)
         first_s, slot = self._first
-        return slot + round((time_s - first_s) * self._rate_hz)
+        position = slot + (time_s - first_s) * self._rate_hz
+        number = round(position)
+        if self._last is not None:
+            last_position, last = self._last
+            following = last + round(position - last_position)
+            if following > last and abs(position - following) < 0.5 + JITTER:
+                number = following
+        self._last = position, number
+        return number
 
 
 class _SharedOrigin:

@@ -13,7 +13,7 @@ from typing import Literal, Self
 from scanner_core.clock import Clock
 from scanner_core.devices.camera import CameraReport, Frame, Trigger
 from scanner_core.devices.camera_config import CameraConfig, TriggerSource
-from scanner_core.devices.frame_slots import FrameSlots
+from scanner_core.devices.frame_slots import FrameSlots, RunOrigin
 from scanner_core.devices.opencv_link import CameraLink, LinkError, StampedImage
 from scanner_core.devices.opencv_process import Assignment, Failed, OpenCapture, Setting, Source, open_with_opencv
 from scanner_core.devices.opencv_settings import Wanted
@@ -35,7 +35,7 @@ class OpenCvCamera:
     """See :class:`~scanner_core.devices.camera.Camera`.
 
     It runs freely: a run's frames are counted into its trigger ids by the middle of their exposures
-    (:class:`~scanner_core.devices.frame_slots.FrameSlots`), and two of them are as far apart as chance has it, up to one period.
+    (:class:`~scanner_core.devices.frame_slots.FrameSlots`), and two of them are as far apart as chance has it, up to half a period.
     A process of its own reads it (:mod:`~scanner_core.devices.opencv_process`).
     """
 
@@ -87,7 +87,7 @@ class OpenCvCamera:
         except LinkError as failure:
             raise self._error(failure.failed) from None
         with self._lock:
-            self._run = trigger, FrameSlots(self._clock, trigger, self.name, self._rate_hz)
+            self._run = trigger, FrameSlots(RunOrigin(self._clock, trigger, self.name), trigger.start_s, self._rate_hz)
 
     def frames(self, stop: threading.Event) -> Iterator[Frame]:
         self._ensure_open()
@@ -252,10 +252,9 @@ def _locate(config: CameraConfig, nodes: VideoNodes) -> tuple[Source, Path | Non
         if has_video_nodes():
             raise access_error(config, Access.GONE, lambda: [node.id for node in nodes.list()])
         return int(number[1]), None, f"camera {number[1]} of this machine"
-    path = nodes.resolve(config.id)
+    path = nodes.resolve(config.id).resolve()  # its stable name may vanish before the node does
     if (access := nodes.access(path)) is not Access.FREE:
         raise access_error(config, access, lambda: [node.id for node in nodes.list()])
-    path = path.resolve()  # its name of by-id may vanish before the node does
     return str(path), path, nodes.description(path)
 
 

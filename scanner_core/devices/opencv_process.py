@@ -23,14 +23,14 @@ from dataclasses import dataclass
 from multiprocessing.connection import Connection
 from multiprocessing.shared_memory import SharedMemory
 from pathlib import Path
-from typing import Any, Literal
+from typing import Literal
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.devices.opencv_settings import Capture, Taken, Wanted, set_exposure, set_gain, set_up
-from scanner_core.devices.red_channel import red_channel
+from scanner_core.devices.luminance import luminance
+from scanner_core.devices.opencv_settings import Capture, Taken, Wanted, set_exposure, set_gain, set_up, take_jpegs
 
 PLACES = 16
 READ_TIMEOUT_S = 2.0
@@ -44,6 +44,8 @@ _ENOUGH = 0.9
 _MOST_FAILURES = 10
 _FAILURE_PAUSE_S = 0.02
 _RELEASE_S = 1.0
+_OLDEST_S = 1.0
+"""A driver's time stamp that is older, or of the future, is of another clock."""
 
 Source = str | int
 OpenCapture = Callable[[Source], Capture]
@@ -145,7 +147,7 @@ class _Reader:
         self._free = deque(range(PLACES))
         self._backend = ""
         self._exposure_s = 0.0
-        self._period_s = 0.0
+        self._period_s = self._middle_s = 0.0
 
     def listen(self) -> None:
         """In a thread: pass requests on; end this process with the program, even while the driver hangs."""
@@ -173,7 +175,8 @@ class _Reader:
         taken = set_up(capture, self._assignment.wanted)
         self._exposure_s = 1e-3 * taken.exposure_ms
         self._frames.send(Opened(taken, self._backend))
-        first = _image(self._next(capture, decode=True))
+        take_jpegs(capture, taken)
+        first = self._next(capture)
         self._frames.send(FirstFrame((first.shape[0], first.shape[1])))
         rate_hz = self._measure(capture) if self._assignment.measure else 0.0
         self._period_s = 1.0 / (rate_hz or taken.rate_hz or 30.0)
@@ -187,25 +190,38 @@ class _Reader:
             self._take_back()
             while not self._requests.empty():
                 self._set(capture, self._requests.get())
-            frame = self._next(capture, decode=bool(self._free))
-            middle_s = self._middle_s(capture)
-            if frame is None or not self._free:
+            if not self._free:
+                self._grab(capture)
                 continue
-            image = _image(frame)
+            image = self._next(capture)
             if image.shape != first.shape:
                 raise _FaultError("format", f"the size changed to {image.shape[1]} x {image.shape[0]} pixels")
             place = self._free.popleft()
             np.copyto(images[place], image)
-            self._frames.send((place, middle_s))
+            self._frames.send((place, self._middle_s))
 
-    def _next(self, capture: Capture, decode: bool) -> NDArray[Any] | None:
-        """The next frame, or None of one that is only taken from the camera."""
+    def _next(self, capture: Capture) -> NDArray[np.uint8]:
+        """The image of the next frame that is whole."""
+        for _ in range(_MOST_FAILURES):
+            self._grab(capture)
+            taken, frame = capture.retrieve()
+            if taken and frame is not None:
+                try:
+                    image = luminance(frame)
+                except ValueError as fault:
+                    raise _FaultError("format", str(fault)) from None
+                if image is not None:
+                    return image
+        raise _FaultError("format", f"{_MOST_FAILURES} frames could not be decoded, one after the other")
+
+    def _grab(self, capture: Capture) -> None:
+        """Take the next frame from the camera, and remember its time."""
         failures = 0
         while not self._ending.is_set():
             began_s = time.monotonic()
-            taken, frame = capture.read() if decode else (capture.grab(), None)
-            if taken and (frame is not None or not decode):
-                return frame
+            if capture.grab():
+                self._middle_s = self._stamp_s(capture) - 0.5 * self._exposure_s
+                return
             if self._assignment.node is not None and not self._assignment.node.exists():
                 raise _FaultError("lost", f"{self._assignment.node} is gone")
             if time.monotonic() - began_s > 0.8 * READ_TIMEOUT_S:
@@ -215,19 +231,19 @@ class _Reader:
             failures += 1
             if failures == _MOST_FAILURES:
                 raise _FaultError("lost", f"{failures} reads failed, one after the other")
-            time.sleep(_FAILURE_PAUSE_S)  # a broken frame, the next one may be whole
+            time.sleep(_FAILURE_PAUSE_S)
         raise _FaultError("lost", "the program closed it")
 
     def _measure(self, capture: Capture) -> float:
         """Frames a second over one second; of a camera that falls short the best of three."""
         for _ in range(_WARM_UP_FRAMES):
-            self._next(capture, decode=True)
+            self._next(capture)
         wanted_hz = self._assignment.wanted.rate_hz
         best_hz = 0.0
         for _ in range(_MOST_MEASUREMENTS):
             start_s, seconds, count = time.monotonic(), 0.0, 0
             while seconds < _SECONDS_MEASURED:
-                self._next(capture, decode=True)
+                self._next(capture)
                 count += 1
                 seconds = time.monotonic() - start_s
             best_hz = max(best_hz, count / seconds)
@@ -235,18 +251,16 @@ class _Reader:
                 break
         return best_hz
 
-    def _middle_s(self, capture: Capture) -> float:
-        """Middle of the last frame's exposure on ``time.monotonic``.
+    def _stamp_s(self, capture: Capture) -> float:
+        """End of the last frame's exposure on ``time.monotonic``.
 
-        V4L2 stamps the begin of the exposure with that very clock.  Elsewhere there is only the arrival: reading the sensor
-        out and sending the frame takes about one period.
+        The Linux driver for USB cameras stamps a frame's first packet with that very clock; it leaves when the exposure has ended.
+        Elsewhere only the arrival of the last packet is known: reading the sensor out and sending the frame takes about one period.
         """
         now_s = time.monotonic()
-        if self._backend == "V4L2":
-            stamp_s = 1e-3 * capture.get(cv2.CAP_PROP_POS_MSEC)
-            if 0.0 <= now_s - stamp_s < 1.0:
-                return min(stamp_s + 0.5 * self._exposure_s, now_s)
-        return now_s - self._period_s - 0.5 * self._exposure_s
+        if self._backend == "V4L2" and 0.0 <= now_s - (stamp_s := 1e-3 * capture.get(cv2.CAP_PROP_POS_MSEC)) < _OLDEST_S:
+            return stamp_s
+        return now_s - self._period_s
 
     def _take_back(self) -> None:
         while self._frames.poll():
@@ -258,11 +272,3 @@ class _Reader:
         if request.name == "exposure_ms":
             self._exposure_s = 1e-3 * has
         self._control.send(Setting(request.name, has, tuple(refused)))
-
-
-def _image(frame: NDArray[Any] | None) -> NDArray[np.uint8]:
-    assert frame is not None
-    try:
-        return red_channel(frame)
-    except ValueError as fault:
-        raise _FaultError("format", str(fault)) from None

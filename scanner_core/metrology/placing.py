@@ -66,8 +66,21 @@ class BenchArtefacts:
         self._bench.change_specimen(ball_bar(centres, radius_mm))
 
 
+class RecordedArtefacts:
+    """What a recording shows stands there already."""
+
+    def put_plate(self, centre: Array, normal: Array) -> None:
+        pass
+
+    def put_sphere(self, index: int) -> None:
+        pass
+
+    def put_bar(self, centres: Array, radius_mm: float) -> None:
+        pass
+
+
 def operator_for(rig: OpenRig, operator: ArtefactOperator | None, specimen: Specimen | None = None) -> ArtefactOperator:
-    """The operator that was given, or the virtual bench's.
+    """The operator that was given, the virtual bench's, or nobody where everything is replayed.
 
     Raises
     ------
@@ -76,6 +89,8 @@ def operator_for(rig: OpenRig, operator: ArtefactOperator | None, specimen: Spec
     """
     if operator is not None:
         return operator
+    if rig.replayed:
+        return RecordedArtefacts()
     if rig.bench is None:
         raise AcquisitionError("E-MET-01")
     return BenchArtefacts(rig.bench, specimen, rig.bench.seed)

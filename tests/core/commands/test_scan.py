@@ -1,4 +1,4 @@
-"""``impronta scan`` with a calibration that has expired."""
+"""``impronta scan``: with a calibration that has expired, recorded, and replayed."""
 
 from __future__ import annotations
 
@@ -39,4 +39,36 @@ def test_an_image_model_that_makes_no_rig_leaves_no_case(tmp_path: Path, capsys:
     rig.write_text(dump_rig(replace(CONFIG, image_model={"f_number": 0.0})), encoding="utf-8")
     assert main(["scan", "--rig", str(rig), "--out", str(case)]) == 2
     assert "greater than zero" in capsys.readouterr().err
+    assert not case.exists()
+
+
+def test_a_recording_alone_suffices_to_scan_again(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    plan, other, kept = tmp_path / "plan.toml", tmp_path / "other.toml", tmp_path / "recording"
+    plan.write_text("views = 1\npoints = 40\n", encoding="utf-8")
+    other.write_text("views = 2\npoints = 40\n", encoding="utf-8")
+    rig = ["--rig", "bench", "--specimen", "sphere", "--seed", "5", "--plan", str(plan)]
+    assert main(["scan", *rig, "--record", str(kept), "--out", str(tmp_path / "a.impronta"), "--json"]) == 0
+    live = json.loads(capsys.readouterr().out)
+    assert live["recording"]["frames"]["left"] == live["recording"]["frames"]["right"] > 0
+    assert live["recording"]["error"] is None
+    replay = ["--replay", str(kept), "--out", str(tmp_path / "b.impronta"), "--json"]
+    assert main(["scan", *replay, "--plan", str(other)]) == 2
+    assert "made with another plan" in capsys.readouterr().err
+    assert main(["scan", *replay, "--fault", "frames_dropped"]) == 2
+    assert not (tmp_path / "b.impronta").exists()
+    capsys.readouterr()
+    assert main(["scan", *replay]) == 0
+    again = json.loads(capsys.readouterr().out)
+    assert "recording" not in again
+    for key in ("planned", "measured", "rejected", "skipped", "locating"):
+        assert again[key] == live[key]
+
+
+def test_what_cannot_be_recorded_or_replayed_is_told_before_anything_is_opened(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    case = tmp_path / "a.impronta"
+    (tmp_path / "letter.txt").touch()
+    assert main(["scan", "--rig", "bench", "--record", str(tmp_path), "--out", str(case)]) == 2
+    assert "holds files already" in capsys.readouterr().err
+    assert main(["scan", "--replay", str(tmp_path), "--out", str(case)]) == 1
+    assert "E-CAM-20" in capsys.readouterr().err
     assert not case.exists()

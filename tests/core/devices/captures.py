@@ -77,8 +77,8 @@ class DriverModel:
         self.frames += 1
         return True
 
-    def read(self) -> tuple[bool, NDArray[Any] | None]:
-        return (True, self.picture()) if self.grab() else (False, None)
+    def retrieve(self) -> tuple[bool, NDArray[Any] | None]:
+        return True, self.picture()
 
     def picture(self) -> NDArray[Any]:
         shape = (int(self.values[cv2.CAP_PROP_FRAME_HEIGHT]), int(self.values[cv2.CAP_PROP_FRAME_WIDTH]), 3)

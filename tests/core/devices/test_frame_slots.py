@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
+import math
+
+import numpy as np
 from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
@@ -68,3 +72,28 @@ def test_a_run_that_is_armed_again_begins_anew() -> None:
     clock, trigger = ScaledClock(), Trigger(0, 10, 1.0)
     assert _slots(clock, trigger, "left", 50.0).slot(1.015) == 0
     assert _slots(clock, trigger, "left", 50.0).slot(9.0) == 0
+
+
+@given(st.floats(-0.005, 0.005), st.integers(0, 2**32 - 1))
+def test_a_camera_that_drifts_doubles_or_skips_a_slot_once_a_period(drift: float, seed: int) -> None:
+    jitter = np.random.default_rng(seed).uniform(-0.12, 0.12, 600)
+    slots = FrameSlots(RunOrigin(ScaledClock(), Trigger(0, 600, 0.0), "left"), 0.0, 30.0)
+    seen = [slots.slot((0.7 + k * (1 + drift) + jitter[k]) / 30.0) for k in range(600)]
+    steps = [b - a for a, b in itertools.pairwise(slot for slot in seen if slot is not None)]
+    assert len(steps) >= 598
+    assert all(step in (0, 1, 2) for step in steps)
+    assert sum(step != 1 for step in steps) <= math.ceil(abs(drift) * 600 + 0.25)
+
+
+@given(
+    st.lists(st.tuples(st.floats(-0.2, 0.2), st.booleans(), st.booleans()), min_size=2, max_size=60),
+)
+def test_late_missing_and_repeated_frames_keep_the_count(frames: list[tuple[float, bool, bool]]) -> None:
+    slots = FrameSlots(RunOrigin(ScaledClock(), Trigger(0, 60, 0.0), "left"), 0.0, 50.0)
+    first = slots.slot(0.7 / 50.0)
+    for k, (jitter, missing, repeated) in enumerate(frames, 1):
+        if not missing:
+            time_s = (0.7 + k + jitter) / 50.0
+            assert slots.slot(time_s) == k + (first or 0)
+            if repeated:
+                assert slots.slot(time_s) == k + (first or 0)

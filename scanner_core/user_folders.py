@@ -1,0 +1,31 @@
+"""Where the program keeps what is the user's and no case: the window's settings, and the log."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+
+def log_folder() -> Path:
+    """Of the log; it need not exist yet."""
+    if sys.platform == "win32":
+        return _local() / "Impronta" / "log"
+    if sys.platform == "darwin" and not os.environ.get("XDG_STATE_HOME"):
+        return Path.home() / "Library" / "Logs" / "Impronta"
+    return Path(os.environ.get("XDG_STATE_HOME") or Path.home() / ".local" / "state") / "impronta"
+
+
+def settings_file() -> Path:
+    """Of the window's settings, the place that Qt calls GenericConfigLocation; a test holds it to that."""
+    if sys.platform == "win32":
+        base = _local()
+    elif sys.platform == "darwin":
+        base = Path.home() / "Library" / "Preferences"
+    else:
+        base = Path(os.environ.get("XDG_CONFIG_HOME") or Path.home() / ".config")
+    return base / "impronta" / "settings.json"
+
+
+def _local() -> Path:
+    return Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
