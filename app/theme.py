@@ -99,10 +99,6 @@ QListWidget::item {{ border-bottom: 1px solid {SEAM}; padding: 0; }}
 QListWidget::item:selected {{ background: {RAISED}; color: {TEXT}; }}
 QListWidget::item:hover {{ background: {RAISED}; }}
 QListWidget::item:focus {{ background: {RAISED}; }}
-QRadioButton {{ spacing: 8px; }}
-QRadioButton::indicator {{ width: 13px; height: 13px; border: 1px solid {MUTED}; border-radius: 7px; background: {GROUND}; }}
-QRadioButton::indicator:focus {{ border-color: {ACCENT}; }}
-QRadioButton::indicator:checked {{ border: 4px solid {ACCENT}; width: 7px; height: 7px; background: {GROUND}; }}
 QComboBox {{ background: {RAISED}; border: 1px solid {SEAM}; border-radius: 5px; padding: 3px 10px; }}
 QComboBox:hover {{ background: #373d44; }}
 QComboBox:focus {{ border-color: {ACCENT}; }}
