@@ -60,6 +60,7 @@ ACTIONS: tuple[ActionInfo, ...] = (
     ActionInfo("show_points", VIEW, QT_TRANSLATE_NOOP("actions", "&Points"), "P", "points", "show_points", checkable=True),
     ActionInfo("show_edges", VIEW, QT_TRANSLATE_NOOP("actions", "&Edges"), "E", "edges", "show_edges", checkable=True),
     ActionInfo("show_uncertainty", VIEW, QT_TRANSLATE_NOOP("actions", "&Uncertainty"), "U", "uncertainty", "show_uncertainty", checkable=True),
+    ActionInfo("support", HELP, QT_TRANSLATE_NOOP("actions", "&Support bundle…"), "", "", "show_support"),
     ActionInfo("about", HELP, QT_TRANSLATE_NOOP("actions", "&About Impronta"), "", "mark", "show_about"),
 )
 

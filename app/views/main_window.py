@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QStackedWidget, QVBoxLay
 
 from app.actions import fill_menus, make_actions
 from app.controllers.emission import Emission, emission_words
+from app.controllers.support import SupportController
 from app.draft import next_order
 from app.services import Services
 from app.undo import UndoHistory
@@ -26,6 +27,7 @@ from app.views.rail import Rail
 from app.views.scan_page import status_words
 from app.views.stage import Stage
 from app.views.status_line import StatusLine
+from app.views.support_dialog import SupportDialog
 from scanner_core import __version__
 from scanner_core.acquisition.plan import PlanRequest
 
@@ -51,10 +53,11 @@ class MainWindow(QMainWindow):
         self._told_s = 0.0
         self._lit_s = -LASER_HOLD_S
         self._emission: Emission | None = None
+        self._support: SupportDialog | None = None
         self.setWindowTitle("Impronta")
         self.actions_by_id = make_actions(self)
         fill_menus(self.menuBar(), self.actions_by_id)
-        self.banner = Banner()
+        self.banner = Banner(self.show_support)
         self.rail = Rail(PAGES, self.show_page, self.laser_off)
         self.stage = Stage([self.actions_by_id[name] for name in ("show_points", "show_edges", "show_uncertainty", "fit", "front", "top")])
         self.pages: dict[str, Page] = {}
@@ -213,6 +216,15 @@ class MainWindow(QMainWindow):
     def show_uncertainty(self, on: bool) -> None:
         self._with_scene(lambda scene: scene.set_uncertainty(on))
         self._show_legend()
+
+    def show_support(self) -> None:
+        if self._support is None:
+            support = SupportController(self.services, self)
+            self.closing.connect(support.cancel)
+            self._support = SupportDialog(support, self)
+        self._support.show()
+        self._support.raise_()
+        self._support.activateWindow()
 
     def show_about(self) -> None:
         self.banner.tell_note(
