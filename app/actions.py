@@ -52,6 +52,7 @@ ACTIONS: tuple[ActionInfo, ...] = (
     ActionInfo("start_scan", SCAN, QT_TRANSLATE_NOOP("actions", "&Start scan"), "F5", "play", "start_scan"),
     ActionInfo("pause_scan", SCAN, QT_TRANSLATE_NOOP("actions", "&Pause or resume"), "F6", "pause", "pause_scan"),
     ActionInfo("laser_off", SCAN, QT_TRANSLATE_NOOP("actions", "Stop and &laser off"), "Esc", "laser", "laser_off"),
+    ActionInfo("set_up_rig", SCAN, QT_TRANSLATE_NOOP("actions", "Set up a ri&g…"), "", "rig", "set_up_rig"),
     ActionInfo("reconstruct", SCAN, QT_TRANSLATE_NOOP("actions", "&Reconstruct"), "F7", "reconstruct", "start_reconstruction"),
     ActionInfo("fit", VIEW, QT_TRANSLATE_NOOP("actions", "&Fit"), "F", "fit", "view_fit"),
     ActionInfo("front", VIEW, QT_TRANSLATE_NOOP("actions", "F&ront"), "1", "front", "view_front"),
@@ -59,6 +60,7 @@ ACTIONS: tuple[ActionInfo, ...] = (
     ActionInfo("show_points", VIEW, QT_TRANSLATE_NOOP("actions", "&Points"), "P", "points", "show_points", checkable=True),
     ActionInfo("show_edges", VIEW, QT_TRANSLATE_NOOP("actions", "&Edges"), "E", "edges", "show_edges", checkable=True),
     ActionInfo("show_uncertainty", VIEW, QT_TRANSLATE_NOOP("actions", "&Uncertainty"), "U", "uncertainty", "show_uncertainty", checkable=True),
+    ActionInfo("support", HELP, QT_TRANSLATE_NOOP("actions", "&Support bundle…"), "", "", "show_support"),
     ActionInfo("about", HELP, QT_TRANSLATE_NOOP("actions", "&About Impronta"), "", "mark", "show_about"),
 )
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import logging
 import os
 import signal
 import sys
@@ -11,6 +10,8 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from scanner_core.log_file import logging_to_file
 
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QApplication
@@ -21,7 +22,11 @@ _STARTED_S = time.perf_counter()
 def run_window(argv: Sequence[str] = ()) -> int:
     """Open the window and stay until it is closed; returns the exit code."""
     given = _arguments(argv)
-    logging.basicConfig(level=logging.WARNING, format="%(asctime)s %(name)s %(levelname)s %(message)s")
+    with logging_to_file("the window"):
+        return _run(given)
+
+
+def _run(given: argparse.Namespace) -> int:
     if not _has_display():
         print("There is no display for the window. Nothing was started; use 'impronta demo', or start it on a desktop.", file=sys.stderr)
         return 1

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.background import Background
 from app.controllers.acquisition import AcquisitionController
+from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
 from app.controllers.export import ExportController
@@ -24,6 +25,7 @@ from app.controllers.recovery import RecoveryController
 from app.controllers.rig import RigController
 from app.controllers.shading import Shading
 from app.draft import Draft, first_order
+from app.event_log import EventLog
 from app.faults import install_hooks, remove_hooks
 from app.graphics_import import import_graphics
 from app.heartbeat import Heartbeat
@@ -34,6 +36,7 @@ from app.stop_key import StopKey
 from app.theme import apply_theme, icon
 from app.undo import UndoHistory
 from app.views.main_window import MainWindow
+from scanner_core.log_file import log_fault
 
 _DEADLINE_S = 8.0
 _SWITCH_S = 0.001
@@ -76,13 +79,18 @@ class Program(QObject):
         export = ExportController(self.background, self.settings, cases, self.tell, self)
         comparing = Comparing(self.background, self.settings, self.compare_stack, cases, self.tell, self)
         recovery = RecoveryController(self.background, self.settings, cases, acquisition, self.tell, self)
-        self.services = Services(self.settings, draft, self.background, rig, cases, acquisition, reconstruction, export, comparing, recovery)
+        assistant = AssistantController(self.background, rig, self.tell, self)
+        self.services = Services(
+            self.settings, draft, self.background, rig, cases, acquisition, reconstruction, export, comparing, recovery, assistant
+        )
         draft.load(first_order(self.settings.last_order))
+        self._event_log = EventLog(self.services, self)
         self.window = MainWindow(self.services, UndoHistory(self.undo_stack, self.compare_stack, draft, cases, self))
         self.window.closing.connect(self.shut_down)
+        rig.mended.connect(self.window.banner.retract)
         self._stop_key = StopKey(self.window.laser_off, self.window.rail.stop_button, self)
         application.installEventFilter(self._stop_key)
-        install_hooks(self.tell)
+        install_hooks(self._show)
         self._shading = Shading(self.background)
         pages = [page.tick for page in self.window.pages.values()]
         for source in (self.background.drain, acquisition.drain, reconstruction.drain, comparing.drain, self._shading.tick, *pages):
@@ -96,7 +104,11 @@ class Program(QObject):
         QTimer.singleShot(0, lambda: self._painted(case))
 
     def tell(self, fault: BaseException) -> None:
-        """From any thread: the sentence into the banner."""
+        """From any thread: the sentence into the banner, the details into the log too."""
+        log_fault(fault, "window")
+        self._show(fault)
+
+    def _show(self, fault: BaseException) -> None:
         self.background.post(lambda: self.window.banner.tell_fault(fault))
 
     # -------------------------------------------------------------------------------- start
@@ -138,6 +150,7 @@ class Program(QObject):
             ("heartbeat", self._end_heartbeat),
             ("recovery", services.recovery.shutdown),
             ("scan", lambda: services.acquisition.shutdown(_DEADLINE_S)),
+            ("assistant", lambda: services.assistant.shutdown(_DEADLINE_S)),
             ("rig", lambda: services.rig.shutdown(_DEADLINE_S)),
             ("reconstruction", services.reconstruction.shutdown),
             ("comparison", services.comparing.shutdown),
@@ -182,6 +195,7 @@ class Program(QObject):
         if application is not None:
             application.removeEventFilter(self._stop_key)
         remove_hooks()
+        self._event_log.close()
 
     def _end_window(self) -> None:
         for stack in (self.undo_stack, self.compare_stack):

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from app.background import Background
 from app.controllers.acquisition import AcquisitionController
+from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
 from app.controllers.export import ExportController
@@ -30,3 +31,4 @@ class Services:
     export: ExportController
     comparing: Comparing
     recovery: RecoveryController
+    assistant: AssistantController

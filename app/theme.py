@@ -83,6 +83,15 @@ QToolButton {{ background: transparent; border: 1px solid transparent; border-ra
 QToolButton:hover {{ background: {RAISED}; }}
 QToolButton:checked {{ background: {RAISED}; border-color: {SEAM}; }}
 QToolButton:focus {{ border-color: {ACCENT}; }}
+QRadioButton, QCheckBox[role="deliberate"] {{ spacing: 9px; }}
+QRadioButton::indicator, QCheckBox[role="deliberate"]::indicator {{ width: 14px; height: 14px; border: 1px solid {MUTED}; background: {GROUND}; }}
+QRadioButton::indicator {{ border-radius: 8px; }}
+QCheckBox[role="deliberate"]::indicator {{ border-radius: 3px; }}
+QRadioButton::indicator:disabled, QCheckBox[role="deliberate"]::indicator:disabled {{ border-color: {SEAM}; background: {PANEL}; }}
+QRadioButton::indicator:focus, QCheckBox[role="deliberate"]::indicator:focus {{ border-color: {TEXT}; }}
+QRadioButton::indicator:checked {{ background: qradialgradient(cx: 0.5, cy: 0.5, radius: 0.5, fx: 0.5, fy: 0.5,
+    stop: 0 {ACCENT}, stop: 0.55 {ACCENT}, stop: 0.65 {GROUND}, stop: 1 {GROUND}); border-color: {ACCENT}; }}
+QCheckBox[role="deliberate"]::indicator:checked {{ border-color: {ACCENT}; image: url(CHECKMARK); }}
 QProgressBar {{ background: {RAISED}; border: none; border-radius: 3px; max-height: 6px; min-height: 6px; }}
 QProgressBar::chunk {{ background: {ACCENT}; border-radius: 3px; }}
 QListWidget {{ background: transparent; border: none; outline: none; }}
@@ -145,7 +154,8 @@ def apply_theme(application: QApplication) -> None:
     font.setFeature(QFont.Tag("tnum"), 1)
     application.setFont(font)
     chevron = str(resources.files("resources") / "icons" / "chevron.svg").replace("\\", "/")
-    application.setStyleSheet(_SHEET.replace("CHEVRON", f'"{chevron}"'))
+    check = chevron.replace("chevron.svg", "ticked.svg")
+    application.setStyleSheet(_SHEET.replace("CHEVRON", f'"{chevron}"').replace("CHECKMARK", f'"{check}"'))
 
 
 @cache

@@ -16,7 +16,7 @@ import platform
 import sys
 import threading
 import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from importlib import metadata
 from pathlib import Path
@@ -38,6 +38,7 @@ _PATH_FIELDS = ("path", "case", "before", "after", "name")
 _MOST_NAMES = 500
 _log = logging.getLogger("impronta")
 _names: dict[PrivateName, None] = {}
+_sources: list[Callable[[], Iterable[PrivateName]]] = []
 _names_lock = threading.Lock()
 
 
@@ -54,6 +55,18 @@ def keep_out(names: Iterable[PrivateName]) -> None:
             _names[name] = None
         for oldest in list(_names)[: max(0, len(_names) - _MOST_NAMES)]:
             del _names[oldest]
+
+
+def keep_out_now(names: Callable[[], Iterable[PrivateName]]) -> Callable[[], None]:
+    """What must not stand in a line is asked for at every line, in the thread that writes it, until what is returned is called."""
+    with _names_lock:
+        _sources.append(names)
+
+    def forget() -> None:
+        with _names_lock, suppress(ValueError):
+            _sources.remove(names)
+
+    return forget
 
 
 @contextmanager
@@ -115,7 +128,8 @@ class LogFile(logging.Handler):
     def __init__(self, folder: Path) -> None:
         super().__init__()
         self._folder, self._path = folder, folder / NAME
-        self._redactor, self._known = Redactor(), -1
+        self._redactor = Redactor()
+        self._names: list[PrivateName] = []
         self._failed = False
         self.setFormatter(logging.Formatter("%(asctime)s [%(process)d %(threadName)s] %(levelname)s %(message)s"))
         folder.mkdir(parents=True, exist_ok=True)
@@ -136,9 +150,11 @@ class LogFile(logging.Handler):
 
     def _redacted(self, record: logging.LogRecord) -> str:
         with _names_lock:
-            names = list(_names)
-        if self._known != len(names) or len(names) == _MOST_NAMES:
-            self._redactor, self._known = Redactor(names), len(names)
+            names, sources = list(_names), list(_sources)
+        for source in sources:
+            names += source()
+        if self._names != names:
+            self._redactor, self._names = Redactor(names), names
         text = self.format(record)
         fault = record.exc_info[1] if record.exc_info else None
         extra = file_names(_files_of(fault, *(argument for argument in _arguments(record) if isinstance(argument, BaseException))))

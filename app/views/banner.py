@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QApplication, QFrame, QLabel, QPlainTextEdit, QPushButton, QToolButton, QVBoxLayout, QWidget
 
@@ -13,7 +15,8 @@ from app.views.parts import button, label, row
 class Banner(QFrame):
     """Hidden until something is said; the newest sentence replaces the one before, whose details stay listed."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, show_support: Callable[[], None] | None = None, parent: QWidget | None = None) -> None:
+        """`show_support` is offered beside the details."""
         super().__init__(parent)
         self.setProperty("role", "banner")
         self._mark = QLabel()
@@ -24,6 +27,8 @@ class Banner(QFrame):
         self._toggle.setCheckable(True)
         self._toggle.toggled.connect(self._unfold)
         self._copy = button(self.tr("Copy"), "", self._copy_details)
+        self._support = button(self.tr("Support bundle…"), "", show_support or self.dismiss)
+        self._offers_support = show_support is not None
         close = QToolButton()
         close.setIcon(icon("cross", MUTED))
         close.setToolTip(self.tr("Close this message"))
@@ -33,7 +38,7 @@ class Banner(QFrame):
         words.setSpacing(1)
         words.addWidget(self._what)
         words.addWidget(self._do)
-        line = row(self._mark, words, self._copy, self._toggle, close, spacing=12)
+        line = row(self._mark, words, self._support, self._copy, self._toggle, close, spacing=12)
         line.setStretch(1, 1)
         line.setAlignment(self._mark, Qt.AlignmentFlag.AlignVCenter)
         self._details = QPlainTextEdit()
@@ -45,12 +50,19 @@ class Banner(QFrame):
         box.addLayout(line)
         box.addWidget(self._details)
         self._before: list[str] = []
+        self._fault: BaseException | None = None
         self.dismiss()
 
     def tell_fault(self, fault: BaseException) -> None:
         """The sentence of a fault."""
         what, do = sentence_of(fault)
         self._show("fault", what, do, details_of(fault))
+        self._fault = fault
+
+    def retract(self, fault: BaseException) -> None:
+        """It has passed: its sentence goes, if it is the one that stands there."""
+        if self._fault is fault:
+            self.dismiss()
 
     def tell_note(self, what: str, do: str = "") -> None:
         """Something worth knowing that is no fault."""
@@ -67,14 +79,17 @@ class Banner(QFrame):
 
     def dismiss(self) -> None:
         self._before.clear()
+        self._fault = None
         self._toggle.setChecked(False)
         self._details.hide()
         self._copy.hide()
+        self._support.hide()
         self.hide()
 
     def _show(self, mood: str, what: str, do: str, details: str) -> None:
         if not self.isHidden() and self._details.toPlainText():
             self._before = [self._details.toPlainText(), *self._before][:5]
+        self._fault = None
         self.setProperty("mood", mood)
         self.style().unpolish(self)
         self.style().polish(self)
@@ -92,6 +107,7 @@ class Banner(QFrame):
     def _unfold(self, on: bool) -> None:
         self._details.setVisible(on)
         self._copy.setVisible(on)
+        self._support.setVisible(on and self._offers_support)
 
     def _copy_details(self) -> None:
         QApplication.clipboard().setText(f"{self._what.text()} {self._do.text()}\n\n{self._details.toPlainText()}")

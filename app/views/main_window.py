@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QStackedWidget, QVBoxLay
 
 from app.actions import fill_menus, make_actions
 from app.controllers.emission import Emission, emission_words
+from app.controllers.support import SupportController
 from app.draft import next_order
 from app.services import Services
 from app.undo import UndoHistory
@@ -20,12 +21,13 @@ from app.views import format as fmt
 from app.views.banner import Banner
 from app.views.file_dialogs import choose_file
 from app.views.page import Page
-from app.views.pages import PAGES
+from app.views.pages import ASIDE, PAGES
 from app.views.parts import seam
 from app.views.rail import Rail
 from app.views.scan_page import status_words
 from app.views.stage import Stage
 from app.views.status_line import StatusLine
+from app.views.support_dialog import SupportDialog
 from scanner_core import __version__
 from scanner_core.acquisition.plan import PlanRequest
 
@@ -51,15 +53,16 @@ class MainWindow(QMainWindow):
         self._told_s = 0.0
         self._lit_s = -LASER_HOLD_S
         self._emission: Emission | None = None
+        self._support: SupportDialog | None = None
         self.setWindowTitle("Impronta")
         self.actions_by_id = make_actions(self)
         fill_menus(self.menuBar(), self.actions_by_id)
-        self.banner = Banner()
+        self.banner = Banner(self.show_support)
         self.rail = Rail(PAGES, self.show_page, self.laser_off)
         self.stage = Stage([self.actions_by_id[name] for name in ("show_points", "show_edges", "show_uncertainty", "fit", "front", "top")])
         self.pages: dict[str, Page] = {}
         self._stack = QStackedWidget()
-        for info in PAGES:
+        for info in (*PAGES, *ASIDE):
             page = info.make(services)
             page.wanted.connect(self.show_page)
             page.intent.connect(self._do)
@@ -111,7 +114,7 @@ class MainWindow(QMainWindow):
 
     # -------------------------------------------------------------------------------- slots of the action table
     def show_page(self, page_id: str) -> None:
-        info = next(info for info in PAGES if info.id == page_id)
+        info = next(info for info in (*PAGES, *ASIDE) if info.id == page_id)
         page = self.pages[page_id]
         beside = bool(info.stage)
         if beside:
@@ -123,7 +126,7 @@ class MainWindow(QMainWindow):
         if not beside:
             self._stack.setMinimumWidth(0)
             self._stack.setMaximumWidth(16_777_215)
-        self.rail.show_page(page_id)
+        self.rail.show_page(info.of or page_id)
         self._show_whose()
         page.entered()
 
@@ -156,6 +159,9 @@ class MainWindow(QMainWindow):
     def show_export(self) -> None:
         self.show_page("export")
 
+    def set_up_rig(self) -> None:
+        self.show_page("assistant")
+
     def undo(self) -> None:
         self._undo.undo()
 
@@ -180,6 +186,7 @@ class MainWindow(QMainWindow):
             self.services.acquisition.stop()
         else:
             self.services.rig.laser_off()
+            self.services.assistant.laser_off()
 
     def start_reconstruction(self) -> None:
         if not self.services.acquisition.running:
@@ -209,6 +216,15 @@ class MainWindow(QMainWindow):
     def show_uncertainty(self, on: bool) -> None:
         self._with_scene(lambda scene: scene.set_uncertainty(on))
         self._show_legend()
+
+    def show_support(self) -> None:
+        if self._support is None:
+            support = SupportController(self.services, self)
+            self.closing.connect(support.cancel)
+            self._support = SupportDialog(support, self)
+        self._support.show()
+        self._support.raise_()
+        self._support.activateWindow()
 
     def show_about(self) -> None:
         self.banner.tell_note(
@@ -249,6 +265,7 @@ class MainWindow(QMainWindow):
         services.reconstruction.changed.connect(self._show_activity)
         services.comparing.answers.changed.connect(self._show_activity)
         services.comparing.draft.changed.connect(self._show_whose)
+        services.assistant.changed.connect(self._show_activity)
         self._undo.changed.connect(self._show_undo)
         self.rail.show_order(services.draft.values)
 
@@ -371,6 +388,8 @@ class MainWindow(QMainWindow):
             text = self.tr("Comparing")
         elif services.rig.snapshot.calibrating is not None:
             text = self.tr("Calibrating")
+        elif services.assistant.snapshot.busy:
+            text = self.tr("Setting up a rig")
         elif services.case.computing:
             text = self.tr("Computing the points anew…")
         elif services.case.opening:
@@ -384,7 +403,8 @@ class MainWindow(QMainWindow):
     def _show_laser(self) -> None:
         """Lit while the controller reports emission, and a moment longer: between two rows it is dark too briefly to be told."""
         now = time.monotonic()
-        emission = self.services.rig.emission
+        services = self.services
+        emission = services.assistant.emission if services.assistant.holds_devices else services.rig.emission
         if emission is Emission.LIT:
             self._lit_s = now
         elif emission is Emission.DARK and now - self._lit_s < LASER_HOLD_S:

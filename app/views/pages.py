@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from app.translation import QT_TRANSLATE_NOOP
+from app.views.assistant_page import AssistantPage
 from app.views.compare_page import ComparePage
 from app.views.export_page import ExportPage
 from app.views.home_page import HomePage
@@ -21,6 +22,7 @@ class PageInfo:
     Attributes
     ----------
     stage : title over the 3D view that stands beside the page, or empty when the page fills the window
+    of : id of the page of the rail that it belongs to, for a page without a place of its own there
     """
 
     id: str
@@ -28,6 +30,7 @@ class PageInfo:
     icon: str
     make: MakePage
     stage: str = ""
+    of: str = ""
 
 
 PAGES: tuple[PageInfo, ...] = (
@@ -38,3 +41,6 @@ PAGES: tuple[PageInfo, ...] = (
     PageInfo("export", QT_TRANSLATE_NOOP("pages", "Export"), "export", ExportPage, stage=QT_TRANSLATE_NOOP("pages", "What is exported")),
     PageInfo("compare", QT_TRANSLATE_NOOP("pages", "Compare"), "compare", ComparePage),
 )
+
+ASIDE: tuple[PageInfo, ...] = (PageInfo("assistant", QT_TRANSLATE_NOOP("pages", "Set up a rig"), "rig", AssistantPage, of="rig"),)
+"""What is done once, not for every order: not in the rail."""

@@ -36,6 +36,15 @@ def give_role(made: QLabel, role: str) -> None:
         made.style().polish(made)
 
 
+def make_primary(made: QWidget, primary: bool) -> None:
+    """Whether a button that is already shown is what is to be done next."""
+    role = "primary" if primary else ""
+    if made.property("role") != role:
+        made.setProperty("role", role)
+        made.style().unpolish(made)
+        made.style().polish(made)
+
+
 def seam(*, upright: bool = False) -> QFrame:
     """A line of one pixel instead of a frame."""
     made = QFrame()

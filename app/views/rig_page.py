@@ -18,7 +18,7 @@ from app.views.camera_preview import CameraPreview
 from app.views.device_list import DeviceList
 from app.views.fault_panel import FaultPanel
 from app.views.page import Page
-from app.views.parts import label, row, scrolled, seam
+from app.views.parts import button, label, row, scrolled, seam
 from app.views.rig_choice import RigChoice
 from app.views.transcript_window import TranscriptWindow
 
@@ -37,10 +37,14 @@ class RigPage(Page):
         self._transcript: TranscriptWindow | None = None
         self._preparing = False
         self.choice = RigChoice(services.rig)
+        self.set_up = button(self.tr("Set up a rig…"), "link", lambda: self.wanted.emit("assistant"))
+        self.set_up.setToolTip(self.tr("Finds ports and cameras, checks them by what the cameras see, and writes a rig file"))
+        self.choice.more.addWidget(self.set_up)
+        self.choice.more.addStretch(1)
         self.devices = DeviceList(services.rig, self.show_transcript)
         self.calibration = CalibrationPanel(services.rig, self._calibrate)
         self.board = BoardWatchView()
-        self.progress = CalibratingPanel(services.rig)
+        self.progress = CalibratingPanel(services.rig, self.show_transcript)
         self.by_hand = ByHandPanel(services.settings, self._begin_by_hand, lambda: self._prepare(False))
         self.faults = FaultPanel(services.rig)
         self._lefts, self._rights = QStackedWidget(), QStackedWidget()

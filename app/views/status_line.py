@@ -60,8 +60,10 @@ class StatusLine(QFrame):
         """Of both; what keeps the rig from being open when it is another device, or its file."""
         if rig.connected:
             return "good", self.tr("Cameras ready")
-        if rig.failure is None or rig.opening:
+        if rig.opening:
             return "idle", self.tr("Cameras opening")
+        if rig.failure is None:
+            return "idle", self.tr("Cameras not open")
         words = {
             LEFT: self.tr("Camera left not available"),
             RIGHT: self.tr("Camera right not available"),

@@ -94,7 +94,7 @@ def _values(bundle: SupportBundle, kept: SupportBundle, out: Path | None) -> dic
         }
         for entry in bundle.entries
     ]
-    return {"out": None if out is None else str(out), "entries": entries, "replaced": dict(bundle.replaced)}
+    return {"out": None if out is None else str(out), "entries": entries, "replaced": kept.replaced}
 
 
 def _lines(bundle: SupportBundle, kept: SupportBundle, out: Path | None) -> list[str]:
@@ -104,7 +104,7 @@ def _lines(bundle: SupportBundle, kept: SupportBundle, out: Path | None) -> list
         lines.append(f"{entry.name:<16} {len(entry.content):>9} bytes  {entry.about}{left}")
         if out is None:
             lines += [f"    {line}" for line in _first_lines(entry.text)]
-    taken = ", ".join(f"{mark} {count}" for mark, count in sorted(bundle.replaced.items()))
+    taken = ", ".join(f"{mark} {count}" for mark, count in sorted(kept.replaced.items()))
     lines.append(f"Taken out: {taken or 'nothing'}.")
     lines.append("Nothing was written; save it with --out FILE.zip." if out is None else f"Written to {out}; look through it before you send it.")
     return lines

@@ -1,14 +1,13 @@
 """Basler cameras (USB3 and GigE) through the SDK pypylon, which is the extra ``impronta[basler]``.
 
-With a software trigger exposure k of a run is commanded at its planned time of the rig's clock, one at a time, by the same rule
-in both cameras.  A camera that runs freely or on the edges of a trigger line is counted into the planned exposures by the times
-of its frames (:mod:`~scanner_core.devices.frame_slots`, :mod:`~scanner_core.devices.basler_times`).  Lost and incomplete
-frames are gaps, told by the camera's own frame numbers and counted.
+With a software trigger exposure k of a run is commanded at its planned time of the rig's clock, in both cameras together
+(:mod:`~scanner_core.devices.basler_commands`).  A camera that runs freely or on the edges of a trigger line is counted into the
+planned exposures by the times of its frames (:mod:`~scanner_core.devices.frame_slots`, :mod:`~scanner_core.devices.basler_times`).
+Lost and incomplete frames are gaps, told by the camera's own frame numbers and counted.
 """
 
 from __future__ import annotations
 
-import math
 import threading
 import time
 from collections.abc import Iterator
@@ -19,11 +18,12 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.clock import Clock, Pacer
+from scanner_core.clock import Clock
+from scanner_core.devices.basler_commands import CommandedCamera, join_run
 from scanner_core.devices.basler_features import BaslerFeatures
 from scanner_core.devices.basler_sdk import DRIVER, BaslerSdk, as_device_error, load_sdk, open_device
 from scanner_core.devices.basler_settings import apply, exposure_ms, gain_db, possible_hz, select_trigger, set_exposure_ms, set_gain_db
-from scanner_core.devices.basler_stream import BaslerFrame, BaslerStream, frames_between
+from scanner_core.devices.basler_stream import BaslerFrame, BaslerStream
 from scanner_core.devices.basler_times import BaslerTimes
 from scanner_core.devices.camera import CameraReport, Frame, Trigger
 from scanner_core.devices.camera_config import CameraConfig, TriggerSource
@@ -31,9 +31,9 @@ from scanner_core.devices.frame_slots import FrameSlots, RunOrigin
 from scanner_core.errors import DeviceClosedError, DeviceError, DeviceTimeoutError
 
 SILENCE_S = 2.0
-"""A camera that owes a frame for so long has failed; real time, beyond the exposure."""
+"""A camera that owes a frame for so long has failed; real time, beyond period and exposure."""
 _ANSWER_S = 0.5
-"""After which a commanded frame that did not come is a gap."""
+"""After its last exposure a run is over when nothing more came for so long."""
 _POLL_S = 0.1
 _LAST_SLOTS = 2
 """A run that lacks so few frames at its end is over when their time is."""
@@ -64,7 +64,7 @@ class _Run:
 
     trigger: Trigger
     origin: RunOrigin
-    pacer: Pacer
+    commands: CommandedCamera | None
 
 
 class BaslerCamera:
@@ -119,9 +119,8 @@ class BaslerCamera:
             self._end_run()
             self._times.begin()
             self._stream.begin()
-            if self._commanded:
-                self._stream.discard()  # late answers to a run before
-            self._run = _Run(trigger, RunOrigin(self._clock, trigger, self.name), self._clock.pace())
+            commands = join_run(self._clock, trigger, self.rate_hz, self.name, self._stream) if self._commanded else None
+            self._run = _Run(trigger, RunOrigin(self._clock, trigger, self.name), commands)
 
     def frames(self, stop: threading.Event) -> Iterator[Frame]:
         self._ensure_open()
@@ -131,7 +130,10 @@ class BaslerCamera:
             return
         try:
             with self._told():
-                yield from self._commanded_frames(run, stop) if self._commanded else self._counted_frames(run, stop)
+                if run.commands is None:
+                    yield from self._counted_frames(run, stop)
+                else:
+                    yield from self._commanded_frames(run, run.commands, stop)
         finally:
             with self._lock, suppress(DeviceError):  # what befell the camera is on its way already, or met by the next call
                 if self._run is run:
@@ -141,7 +143,6 @@ class BaslerCamera:
     def grab(self) -> Frame:
         with self._told(), self._lock:
             self._end_run()
-            self._stream.end()
             hardware = self._config.trigger is TriggerSource.HARDWARE
             if hardware:
                 select_trigger(self._features, "Software")
@@ -149,7 +150,7 @@ class BaslerCamera:
                 self._times.begin()
                 self._stream.begin()
                 if self._commanded or hardware:
-                    self._stream.await_ready()
+                    self._stream.await_ready(SILENCE_S)
                     self._stream.command()
                 end_s = time.monotonic() + self._patience_s
                 while (frame := self._stream.read(end_s - time.monotonic(), self._closed.is_set)) is not None:
@@ -199,38 +200,34 @@ class BaslerCamera:
     def _commanded(self) -> bool:
         return self._config.trigger is TriggerSource.SOFTWARE
 
-    def _commanded_frames(self, run: _Run, stop: threading.Event) -> Iterator[Frame]:
-        count = run.trigger.count
-        begin_s = run.origin.settle(max(run.trigger.start_s, self._clock.now_s()))
-        k = unanswered = 0
-        while k < count:
-            planned_s = begin_s + k / self.rate_hz
-            self._stream.await_ready()
-            if not run.pacer.wait_until(planned_s, stop) or self._closed.is_set():
-                return
-            behind = math.ceil((self._clock.now_s() - planned_s) * self.rate_hz - 0.5)
-            if behind > 0:  # the reader was slow: these instants are past, and the other camera has taken them
-                self._dropped += min(behind, count - k)
-                k += behind
-                continue
-            commanded_s = self._clock.now_s()
-            self._stream.command()
-            frame = self._stream.read(_ANSWER_S + 1e-3 * self._exposure_ms, lambda: stop.is_set() or self._closed.is_set())
+    def _commanded_frames(self, run: _Run, commands: CommandedCamera, stop: threading.Event) -> Iterator[Frame]:
+        commands.begin()
+        heard_s = time.monotonic()
+        while not (commands.ended and commands.unanswered == 0):
+            frame = self._stream.read(_POLL_S, lambda: stop.is_set() or self._closed.is_set())
             if stop.is_set() or self._closed.is_set():
                 return
+            if commands.error is not None:
+                raise commands.error
             if frame is None:
-                unanswered += 1
-                if unanswered * _ANSWER_S >= SILENCE_S:
+                silence_s = time.monotonic() - heard_s
+                if self._clock.now_s() < run.trigger.start_s:
+                    heard_s = time.monotonic()
+                elif commands.ended and silence_s > _ANSWER_S + 1e-3 * self._exposure_ms:
+                    break
+                elif silence_s > self._patience_s:
                     raise self._silent()
-                self._stream.end()  # an answer that is still to come must not pass for the next one
-                self._stream.begin()
-            if frame is None or frame.image is None:
-                self._dropped += 1
-            else:
-                unanswered = 0
+                continue
+            heard_s = time.monotonic()
+            answer = commands.answer(frame.number)
+            if answer is None:
+                continue
+            lost, place, commanded_s = answer
+            self._dropped += lost + (frame.image is None)
+            if frame.image is not None:
                 begun_s = self._begun_s(frame) if self._times.stamped(frame) else commanded_s
-                yield self._frame(frame.image, run.trigger.first_id + k, begun_s)
-            k += 1
+                yield self._frame(frame.image, run.trigger.first_id + place, begun_s)
+        self._dropped += commands.unanswered
 
     def _counted_frames(self, run: _Run, stop: threading.Event) -> Iterator[Frame]:
         slots = FrameSlots(run.origin, run.trigger.start_s, self.rate_hz)
@@ -251,7 +248,7 @@ class BaslerCamera:
                 continue
             heard_s = time.monotonic()
             if number is not None and frame.number is not None:
-                self._dropped += frames_between(number, frame.number)
+                self._dropped += frame.number - number - 1
             number = frame.number
             if frame.image is None:
                 self._dropped += 1
@@ -280,7 +277,7 @@ class BaslerCamera:
 
     @property
     def _patience_s(self) -> float:
-        return SILENCE_S + 1e-3 * self._exposure_ms
+        return SILENCE_S + 1e-3 * self._exposure_ms + 1.0 / self.rate_hz
 
     def _silent(self) -> DeviceError:
         if self._closed.is_set():
@@ -291,12 +288,13 @@ class BaslerCamera:
         return DeviceTimeoutError("E-CAM-01", camera=self.name, seconds=seconds)
 
     def _end_run(self) -> None:
-        """With the lock held.  A camera that waits for commands goes on waiting, the others rest."""
+        """With the lock held."""
         if self._run is not None:
-            self._run.pacer.close()
-            self._run = None
-            if not self._commanded:
-                self._stream.end()
+            commands, self._run = self._run.commands, None
+            if commands is not None:
+                commands.leave()
+                self._dropped += commands.skipped
+            self._stream.end()
 
     @contextmanager
     def _told(self) -> Iterator[None]:

@@ -17,8 +17,8 @@ from scanner_core.errors import DeviceError, DeviceLostError
 BUFFER_FRAMES = 16
 """Frames that the SDK holds for a slow reader; later ones are lost."""
 _POLL_S = 0.1
-_READY_S = 0.2
 _NO_NUMBER = (1 << 64) - 1
+_GIGE = "BaslerGigE"
 _GIGE_NUMBERS = 65535
 """GigE counts frames from 1 to this and begins again; USB3 counts from 0 in 64 bits."""
 
@@ -30,7 +30,7 @@ class BaslerFrame:
     Attributes
     ----------
     image : (H, W) uint8, a copy of its own; None of a frame that came incomplete
-    number : the camera's own, counted since the stream began; None where its transport has none
+    number : the camera's own, from 0 when the stream begins; None where its transport has none
     ticks : the camera's counter when the exposure began; 0 where it stamps none
     arrived_s : on the rig's clock
     """
@@ -47,6 +47,8 @@ class BaslerStream:
     def __init__(self, sdk: BaslerSdk, device: Any, camera: str, size_px: tuple[int, int], clock: Clock) -> None:
         self._sdk, self._device, self._camera, self._clock = sdk, device, camera, clock
         self._shape = (size_px[1], size_px[0])
+        self._gige = str(device.GetDeviceInfo().GetDeviceClass()) == _GIGE
+        self._last = -1
         with as_device_error(sdk, device, camera):
             device.MaxNumBuffer.SetValue(BUFFER_FRAMES)
 
@@ -54,6 +56,7 @@ class BaslerStream:
         """Begin to deliver, numbered anew; nothing happens when it delivers already."""
         with as_device_error(self._sdk, self._device, self._camera):
             if not self._device.IsGrabbing():
+                self._last = -1
                 self._device.StartGrabbing(self._sdk.pylon.GrabStrategy_OneByOne)
 
     def end(self) -> None:
@@ -61,21 +64,17 @@ class BaslerStream:
         with as_device_error(self._sdk, self._device, self._camera):
             self._device.StopGrabbing()
 
-    def await_ready(self) -> None:
-        """Wait until a command will be obeyed, where the camera can tell; one that is never ready will not answer either."""
+    def await_ready(self, timeout_s: float) -> bool:
+        """Whether a command will be obeyed, waiting for it; True where the camera cannot tell."""
         with as_device_error(self._sdk, self._device, self._camera):
-            if self._device.CanWaitForFrameTriggerReady():
-                self._device.WaitForFrameTriggerReady(round(1e3 * _READY_S), self._sdk.pylon.TimeoutHandling_Return)
+            if not self._device.CanWaitForFrameTriggerReady():
+                return True
+            return bool(self._device.WaitForFrameTriggerReady(round(1e3 * timeout_s), self._sdk.pylon.TimeoutHandling_Return))
 
     def command(self) -> None:
         """Software trigger."""
         with as_device_error(self._sdk, self._device, self._camera):
             self._device.ExecuteSoftwareTrigger()
-
-    def discard(self) -> None:
-        """Drop what waits to be read."""
-        while self._retrieve(0.0) is not None:
-            pass
 
     def read(self, timeout_s: float, stopped: Callable[[], bool]) -> BaslerFrame | None:
         """The next frame; None after the timeout (real time), and soon after it is stopped.
@@ -102,9 +101,9 @@ class BaslerStream:
                 return None
             arrived_s = self._clock.now_s()
             try:
-                number = int(result.BlockID)
+                number = self._number(int(result.BlockID))
                 image = result.GetArray() if result.GrabSucceeded() else None
-                frame = BaslerFrame(image, None if number == _NO_NUMBER else number, int(result.TimeStamp), arrived_s)
+                frame = BaslerFrame(image, number, int(result.TimeStamp), arrived_s)
             finally:
                 result.Release()
         if image is not None and (image.shape != self._shape or image.dtype != np.uint8):
@@ -112,9 +111,13 @@ class BaslerStream:
             raise DeviceError("E-CAM-08", camera=self._camera, reason=f"it delivers {size} pixels of the type {image.dtype}")
         return frame
 
+    def _number(self, told: int) -> int | None:
+        if told == _NO_NUMBER:
+            return None
+        self._last = unwrapped(told, self._last) if self._gige else told
+        return self._last
 
-def frames_between(number: int, following: int) -> int:
-    """How many frames are missing between two that followed each other."""
-    if following <= number:
-        following += _GIGE_NUMBERS
-    return following - number - 1
+
+def unwrapped(told: int, last: int) -> int:
+    """The number from 0 of a frame that GigE calls `told`, when the one before it had the number `last`."""
+    return last + 1 + (told - 2 - last) % _GIGE_NUMBERS

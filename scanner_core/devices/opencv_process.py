@@ -65,6 +65,10 @@ class Assignment:
     measure: bool = True
 
 
+class Started:
+    """The process runs, and turns to the camera."""
+
+
 @dataclass(frozen=True, slots=True)
 class Opened:
     """The camera is open and set."""
@@ -159,6 +163,7 @@ class _Reader:
         os._exit(1)
 
     def run(self, open_capture: OpenCapture) -> None:
+        self._frames.send(Started())
         try:
             capture = open_capture(self._assignment.source)
             try:
@@ -169,6 +174,8 @@ class _Reader:
                 capture.release()
         except _FaultError as fault:
             self._frames.send(fault.failed)
+        except Exception as fault:  # of OpenCV, which raises what its drivers throw: nobody else would see it
+            self._frames.send(Failed("lost", repr(fault)))
 
     def _serve(self, capture: Capture) -> None:
         self._backend = capture.getBackendName()

@@ -26,8 +26,8 @@ from scanner_core.support.redaction import Redactor
 from scanner_core.user_folders import log_folder
 
 README = "README.txt"
-_PERSONAL = ("recent_cases", "last_order", "case_folder", "export_folder")
-"""Settings that name orders or folders."""
+_PERSONAL = ("recent_cases", "last_order", "case_folder", "export_folder", "own_rigs")
+"""Settings that name orders, files or folders."""
 _MOST_LOG_BYTES = 2_000_000
 """Of one log file, its end; the program's own have 1 MB."""
 _WORDS = {
@@ -65,10 +65,15 @@ class BundleEntry:
 
 @dataclass(frozen=True, slots=True)
 class SupportBundle:
-    """What would be saved; `replaced` counts what was taken out, by what stands in its place."""
+    """What would be saved."""
 
     entries: tuple[BundleEntry, ...]
-    replaced: Mapping[str, int]
+
+    @property
+    def replaced(self) -> dict[str, int]:
+        """How often what stands in the place of a name, also of one that was taken out when the log was written."""
+        counts = {mark.value: sum(entry.text.count(mark) for entry in self.entries) for mark in Mark}
+        return {mark: count for mark, count in counts.items() if count}
 
     def without(self, names: Sequence[str]) -> SupportBundle:
         """Fewer entries.
@@ -82,7 +87,7 @@ class SupportBundle:
         for name in names:
             if name not in known:
                 raise UsageError("E-SUP-01", name=name, known=", ".join(known))
-        return SupportBundle(tuple(entry for entry in self.entries if entry.name not in names), self.replaced)
+        return SupportBundle(tuple(entry for entry in self.entries if entry.name not in names))
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,7 +146,7 @@ def collect(sources: SupportSources, *, progress: OnProgress, cancelled: IsCance
         step("names", 0.85 + 0.15 * number / len(entries))
         clean.append(BundleEntry(name, kind, about, redact(text).encode("utf-8", "backslashreplace")))
     progress(Progress("names", 1.0))
-    return SupportBundle(tuple(clean), dict(redact.replaced))
+    return SupportBundle(tuple(clean))
 
 
 def write_bundle(bundle: SupportBundle, path: Path, *, force: bool = False) -> None:
@@ -253,8 +258,8 @@ def _case_places(sources: SupportSources) -> tuple[list[Path], list[Path]]:
 def _settings_names(settings: Mapping[str, Any]) -> list[PrivateName]:
     folders = [str(settings[key]) for key in ("case_folder", "export_folder") if settings.get(key)]
     order = str(settings.get("last_order") or "")
-    specimen = str(settings.get("specimen") or "")
-    files = [*_strings(settings.get("recent_cases")), *([specimen] if Path(specimen).suffix else [])]
+    chosen = [str(settings.get(key) or "") for key in ("specimen", "preset")]
+    files = [*_strings(settings.get("recent_cases")), *_strings(settings.get("own_rigs")), *(name for name in chosen if Path(name).suffix)]
     return [*order_names(order), *file_names(files), *folder_names(folders)]
 
 

@@ -11,7 +11,6 @@ import json
 import re
 import sys
 import unicodedata
-from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
 from urllib.parse import quote
@@ -37,10 +36,9 @@ _MAIL = re.compile(r"(?<![\w.+-])[\w.+-]{1,64}@[\w-]+(?:\.[\w-]+)+")
 
 
 class Redactor:
-    """Call it with a text; `replaced` counts what it took out, by mark."""
+    """Call it with a text."""
 
     def __init__(self, names: Iterable[PrivateName] = ()) -> None:
-        self.replaced: Counter[str] = Counter()
         self._marks: dict[str, Mark] = {}
         for name in names:
             for variant in _variants(name.text):
@@ -63,20 +61,13 @@ class Redactor:
         return re.sub("|".join(there), self._mark, text, flags=re.IGNORECASE) if there else text
 
     def _without_paths(self, text: str) -> str:
-        text = _QUOTED.sub(lambda found: found[0] if _is_ours(found[0][1:]) else self._file(found[1], found[2], found[1]), text)
-        text = _ABSOLUTE.sub(lambda found: self._file("", found[1]), text)
-        text = _BARE.sub(lambda found: found[0] if _is_ours(found[0]) else self._file("", found[1]), text)
-        return _BENEATH_HOME.sub(lambda found: f"{found['quote'] or ''}~/{self._count(Mark.FOLDER)}", text)
+        text = _QUOTED.sub(lambda found: found[0] if _is_ours(found[0][1:]) else f"{found[1]}{Mark.FILE}{found[2]}{found[1]}", text)
+        text = _ABSOLUTE.sub(lambda found: f"{Mark.FILE}{found[1]}", text)
+        text = _BARE.sub(lambda found: found[0] if _is_ours(found[0]) else f"{Mark.FILE}{found[1]}", text)
+        return _BENEATH_HOME.sub(lambda found: f"{found['quote'] or ''}~/{Mark.FOLDER}", text)
 
     def _mark(self, found: re.Match[str]) -> str:
-        return self._count(self._marks.get(found[0].lower(), Mark.FILE))  # letters that only Unicode's case folding makes equal
-
-    def _file(self, before: str, suffix: str, after: str = "") -> str:
-        return f"{before}{self._count(Mark.FILE)}{suffix}{after}"
-
-    def _count(self, mark: Mark) -> str:
-        self.replaced[mark.value] += 1
-        return mark.value
+        return self._marks.get(found[0].lower(), Mark.FILE).value  # letters that only Unicode's case folding makes equal
 
 
 def _is_ours(text: str) -> bool:

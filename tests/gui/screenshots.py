@@ -25,7 +25,9 @@ from app.main import make_application
 from app.program import Program
 from app.views.compare_page import ComparePage
 from app.views.rig_page import RigPage
+from app.views.support_dialog import SupportDialog
 from scanner_core.comparison.parameters import Frame, Jaw
+from scanner_core.log_file import logging_to_file
 from tests.gui.compare_pair import write_pair
 from tests.gui.waiting import until, wait_ms
 
@@ -50,16 +52,17 @@ def run(folder: Path, specimen: str, points: int, heartbeat: Path | None) -> Non
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as home:
         os.environ["HOME"] = home
+        os.environ["XDG_STATE_HOME"] = str(Path(home) / "state")
         settings = Path(home) / "settings.json"
         cases = Path(home) / "Documents" / "Impronta"
         kept = {"case_folder": str(cases), "export_folder": str(cases), "specimen": specimen, "window": list(SIZE), "language": "en"}
         settings.write_text(json.dumps(kept))
-        application = make_application()
-        program = Program(application, started_s=time.perf_counter(), settings_file=settings, heartbeat_file=heartbeat)
-        try:
-            tour(program, folder, points)
-        finally:
-            program.window.close()
+        with logging_to_file("the window"):
+            program = Program(make_application(), started_s=time.perf_counter(), settings_file=settings, heartbeat_file=heartbeat)
+            try:
+                tour(program, folder, points)
+            finally:
+                program.window.close()
 
 
 def tour(program: Program, folder: Path, points: int) -> None:
@@ -151,6 +154,14 @@ def go_wrong(program: Program, folder: Path, points: int) -> None:
     assert isinstance(page, RigPage)
     page.faults.toggle.click()
     shoot(program, folder / "faults.png")
+    window.show_support()
+    dialog = window.findChild(SupportDialog)
+    assert dialog is not None
+    until(lambda: dialog.entries.count(), 60, "the support bundle")
+    dialog.move(window.x() + 150, window.y() + 90)
+    dialog.entries.setCurrentRow(dialog.entries.count() - 1)
+    shoot(program, folder / "support.png")
+    dialog.close()
 
 
 def main() -> int:

@@ -46,10 +46,15 @@ def basler_config(
 
 def write_images(folder: Path, images: Sequence[NDArray[np.uint8]]) -> Path:
     """A folder of images for :func:`show`."""
-    folder.mkdir(parents=True, exist_ok=True)
     for k, image in enumerate(images):
-        assert cv2.imwrite(os.fspath(folder / f"{k:06d}.tif"), image, _UNCOMPRESSED)
+        write_image(folder, k, image)
     return folder
+
+
+def write_image(folder: Path, k: int, image: NDArray[np.uint8]) -> None:
+    """The image that comes after `k` others."""
+    folder.mkdir(parents=True, exist_ok=True)
+    assert cv2.imwrite(os.fspath(folder / f"{k:06d}.tif"), image, _UNCOMPRESSED)
 
 
 def device_of(camera: BaslerCamera) -> Any:

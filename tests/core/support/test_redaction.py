@@ -68,9 +68,3 @@ def test_the_programs_own_files_are_told_by_their_place_in_it() -> None:
 
 def test_a_devices_name_is_no_files() -> None:
     assert file_names(["/dev/ttyUSB0", "bench"]) == []
-
-
-def test_counts_say_what_was_taken_out() -> None:
-    redact = Redactor(order_names("2026-0142"))
-    redact("2026-0142 and 2026-0142.impronta")
-    assert redact.replaced == {"[order]": 2, "[file]": 1}
