@@ -172,7 +172,7 @@ def _parser() -> argparse.ArgumentParser:
     _virtual(doctor)
 
     support = _command(commands, "support", "one archive for whoever helps: log, versions, rig, transcript and doctor's report, without names")
-    support.add_argument("--rig", default="bench", metavar="RIG.toml", help="a rig file, or the name of a preset")
+    support.add_argument("--rig", metavar="RIG.toml", help="a rig file, or the name of a preset (default: find devices)")
     support.add_argument("--out", metavar="FILE.zip", help="where to write it; nothing is sent")
     support.add_argument("--list", action="store_true", help="only show what would go in")
     support.add_argument("--without", action="append", default=[], metavar="NAME", help="leave an entry out; may be repeated")
