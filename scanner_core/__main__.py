@@ -87,11 +87,6 @@ def _as_interrupt(_number: int, _frame: object) -> None:
     raise KeyboardInterrupt
 
 
-def parse(words: Sequence[str]) -> argparse.Namespace:
-    """The arguments of a subcommand, for one that needs another."""
-    return _parser().parse_args(words)
-
-
 def _parser() -> argparse.ArgumentParser:
     about = "Measure anatomical parts without touching them. Without a subcommand the window opens."
     parser = argparse.ArgumentParser(prog="impronta", description=about)
@@ -110,7 +105,7 @@ def _parser() -> argparse.ArgumentParser:
     _virtual(demo)
 
     calibrate = _command(commands, "calibrate", "stereo, scale and turntable axis from ChArUco views and a known length")
-    calibrate.add_argument("--rig", required=True, metavar="RIG.toml", help="a rig file, or the name of a preset")
+    _measuring_rig(calibrate)
     calibrate.add_argument("--out", metavar="RIG.toml", help="the rig with its new calibration (default: report only)")
     calibrate.add_argument("--force", action="store_true", help="overwrite a rig file that is there")
     calibrate.add_argument("--length-mm", type=_positive, default=None, metavar="L", help="certified length of the length bar (virtual rig: 150)")
