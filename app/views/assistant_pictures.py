@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -46,6 +45,8 @@ class CheckPicture(CameraPreview):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(QColor(ACCENT), 1.6))
         painter.drawEllipse(at, _REACH, _REACH)
+        if self._zoom < 3:
+            self._lens(painter, self.mark_px, at)
 
 
 class AssistantPictures(QWidget):
@@ -87,14 +88,13 @@ class AssistantPictures(QWidget):
         self.to_live.show()
         for preview in self.live.values():
             preview.hide()
-        marks = _marks(made.values)
         kinds: list[str] = []
         for name, image in made.pictures.items():
             side, _, kind = name.partition(" ")
             if kind not in kinds:
                 kinds.append(kind)
             picture = CheckPicture(picture_name(side, kind))
-            picture.show_picture(image, marks.get(side))
+            picture.show_picture(image, made.spots_px.get(name))
             self._grid.addWidget(picture, 1 + kinds.index(kind), int(side == "right"))
             self.shown[name] = picture
 
@@ -107,13 +107,3 @@ class AssistantPictures(QWidget):
             self._grid.removeWidget(picture)
             picture.deleteLater()
         self.shown = {}
-
-
-def _marks(values: Mapping[str, object]) -> dict[str, tuple[float, float]]:
-    """Where a check found the spot, by camera."""
-    marks = {}
-    for side in ("left", "right"):
-        place = values.get(f"{side}_spot_px")
-        if isinstance(place, list | tuple) and len(place) == 2:
-            marks[side] = (float(place[0]), float(place[1]))
-    return marks

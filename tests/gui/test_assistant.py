@@ -263,7 +263,7 @@ def test_the_whole_way_on_the_virtual_rig(shared_program: Program, page: Assista
     writing.save.click()
     until(lambda: assistant.snapshot.written is not None, 10, "the file")
     assert load_rig(writing.path).name == "bench of mine"
-    assert load_rig(writing.path).calibration is None
+    assert load_rig(writing.path).virtual == "bench"
     assert writing.use_now.isVisible()
 
 
