@@ -87,6 +87,7 @@ class Program(QObject):
         self._event_log = EventLog(self.services, self)
         self.window = MainWindow(self.services, UndoHistory(self.undo_stack, self.compare_stack, draft, cases, self))
         self.window.closing.connect(self.shut_down)
+        rig.mended.connect(self.window.banner.retract)
         self._stop_key = StopKey(self.window.laser_off, self.window.rail.stop_button, self)
         application.installEventFilter(self._stop_key)
         install_hooks(self._show)

@@ -23,11 +23,11 @@ class Pacer(Protocol):
     """One who paces the clock, from the call of :meth:`Clock.pace` until ``close()``."""
 
     def wait_until(self, time_s: float, stop: threading.Event | None = None) -> bool:
-        """Wait until `time_s`; False when `stop` was set first."""
+        """Wait until `time_s`; False when `stop` was set first, or the pacer was closed."""
         ...
 
     def close(self) -> None:
-        """Pace no longer; may be called again."""
+        """Pace no longer, and let go whoever waits; from any thread, may be called again."""
         ...
 
 
@@ -84,12 +84,19 @@ class _FreePacer:
 
     def __init__(self, clock: ScaledClock) -> None:
         self._clock = clock
+        self._closed = threading.Event()
 
     def wait_until(self, time_s: float, stop: threading.Event | None = None) -> bool:
-        return self._clock.wait_until(time_s, stop)
+        step_s = _POLL_S * self._clock.speed
+        while not self._closed.is_set():
+            if (now_s := self._clock.now_s()) + step_s >= time_s:
+                return self._clock.wait_until(time_s, stop) and not self._closed.is_set()
+            if not self._clock.wait_until(now_s + step_s, stop):
+                return False
+        return False
 
     def close(self) -> None:
-        pass
+        self._closed.set()
 
 
 class SteppedClock:
@@ -117,20 +124,21 @@ class SteppedClock:
             self._pacers.add(pacer)
         return pacer
 
-    def _wait(self, who: object, time_s: float, stop: threading.Event | None) -> bool:
+    def _wait(self, who: object, time_s: float, *ends: threading.Event | None) -> bool:
+        """Until `time_s`; False when one of `ends` is set first."""
         with self._changed:
             if time_s > self._now_s:
                 self._wake_ups[who] = time_s
                 try:
                     self._advance()
                     while self._now_s < time_s:
-                        if stop is not None and stop.is_set():
+                        if _any_set(ends):
                             return False
                         self._changed.wait(_POLL_S)
                         self._advance()
                 finally:
                     del self._wake_ups[who]
-        return stop is None or not stop.is_set()
+        return not _any_set(ends)
 
     def _leave(self, pacer: object) -> None:
         with self._changed:
@@ -148,12 +156,18 @@ class SteppedClock:
 class _SteppedPacer:
     def __init__(self, clock: SteppedClock) -> None:
         self._clock = clock
+        self._closed = threading.Event()
 
     def wait_until(self, time_s: float, stop: threading.Event | None = None) -> bool:
-        return self._clock._wait(self, time_s, stop)
+        return self._clock._wait(self, time_s, stop, self._closed)
 
     def close(self) -> None:
+        self._closed.set()
         self._clock._leave(self)
+
+
+def _any_set(events: tuple[threading.Event | None, ...]) -> bool:
+    return any(event is not None and event.is_set() for event in events)
 
 
 def make_clock(speed: Speed) -> Clock:

@@ -27,6 +27,10 @@ _THIS_PROCESS = psutil.Process()
 _GRACE_S = 2.0  # a thread that was told to stop may take this long to be gone
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--rig", metavar="RIG.toml", help="with -m hardware: the rig file whose devices are tested")
+
+
 @pytest.fixture(autouse=True)
 def nothing_left_running() -> Iterator[None]:
     """Fail the test after which a thread or a child process is alive that was not there before it."""

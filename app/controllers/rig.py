@@ -30,7 +30,7 @@ from app.controllers.transcript import Line
 from scanner_core.acquisition.handover import LatestSlot
 from scanner_core.devices.camera import Frame
 from scanner_core.devices.motion import MotionStatus
-from scanner_core.errors import CalibrationError, ControllerAlarmError, ImprontaError, MotionStoppedError
+from scanner_core.errors import CalibrationError, ControllerAlarmError, DeviceError, ImprontaError, MotionStoppedError
 from scanner_core.jobs.progress import Cancelled, Progress
 
 if TYPE_CHECKING:
@@ -50,6 +50,8 @@ class RigController(QObject):
     """Opens, watches, lends and closes the rig; `changed` after every news."""
 
     changed = Signal()
+    mended = Signal(object)
+    """A fault that was told has passed: the rig is open again."""
 
     def __init__(
         self,
@@ -76,6 +78,8 @@ class RigController(QObject):
         self.calibration = CalibrationRun()
         self.target = TargetController(background, tell, self)
         self._closing = threading.Event()
+        self._told: list[ImprontaError] = []
+        """Of the rig that is not open."""
         self._device = DeviceThread("rig", self._idle, _STATUS_PERIOD_S, tell)
         self._device.start()
 
@@ -239,6 +243,9 @@ class RigController(QObject):
             self._background.post(partial(self._ended, None))
         except CalibrationError as fault:
             self._background.post(partial(self._not_accepted, fault))
+        except DeviceError as fault:
+            self._background.post(partial(self._ended, None))
+            self._fell_out(fault)
         except Exception:  # whatever it is: the window must not show a calibration that is over
             self._background.post(partial(self._ended, None))
             raise
@@ -256,12 +263,17 @@ class RigController(QObject):
                 for camera in (rig.left, rig.right):
                     self.frames[camera.name].put(camera.grab())
             status, needs_homing = rig.motion.status(), rig.motion.needs_homing
-        except ControllerAlarmError as fault:  # it is there, and says so
-            self._background.post(partial(self._alarmed, DeviceFailure(CONTROLLER, fault)))
         except ImprontaError as fault:
-            self._devices.lose(fault)
+            self._fell_out(fault)
         else:
             self._background.post(lambda: self._heard(status, needs_homing))
+
+    def _fell_out(self, fault: ImprontaError) -> None:
+        """A device of the open rig raised this."""
+        if isinstance(fault, ControllerAlarmError):  # it is there, and says so
+            self._background.post(partial(self._alarmed, DeviceFailure(CONTROLLER, fault)))
+        elif not isinstance(fault, MotionStoppedError):  # by a person, who knows
+            self._devices.lose(fault)
 
     def _recover(self) -> None:
         """After a stop: back to idle, so that the next scan can begin."""
@@ -286,6 +298,9 @@ class RigController(QObject):
     # -------------------------------------------------------------------------------- back in the GUI thread
     def _opened(self, wanted: WantedRig, answers: Answers, sphere: SphereTrend | None) -> None:
         self.faults.clear()
+        for fault in self._told:
+            self.mended.emit(fault)
+        self._told.clear()
         self.files.remember(wanted.preset)
         specimen = wanted.specimen
         self._news(
@@ -360,6 +375,7 @@ class RigController(QObject):
         """The page says it at the device; elsewhere, and when the laser may be on, the banner does."""
         if not self.watching.is_set() or fault.code == "E-MOT-11":
             self._tell(fault)
+            self._told = [fault]
 
     def hear_owner(self) -> None:
         """While a scan owns the controller: what it was told."""

@@ -80,8 +80,7 @@ class RigDevices:
             self.close()
         except ImprontaError as danger:  # the laser may be on: of the two this must be known
             fault = danger
-        if fault.details and fault.code.startswith("E-MOT"):
-            self._last_lines = lines_of_details(fault.details)
+        self._last_lines = lines_of_details(fault.details) or self._last_lines
         now_s, failure = time.monotonic(), failure_of(fault, wanted.config)
         steady = self._failure is None and now_s - self._opened_s > _STEADY_S
         self._next_try_s, self._pause_s = now_s + self._pause_s, _TRY_S if steady else min(1.5 * self._pause_s, _LONGEST_TRY_S)

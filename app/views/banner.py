@@ -50,12 +50,19 @@ class Banner(QFrame):
         box.addLayout(line)
         box.addWidget(self._details)
         self._before: list[str] = []
+        self._fault: BaseException | None = None
         self.dismiss()
 
     def tell_fault(self, fault: BaseException) -> None:
         """The sentence of a fault."""
         what, do = sentence_of(fault)
         self._show("fault", what, do, details_of(fault))
+        self._fault = fault
+
+    def retract(self, fault: BaseException) -> None:
+        """It has passed: its sentence goes, if it is the one that stands there."""
+        if self._fault is fault:
+            self.dismiss()
 
     def tell_note(self, what: str, do: str = "") -> None:
         """Something worth knowing that is no fault."""
@@ -72,6 +79,7 @@ class Banner(QFrame):
 
     def dismiss(self) -> None:
         self._before.clear()
+        self._fault = None
         self._toggle.setChecked(False)
         self._details.hide()
         self._copy.hide()
@@ -81,6 +89,7 @@ class Banner(QFrame):
     def _show(self, mood: str, what: str, do: str, details: str) -> None:
         if not self.isHidden() and self._details.toPlainText():
             self._before = [self._details.toPlainText(), *self._before][:5]
+        self._fault = None
         self.setProperty("mood", mood)
         self.style().unpolish(self)
         self.style().polish(self)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtWidgets import QProgressBar, QVBoxLayout, QWidget
 
 from app.controllers.calibration import BoardLook
@@ -19,7 +21,7 @@ _SHOWN_WISHES = 5
 class CalibratingPanel(QWidget):
     """The right half of the Rig page during a calibration."""
 
-    def __init__(self, rig: RigController) -> None:
+    def __init__(self, rig: RigController, show_transcript: Callable[[], None] | None = None) -> None:
         super().__init__()
         self._rig = rig
         self._share = BigNumber(self.tr("% done"), "hero")
@@ -65,6 +67,8 @@ class CalibratingPanel(QWidget):
         box.addStretch(1)
         way_out = row(self._cancel, self._stays, spacing=14)
         way_out.setStretch(1, 1)
+        if show_transcript is not None:
+            way_out.addWidget(button(self.tr("Transcript…"), "link", show_transcript))
         box.addLayout(way_out)
         self.clear()
 

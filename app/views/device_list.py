@@ -80,7 +80,7 @@ class DeviceList(QWidget):
             Emission.LIT: ("laser", self.tr("emitting")),
         }
         self.rows["laser"].show_state(*words[emission])
-        self.rows["laser"].show_device(self.tr("as the controller reports it"))
+        self.rows["laser"].show_device("" if emission is Emission.NO_RIG else self.tr("as the controller reports it"))
 
     # -------------------------------------------------------------------------------- inside
     def _try_again(self) -> QPushButton:
@@ -122,18 +122,17 @@ class DeviceList(QWidget):
             shown.show_device(f"{report.id}  ·  {report.exposure_ms:g} ms  ·  {report.gain_db:g} dB")
 
     def _settings(self, report: CameraReport) -> str:
-        triggers = {"free": self.tr("free-running"), "software": self.tr("software trigger"), "hardware": self.tr("hardware trigger")}
+        triggers = {"free": self.tr("free running"), "software": self.tr("software trigger"), "hardware": self.tr("hardware trigger")}
         width, height = report.size_px
-        return "  ·  ".join(
-            (
-                f"{width} × {height} px",
-                self.tr("{n} frames/s").format(n=f"{report.rate_hz:.4g}"),
-                f"{report.exposure_ms:.4g} ms",
-                f"{report.gain_db:.3g} dB",
-                report.pixel_format,
-                triggers.get(report.trigger, report.trigger),
-            )
+        known = (
+            f"{width} × {height} px",
+            f"{report.rate_hz:.4g} Hz",
+            f"{report.exposure_ms:.4g} ms" if report.exposure_ms > 0 else "",  # some cameras do not tell
+            f"{report.gain_db:.3g} dB",
+            report.pixel_format,
+            triggers.get(report.trigger, report.trigger),
         )
+        return "  ·  ".join(part for part in known if part)
 
     def _show_controller(self, rig: RigSnapshot) -> None:
         shown, motion = self.rows[CONTROLLER], rig.motion
@@ -157,7 +156,8 @@ class DeviceList(QWidget):
         about = ""
         if told and rig.own:
             mode = self.tr("laser mode on") if told.get("laser_mode") else self.tr("laser mode off")
-            about = "  ·  ".join((str(told.get("firmware", "")), self.tr("axes {letters}").format(letters=told.get("axes", "")), mode))
+            firmware = str(told.get("firmware", "")).partition(" [")[0]
+            about = "  ·  ".join((firmware, self.tr("axes {letters}").format(letters=told.get("axes", "")), mode))
         shown.show_device(port, about)
 
     def _show_turntable(self, rig: RigSnapshot) -> None:

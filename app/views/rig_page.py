@@ -44,7 +44,7 @@ class RigPage(Page):
         self.devices = DeviceList(services.rig, self.show_transcript)
         self.calibration = CalibrationPanel(services.rig, self._calibrate)
         self.board = BoardWatchView()
-        self.progress = CalibratingPanel(services.rig)
+        self.progress = CalibratingPanel(services.rig, self.show_transcript)
         self.by_hand = ByHandPanel(services.settings, self._begin_by_hand, lambda: self._prepare(False))
         self.faults = FaultPanel(services.rig)
         self._lefts, self._rights = QStackedWidget(), QStackedWidget()

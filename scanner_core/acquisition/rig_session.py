@@ -189,7 +189,7 @@ def _open(
         clock = make_clock(1.0)
     if release is not None:
         opened.append(release)
-    motion = open_controller(controller, clock)
+    motion = open_controller(controller, clock, config.limits)
     opened.insert(0, motion.close)
     bench = None if preset is None or timeline is None else VirtualBench(preset, specimen, clock, timeline, seed)
     left, right = (_open_camera(camera, clock, bench, opened) for camera in (config.left, config.right))

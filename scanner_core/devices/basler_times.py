@@ -8,6 +8,8 @@ from scanner_core.devices.basler_stream import BaslerFrame
 from scanner_core.devices.tick_clock import TickClock
 
 _READINGS = 5
+_FURTHEST_S = 10.0
+"""A frame arrives no later than this after its exposure has begun."""
 
 
 class BaslerTimes:
@@ -48,12 +50,14 @@ class BaslerTimes:
     def begun_s(self, frame: BaslerFrame, exposure_s: float) -> float:
         """When the exposure of a frame began."""
         latest_s = frame.arrived_s - exposure_s
-        if frame.ticks:
-            return self._counter.time_s(frame.ticks) if self._readable else self._counter.not_after(frame.ticks, latest_s)
+        if self.stamped(frame):
+            return self._counter.time_s(frame.ticks)
+        if frame.ticks and not self._readable:
+            return self._counter.not_after(frame.ticks, latest_s)
         if self._numbers is not None and frame.number is not None:
             return self._numbers.not_after(frame.number, latest_s)
         return latest_s
 
     def stamped(self, frame: BaslerFrame) -> bool:
-        """Whether the camera itself tells when."""
-        return self._readable and frame.ticks > 0
+        """Whether the camera itself tells when; a stamp far from the arrival is of another counter than the one that was read."""
+        return self._readable and frame.ticks > 0 and abs(frame.arrived_s - self._counter.time_s(frame.ticks)) < _FURTHEST_S

@@ -109,8 +109,11 @@ class Darkened(Enum):
     UNWATCHED = "nobody looked after the lit laser"
 
 
-def breach(light: Light, state: MotionState, laser_power: float) -> DeviceError | None:
+def breach(light: Light, state: MotionState, laser_power: float, *, emitted: bool = True) -> DeviceError | None:
     """What a status report says against the rules; the caller resets the board and raises it.
+
+    `emitted` False: the power is what was programmed (grblHAL), which at the rest after a sweep says nothing; the ``M5`` that
+    follows makes it 0.
 
     A closed-off rig that is dark is no breach: a report of an idle rig with an open lid is a value.  A state that is not
     known is none either: a line that noise has damaged must not end a scan that the next one would clear.
@@ -119,7 +122,7 @@ def breach(light: Light, state: MotionState, laser_power: float) -> DeviceError 
         return ControllerAlarmError("E-MOT-16")
     if light is not Light.DARK and state is MotionState.ALARM:
         return ControllerAlarmError("E-MOT-05", alarm="lock", meaning=_LOCKED, remedy="home the rig and resume")
-    at_rest = light is Light.SWEEP and state is MotionState.IDLE
+    at_rest = emitted and light is Light.SWEEP and state is MotionState.IDLE
     if laser_power > 0.0 and (light is Light.DARK or at_rest):
         return DeviceError("E-MOT-18", power=f"{laser_power:.0f}")
     return None

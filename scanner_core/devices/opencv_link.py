@@ -21,19 +21,21 @@ from scanner_core.devices.opencv_process import (
     Opened,
     Ready,
     Setting,
+    Started,
     open_with_opencv,
     read_camera,
 )
 
-_START_S = 8.0
-"""For a process to start and the driver to open, seconds: a loaded machine imports OpenCV in three."""
+_START_S = 20.0
+"""For the process to start, seconds: a third of one, but many on a machine with more to do."""
+_OPEN_S = 4.0
 _FIRST_FRAME_S = 4.0
 _MEASURED_S = 8.0
 _ANSWER_S = 3.0
 _END_S = 1.5
 """For the process to end by itself; after that it is killed."""
 
-Answer = TypeVar("Answer", Opened, FirstFrame, Ready)
+Answer = TypeVar("Answer", Started, Opened, FirstFrame, Ready)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -74,7 +76,8 @@ class CameraLink:
             self._process.start()
             control.close()  # only the process holds these ends now: its end closes them
             frames.close()
-            self.opened = self._expect(Opened, _START_S, Failed("closed", "its driver does not answer"))
+            self._expect(Started, _START_S, Failed("closed", "the process that reads it did not start"))
+            self.opened = self._expect(Opened, _OPEN_S, Failed("closed", "its driver does not answer"))
             self.shape = self._expect(FirstFrame, _FIRST_FRAME_S, Failed("silent", "", _FIRST_FRAME_S)).shape
             self.measured_hz = self._expect(Ready, _MEASURED_S, Failed("silent", "", _MEASURED_S)).rate_hz
             self._ring = SharedMemory(create=True, size=PLACES * self.shape[0] * self.shape[1])

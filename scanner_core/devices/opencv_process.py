@@ -65,6 +65,10 @@ class Assignment:
     measure: bool = True
 
 
+class Started:
+    """The process runs, and turns to the camera."""
+
+
 @dataclass(frozen=True, slots=True)
 class Opened:
     """The camera is open and set."""
@@ -159,6 +163,7 @@ class _Reader:
         os._exit(1)
 
     def run(self, open_capture: OpenCapture) -> None:
+        self._frames.send(Started())
         try:
             capture = open_capture(self._assignment.source)
             try:

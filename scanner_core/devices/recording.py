@@ -3,16 +3,14 @@
 The images are PNG (8 bit grey, lossless), or PGM where the processor could not keep up; any program opens them.  ``index.jsonl``
 holds one JSON object a line, in the order in which things happened:
 
-===========================================================  ==================================================================
-``{"format": 1, "camera": .., "size_px": .., "rate_hz": ..}``  the first line; also driver, id, model and pixel_format of the camera
-``{"set": "exposure_ms", "asked": .., "got": ..}``           what the camera made of a setting; also ``gain_db``
-``{"run": 1, "first_id": .., "count": .., "start_s": ..,``   it was armed; runs are numbered from 1
-``"exposure_ms": .., "gain_db": ..}``
-``{"file": "0000001.png", "run": 1, "trigger_id": ..,``      a frame of a run as it was delivered, with the middle of its exposure
-``"time_s": .., "exposure_ms": .., "gain_db": ..,``          on the rig's clock; of a single frame (preview, exposing, calibration)
-``"size_px": ..}``                                           `run` is 0
-``{"ended": 1, "whole": true}``                              the run's end; `whole` false: it was stopped, or failed (``"error": ..``)
-===========================================================  ==================================================================
+- ``{"format": 1, "camera": .., "size_px": .., "rate_hz": .., "driver": .., "id": .., "model": .., "pixel_format": .., "trigger": ..}``:
+  the camera; the first line
+- ``{"set": "exposure_ms", "asked": .., "got": ..}``: what the camera made of a setting; also ``gain_db``
+- ``{"run": 1, "first_id": .., "count": .., "start_s": .., "exposure_ms": .., "gain_db": ..}``: it was armed; runs are numbered from 1
+- ``{"file": "0000001.png", "run": 1, "trigger_id": .., "time_s": .., "exposure_ms": .., "gain_db": .., "size_px": ..}``: a frame of a
+  run as it was delivered, with the middle of its exposure on the rig's clock; `run` is 0 of a single frame (preview, exposing,
+  calibration)
+- ``{"ended": 1, "whole": true}``: the run's end; `whole` false: it was stopped, or failed (``"error": "E-CAM-02"``)
 
 The line of a frame is written after its image: a program that is killed or a disk that is full costs the last frames, and what
 the index names is whole.
@@ -29,6 +27,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from scanner_core.devices.camera_config import TriggerSource
 from scanner_core.errors import DeviceError
 from scanner_core.one_line import one_line
 
@@ -88,6 +87,10 @@ class CameraRecording:
     def rate_hz(self) -> float:
         return float(self.head["rate_hz"])
 
+    @property
+    def trigger(self) -> TriggerSource:
+        return TriggerSource(self.head.get("trigger", TriggerSource.FREE))
+
 
 def is_recording(folder: Path) -> bool:
     """Whether it is a recording of a rig: one of each camera inside."""
@@ -111,6 +114,7 @@ def read_recording(folder: Path) -> CameraRecording:
         if head["format"] != FORMAT:
             raise ValueError(f"it is of format {head['format']}, and this program reads {FORMAT}")
         recording = CameraRecording(folder, head)
+        _ = recording.trigger
         if min(recording.size_px) < 1 or not 0.01 <= recording.rate_hz <= 1e5:
             raise ValueError("size or rate of its camera make no sense")
         for number, line in enumerate(lines[1:], 2):

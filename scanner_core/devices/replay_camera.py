@@ -10,7 +10,7 @@ from typing import Self
 
 from scanner_core.clock import Clock, Pacer
 from scanner_core.devices.camera import CameraReport, Frame, Trigger
-from scanner_core.devices.camera_config import CameraConfig, TriggerSource
+from scanner_core.devices.camera_config import CameraConfig
 from scanner_core.devices.recording import INDEX, is_recording, read_recording
 from scanner_core.devices.replay_source import FrameSource, RecordedFrames, SourceFrame, image_folder, video_file
 from scanner_core.errors import DeviceClosedError, DeviceError
@@ -110,8 +110,7 @@ class ReplayCamera:
         trigger, pacer, frames = run
         try:
             for frame in frames:
-                pacer.wait_until(trigger.start_s + frame.offset_s + 0.5e-3 * self._exposure_ms, stop)
-                if stop.is_set() or self._closed.is_set():
+                if not pacer.wait_until(trigger.start_s + frame.offset_s + 0.5e-3 * self._exposure_ms, stop):
                     break
                 yield self._frame(frame, trigger.start_s)
         except DeviceError as fault:
@@ -144,7 +143,7 @@ class ReplayCamera:
             pixel_format="Mono8",
             exposure_ms=self._exposure_ms,
             gain_db=self._gain_db,
-            trigger=TriggerSource.SOFTWARE,
+            trigger=self._source.trigger,
             dropped=self._source.dropped,
         )
 

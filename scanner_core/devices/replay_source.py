@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.devices.camera import Trigger
+from scanner_core.devices.camera_config import TriggerSource
 from scanner_core.devices.recording import CameraRecording, RecordedFrame, RecordedRun, grey, read_grey
 from scanner_core.errors import DeviceError
 
@@ -59,6 +60,11 @@ class FrameSource(Protocol):
         ...
 
     @property
+    def trigger(self) -> TriggerSource:
+        """What made the camera expose."""
+        ...
+
+    @property
     def dropped(self) -> int:
         """Frames of the runs so far that it does not hold."""
         ...
@@ -99,6 +105,10 @@ class RecordedFrames:
     def about(self) -> str:
         head = self._recording.head
         return f"recording of: {head.get('model', 'a camera')} ({head.get('driver', '')} {head.get('id', '')})"
+
+    @property
+    def trigger(self) -> TriggerSource:
+        return self._recording.trigger
 
     def settled(self, setting: str, asked: float) -> float | None:
         return self._recording.settled.get((setting, asked))
@@ -151,6 +161,7 @@ class FrameSequence:
     """Images without an index: they are counted into whatever is asked for, one after the other, at a constant rate."""
 
     dropped = 0
+    trigger = TriggerSource.FREE
 
     def __init__(self, path: Path, images: Iterator[NDArray[np.uint8]], rate_hz: float, camera: str, release: Callable[[], None]) -> None:
         self._path, self._images, self._rate_hz, self._camera, self._release = path, images, rate_hz, camera, release

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Protocol
 
@@ -17,7 +18,7 @@ from numpy.typing import NDArray
 
 from scanner_core.devices.camera import Camera
 from scanner_core.devices.motion import MotionController
-from scanner_core.errors import CalibrationError
+from scanner_core.errors import CalibrationError, DeviceTimeoutError
 from scanner_core.jobs.progress import Cancelled, IsCancelled, OnProgress, Progress
 from scanner_core.optics.board import CharucoTarget, LengthBar
 from scanner_core.optics.board_coverage import CoverageSoFar, judge, moved_px
@@ -47,6 +48,8 @@ PATIENCE_LOOKS = 3000
 SETTLING_LOOKS = 20
 """Looks for which a board on a table that has turned may tremble, where nobody says that it rests."""
 
+_MISSED_FRAMES = 2
+"""Frames in a row that may fail to come."""
 _SHOW, _BAR, _FIT, _TABLE = 0.50, 0.68, 0.72, 1.0
 """Parts of the whole at which showing the board, showing the bar, fitting and turning the table end."""
 
@@ -325,7 +328,13 @@ class _Session:
             self._misses[verdict.value] += 1
 
     def _look(self, camera: int) -> NDArray[np.uint8]:
-        image = self._cameras[camera].grab().image
+        """A frame; what a person has shown so far is worth asking a camera again that has missed one."""
+        for _ in range(_MISSED_FRAMES if self._operator.by_hand else 0):
+            with suppress(DeviceTimeoutError):
+                image = self._cameras[camera].grab().image
+                break
+        else:
+            image = self._cameras[camera].grab().image
         if self._exposure is not None:
             self._exposure.adapt(camera, image)
         return image

@@ -223,9 +223,7 @@ class SpotDetector:
             return SpotMiss(MissReason.AMBIGUOUS, spots[0].peak_dn, tuple(spots))
         return spots[0]
 
-    def measure(
-        self, image: Image, box: Box, levels: SpotLevels, margin: int = _MARGIN_PX, peak: int | None = None
-    ) -> tuple[Spot | SpotMiss, float]:
+    def measure(self, image: Image, box: Box, levels: SpotLevels, margin: int = _MARGIN_PX, peak: int | None = None) -> tuple[Spot | SpotMiss, float]:
         """Gates and centroid of the blob in a box, with `margin` pixels round it, whose brightest is `peak` if it is known.
 
         Returns also the blob's flux, DN.

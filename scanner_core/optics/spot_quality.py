@@ -58,9 +58,7 @@ def judge_spot(seen: Spot | SpotMiss, parameters: SpotDetectorParameters) -> Spo
         advice = f"The spot is {largest:.1f} px wide (sigma): noise moves its centroid; focus the lens until sigma is below {LARGEST_SIGMA_PX} px."
         return SpotQuality(SpotGrade.WEAK, "blurred", advice)
     if seen.peak_dn < LOWEST_PEAK * FULL_SCALE_DN:
-        advice = (
-            f"The spot is dim ({seen.peak_dn:.0f} of {FULL_SCALE_DN:.0f}): lengthen the exposure, raise the gain or open the aperture."
-        )
+        advice = f"The spot is dim ({seen.peak_dn:.0f} of {FULL_SCALE_DN:.0f}): lengthen the exposure, raise the gain or open the aperture."
         return SpotQuality(SpotGrade.WEAK, "dim", advice)
     return SpotQuality(SpotGrade.GOOD, "good", f"The spot is {seen.sigma_x_px:.1f} x {seen.sigma_y_px:.1f} px (sigma) and well exposed.")
 

@@ -116,7 +116,8 @@ class VirtualCamera:
                     there = min(k + self._transfer_frames, trigger.count)
                     last_s = trigger.start_s + (there - 1) / self._rate_hz
                     delay_s = self._delay_s(last_s)
-                    pacer.wait_until(last_s + exposure_s + max(0.0, self._late_s(last_s)) + delay_s, stop)
+                    if not pacer.wait_until(last_s + exposure_s + max(0.0, self._late_s(last_s)) + delay_s, stop):
+                        break
                 if stop.is_set() or self._closed.is_set():
                     break
                 self._ensure_plugged(start_s + exposure_s)

@@ -358,7 +358,7 @@ class Firmware:
             machine.machine_position(sample.position),
             machine.settings.offset,
             feed_deg_min=sample.speed_deg_s * 60.0,
-            power=sample.power * machine.values[30],
+            power=machine.programmed_power if self.settings.programmed_power else sample.power * machine.values[30],
             mask=int(machine.values[10]),
             room=machine.planner.room,
             free_bytes=_RECEIVE_BUFFER - len(self._received),

@@ -17,6 +17,7 @@ class FirmwareSettings:
     work_offset_deg : of the work coordinates (G54) against the machine's, for every axis; empty = none
     spindle_max : S value of full power (``$30``)
     laser_mode : ``$32``
+    programmed_power : the status tells the power that was programmed, under M4 also at rest, as grblHAL does; GRBL tells what it emits
     homing : ``$22``; False makes ``$H`` an error
     homing_switches : False lets homing end in ALARM:8
     locked_at_start : power-up in ALARM until ``$H`` or ``$X`` (HOMING_INIT_LOCK)
@@ -35,6 +36,7 @@ class FirmwareSettings:
     work_offset_deg: tuple[float, ...] = ()
     spindle_max: float = 1000.0
     laser_mode: bool = True
+    programmed_power: bool = False
     soft_limits: bool = False
     homing: bool = True
     homing_switches: bool = True

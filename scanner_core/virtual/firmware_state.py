@@ -82,6 +82,11 @@ class MachineState:
         top = self.values[30]
         return min(power, top) / top if top > 0.0 else 0.0
 
+    @property
+    def programmed_power(self) -> float:
+        """The S value of a spindle that is switched on, whatever it emits."""
+        return self.modal.power if self.modal.spindle in (3, 4) else 0.0
+
     def stand(self, time_s: float) -> None:
         """The planner is empty and spindle words were given: set the power of the resting beam."""
         modal = self.modal

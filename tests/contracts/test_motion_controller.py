@@ -1,4 +1,8 @@
-"""What every motion controller promises, whoever drives it: the virtual rig's and one behind a guarded serial port."""
+"""What every motion controller promises, whoever drives it: the virtual rig's, and one behind a guarded serial port.
+
+Beam and laser are looked at through a witness, which only our own firmware model has; what the board's own report tells stands in
+``test_motion_report.py``.
+"""
 
 from __future__ import annotations
 

@@ -70,6 +70,19 @@ def test_a_stop_ends_the_wait() -> None:
     holder.close()
 
 
+@pytest.mark.parametrize("clock", [SteppedClock(), ScaledClock()])
+def test_a_pacer_that_is_closed_lets_go_who_waits(clock: SteppedClock | ScaledClock) -> None:
+    holder, pacer = clock.pace(), clock.pace()
+    answers: list[bool] = []
+    waiter = threading.Thread(target=lambda: answers.append(pacer.wait_until(clock.now_s() + 3600.0)))
+    waiter.start()
+    pacer.close()
+    waiter.join(5)
+    assert answers == [False]
+    assert not pacer.wait_until(clock.now_s() - 1.0)
+    holder.close()
+
+
 def test_a_scaled_clock_runs_faster() -> None:
     clock = ScaledClock(1000.0)
     begin_s = clock.now_s()

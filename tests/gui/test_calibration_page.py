@@ -300,7 +300,7 @@ def test_a_target_that_cannot_be_written_is_told_in_a_sentence(rig: RigControlle
 class _Standing:
     """An open rig at which nothing happens."""
 
-    motion = SimpleNamespace(description=dict)
+    motion = SimpleNamespace(transcript=list)
 
     def close(self) -> None:
         pass

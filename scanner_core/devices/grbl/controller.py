@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 _HOME_DEADLINE_S = 120.0
 _LOOKS = 5
-_OFFSET_LOOKS = 35
+_OFFSET_LOOKS, _FIRST_LOOKS = 35, 3
 _JOG_LOOK_S = 0.1
 _MODES = "G54G21G90G94M5"
 
@@ -59,8 +59,8 @@ class GrblController:
             self._place = Whereabouts(self._axes, clock)
             self._place.reported(report)
             self._link.judge = self._judge
-            for _ in range(_OFFSET_LOOKS):  # it stands in every tenth report or so
-                if self._place.doubts_offset:
+            for look in range(_OFFSET_LOOKS):  # it stands in one of the first reports, and then in every tenth or so
+                if self._place.doubts_offset or (look < _FIRST_LOOKS and not self._place.heard_offset):
                     self._link.report()
             if report.state is not MotionState.ALARM:
                 self._set_modes()
@@ -111,8 +111,9 @@ class GrblController:
     def wait_idle(self, deadline_s: float) -> None:
         """Wait for the end of the motion."""
         self._ready()
-        self._link.command("G4P0", deadline_s)
-        if self._watch.light is Light.SWEEP:
+        swept = self._watch.light is Light.SWEEP
+        self._link.command("M5G4P0" if swept else "G4P0", deadline_s)  # M5 waits for the end of the motion, too
+        if swept:
             self._watch.allow(Light.DARK)
 
     def jog(self, *, x_deg: float = 0.0, y_deg: float = 0.0, table_deg: float = 0.0, speed_deg_s: float) -> bool:
@@ -220,7 +221,8 @@ class GrblController:
 
     def _judge(self, report: Report) -> DeviceError | None:
         """Every report passes here, whoever asked for it."""
-        return breach(self._watch.light, report.state, self._place.reported(report).laser_power)
+        power = self._place.reported(report).laser_power
+        return breach(self._watch.light, report.state, power, emitted=self.identity.tells_emitted_power)
 
     def stop(self) -> None:
         """Laser off and motion stopped, now, from any thread; then :meth:`recover` comes first."""

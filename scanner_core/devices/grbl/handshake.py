@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from scanner_core.devices.grbl.identity import ControllerIdentity, read_identity
-from scanner_core.devices.grbl.lines import Banner, Other, Report
+from scanner_core.devices.grbl.lines import Banner, Line, Other, Report
 from scanner_core.devices.grbl.link import GrblLink
-from scanner_core.errors import DeviceError
+from scanner_core.errors import DeviceError, DeviceLostError
 
 BANNER_S = 3.0
 """Boards that are reset by the opening of the port greet within this time; the others are asked for it by a reset."""
@@ -26,8 +26,15 @@ def shake_hands(link: GrblLink, table_axis: str) -> tuple[ControllerIdentity, Re
         power, E-MOT-14 no such axis; E-MOT-01 it greets and then says nothing.
     """
     banner = _banner(link)
-    info, settings = link.command("$I"), link.command("$$")
-    report = link.report()
+    try:
+        info, settings, report = _questions(link)
+    except DeviceLostError as fault:
+        if fault.code != "E-MOT-09":
+            raise
+        # The greeting was that of an earlier reset, by who had the port before: this one's came now.
+        link.revive()
+        link.restarted = False
+        info, settings, report = _questions(link)
     identity = read_identity(banner, info, settings, report)
     if identity.too_old:
         raise DeviceError("E-MOT-23", port=link.port_name, firmware=identity.firmware)
@@ -39,6 +46,10 @@ def shake_hands(link: GrblLink, table_axis: str) -> tuple[ControllerIdentity, Re
     if not identity.axes.startswith("XY") or table_axis not in identity.axes[2:]:
         raise DeviceError("E-MOT-14", port=link.port_name, axis=table_axis, axes=identity.axes)
     return identity, report
+
+
+def _questions(link: GrblLink) -> tuple[list[Line], list[Line], Report]:
+    return link.command("$I"), link.command("$$"), link.report()
 
 
 def _banner(link: GrblLink) -> str:

@@ -62,6 +62,11 @@ class ControllerIdentity:
         match = _VERSION.match(self.firmware)
         return match is not None and (int(match[1]), int(match[2])) < _FIRST_WITH_LASER_MODE
 
+    @property
+    def tells_emitted_power(self) -> bool:
+        """``FS`` is what the laser emits.  grblHAL tells what was programmed: under ``M4`` also at rest, where it is dark."""
+        return self.family is FirmwareFamily.GRBL
+
     # ------------------------------------------------------------------------------------------ settings
     @property
     def laser_mode(self) -> bool:

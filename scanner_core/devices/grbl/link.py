@@ -40,7 +40,7 @@ _ALIVE_PERIOD_S = 0.5
 _AGAIN_S = 0.4
 """After so much silence a question that costs nothing is asked again."""
 _QUIET_S = 0.1
-_HOLD_LOOK_S = 0.05
+_HOLD_LOOK_S = 0.03
 _TRANSCRIPT_LINES = 200
 _LOCKED_NUMBER, _DOOR_NUMBER = 9, 13
 
@@ -209,12 +209,14 @@ class GrblLink:
                 self.stop()
 
     def _see_it_rest(self, deadline_s: float, lit_s: float | None) -> None:
-        begin_s = self.clock.now_s()
-        end_s = begin_s + deadline_s
-        dark_by_s = end_s if lit_s is None else begin_s + lit_s
+        ask_s = self.clock.now_s()
+        end_s = ask_s + deadline_s
+        dark_by_s = end_s if lit_s is None else ask_s + lit_s
         while (now_s := self.clock.now_s()) < min(end_s, dark_by_s):
-            self._send(b"?", "?", even_when_halted=True)
-            line = self._next_line(now_s + _HOLD_LOOK_S, "!", even_when_halted=True)
+            if now_s >= ask_s:
+                self._send(b"?", "?", even_when_halted=True)
+                ask_s = now_s + _HOLD_LOOK_S
+            line = self._next_line(ask_s, "!", even_when_halted=True)
             if isinstance(line, Alarm | Banner) or (isinstance(line, Report) and at_rest(line)):
                 return
             if isinstance(line, Report) and line.laser_power == 0.0:

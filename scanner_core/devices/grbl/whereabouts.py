@@ -25,6 +25,7 @@ class Whereabouts:
         self.last: MotionStatus | None = None
         """The last report, or what a move made of it since."""
         self._settled = dict.fromkeys((X, Y, TABLE), False)
+        self.heard_offset = False
         self._doubted: tuple[float, ...] | None = None
 
     def here(self) -> dict[int, float]:
@@ -55,6 +56,7 @@ class Whereabouts:
     def _hear_offset(self, report: Report) -> None:
         """Another work offset is believed when it comes twice: it would shift every position after it, and noise makes digits."""
         if report.work_offset is not None:
+            self.heard_offset = True
             heard = report.work_offset if any(report.work_offset) else ()
             if heard == self._doubted:
                 self._axes.work_offset = heard

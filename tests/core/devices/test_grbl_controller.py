@@ -100,6 +100,23 @@ def test_board_that_does_not_greet_is_asked_after_three_seconds() -> None:
     assert (second["direction"], second["line"]) == ("in", "GrblHAL 1.1f ['$' or '$HELP' for help]")
 
 
+def test_a_greeting_of_an_earlier_reset_is_not_taken_for_a_restart() -> None:
+    """A board that the opening does not reset: the program before this one did, with its last byte."""
+    clock = SteppedClock()
+    port = ScriptedPort(clock, GRBL_HAL | {b"$I\n": BANNER}, BANNER)
+    send = port.write
+
+    def write(chunk: bytes) -> None:
+        send(chunk)
+        if chunk == b"$I\n":
+            port.answers = GRBL_HAL
+
+    port.write = write
+    with GrblController(port, ControllerConfig("grbl", "COM3"), clock) as controller:
+        assert controller.identity.version == "1.1f.20240101"
+        assert controller.recover() is True
+
+
 def test_something_else_is_quoted() -> None:
     error = refused({}, b"start\r\nMarlin 2.1.2\r\necho: \x07 half a li")
     assert error.code == "E-MOT-07"

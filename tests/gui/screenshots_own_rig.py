@@ -1,0 +1,103 @@
+"""Pictures of the Rig page with a laboratory's own rig: ready, a camera missing, the controller unplugged, an alarm, by hand, the transcript.
+
+::
+
+    xvfb-run -a -s "-screen 0 2700x1700x24" python -m tests.gui.screenshots_own_rig docs/pictures
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:  # a camera's reader is a process that imports this module again
+    from app.program import Program
+    from tests.gui.lab_rig import LabRig
+
+
+def tour(program: Program, lab: LabRig, folder: Path) -> None:
+    from app.views.rig_page import RigPage
+    from tests.gui.screenshots import shoot
+    from tests.gui.waiting import until, wait_ms
+
+    window, rig = program.window, program.services.rig
+    page = window.pages["rig"]
+    assert isinstance(page, RigPage)
+    until(lambda: window.scene is not None, 60, "the 3D view")
+    window.show_page("rig")
+    until(lambda: rig.snapshot.connected and rig.snapshot.motion is not None, 60, "the rig")
+    wait_ms(1500)
+    shoot(program, folder / "rig-own.png")
+    page.show_transcript()
+    transcript = page._transcript
+    assert transcript is not None
+    transcript.move(window.x() + 420, window.y() + 150)
+    wait_ms(800)
+    shoot(program, folder / "rig-own-transcript.png")
+    transcript.close()
+    page._calibrate()
+    shoot(program, folder / "rig-own-before-calibrating.png")
+    page.by_hand._begin_now()
+    hold = lab.bench.operator_poses(30)
+    for number, pose in enumerate(hold):
+        lab.bench.show_board(pose)
+        before = rig.snapshot.calibrating
+        for _ in range(20):
+            wait_ms(150)
+            if (rig.snapshot.calibrating or 0) > (before or 0):
+                break
+        if number == 6:
+            wait_ms(100)
+            shoot(program, folder / "rig-own-by-hand-taken.png")
+            break
+    wait_ms(3000)
+    shoot(program, folder / "rig-own-by-hand.png")
+    lab.bench.remove_board()
+    wait_ms(3000)
+    shoot(program, folder / "rig-own-by-hand-none.png")
+    rig.cancel_calibration()
+    until(lambda: rig.snapshot.calibrating is None, 20, "the end")
+    lab.firmware.witness.happen("trip_limit")
+    wait_ms(1500)
+    shoot(program, folder / "rig-own-alarm.png")
+    rig.unlock()
+    wait_ms(1500)
+    lab.servers["right"].cut.set()
+    until(lambda: not rig.snapshot.connected, 20, "a camera is missing")
+    shoot(program, folder / "rig-own-camera.png")
+    lab.servers["right"].cut.clear()
+    until(lambda: rig.snapshot.connected, 40, "it is back")
+    lab.firmware.pull()
+    until(lambda: not rig.snapshot.connected, 20, "the controller is gone")
+    shoot(program, folder / "rig-own-unplugged.png")
+    window.show_page("home")
+    shoot(program, folder / "home-own-unplugged.png")
+
+
+def main() -> int:
+    from app.main import make_application
+    from app.program import Program
+    from tests.gui.lab_rig import LabRig
+    from tests.gui.screenshots import SIZE
+
+    folder = Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as home, LabRig(Path(home)) as lab:
+        os.environ["HOME"] = home
+        settings = Path(home) / "settings.json"
+        settings.write_text(json.dumps({"preset": str(lab.file), "own_rigs": [str(lab.file)], "window": list(SIZE), "language": "en"}))
+        program = Program(make_application(), started_s=time.perf_counter(), settings_file=settings)
+        try:
+            tour(program, lab, folder)
+        finally:
+            program.window.close()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
