@@ -31,10 +31,11 @@ class CheckPicture(CameraPreview):
         self.setMaximumHeight(_HIGHEST)
         self.mark_px: tuple[float, float] | None = None
 
-    def show_picture(self, image: NDArray[np.uint8], mark_px: tuple[float, float] | None) -> None:
-        """(h, w) uint8, and where the spot was found in it, if it was."""
+    def show_picture(self, image: NDArray[np.uint8], mark_px: tuple[float, float] | None, miss: str) -> None:
+        """(h, w) uint8, and where the spot was found in it, or a word for that it was not."""
         self.mark_px = mark_px
         self.show_frame(Frame(image, 0, 0.0, ""))
+        self._miss = miss
 
     def _overlay(self, painter: QPainter) -> None:
         if self.mark_px is None or self._image is None:
@@ -94,7 +95,8 @@ class AssistantPictures(QWidget):
             if kind not in kinds:
                 kinds.append(kind)
             picture = CheckPicture(picture_name(side, kind))
-            picture.show_picture(image, made.spots_px.get(name))
+            dark = bool(made.spots_px) and kind != "dark" and name not in made.spots_px
+            picture.show_picture(image, made.spots_px.get(name), self.tr("no spot") if dark else "")
             self._grid.addWidget(picture, 1 + kinds.index(kind), int(side == "right"))
             self.shown[name] = picture
 
