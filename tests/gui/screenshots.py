@@ -157,17 +157,17 @@ def set_up(program: Program, folder: Path) -> None:
     shoot(program, folder / "assistant.png")
     with remote_board() as usable, remote_board(laser_mode=False) as cutter:
         ports = [SerialPort(usable.url, "USB2.0-Serial"), SerialPort(cutter.url, "Arduino Uno"), SerialPort("/dev/ttyUSB3", "")]
-        with mock.patch.object(found_devices, "serial_ports", lambda: ports), mock.patch.dict(os.environ, PYLON_CAMEMU="2"):
+        with mock.patch.object(found_devices, "serial_ports", return_value=ports), mock.patch.dict(os.environ, PYLON_CAMEMU="2"):
             page.search.click()
             until(lambda: not assistant.snapshot.busy, 60, "the end of the search")
-        wait_ms(2000)
-        shoot(program, folder / "assistant-find.png")
+            wait_ms(2000)
+            shoot(program, folder / "assistant-find.png")
         assistant.choose(assistant.snapshot.choice.with_port(VIRTUAL_PORT))
     bench = load_preset("bench")
     wrong = replace(bench, controller=replace(bench.controller, units_per_deg=(-1.0, 1.0, 1.0)))
     page.next.click()
     page.checking.agreed.click()
-    with mock.patch("app.controllers.assistant.config_of", lambda _: wrong):
+    with mock.patch("app.controllers.assistant.config_of", return_value=wrong):
         page.checking.start.click()
         until(lambda: any(made.check.name == "laser seen" for made in assistant.snapshot.checks), 240, "the laser seen by both cameras")
         until(lambda: not assistant.snapshot.busy, 240, "the check")
