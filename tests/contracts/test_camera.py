@@ -17,6 +17,7 @@ from scanner_core.devices.camera import Camera, Frame, Trigger
 from scanner_core.devices.rig import RigConfig
 from scanner_core.errors import DeviceClosedError, DeviceError, DeviceTimeoutError
 from tests.contracts import cameras
+from tests.contracts.basler_cameras import basler
 from tests.contracts.cameras import COUNT, Kind, Pair
 
 PATIENCE_S = 5.0
@@ -25,6 +26,7 @@ KINDS: dict[str, Callable[[Path], Kind]] = {
     "recording": cameras.recording,
     "images": cameras.images,
     "video": cameras.video,
+    "basler": basler,
 }
 
 
