@@ -18,7 +18,7 @@ from types import ModuleType
 from scanner_core import __version__
 from scanner_core.commands.console import Console
 from scanner_core.errors import ImprontaError
-from scanner_core.log_file import log_fault, logging_to_file
+from scanner_core.log_file import log_fault, log_versions, logging_to_file
 from scanner_core.support.private_names import file_names
 
 _INTERRUPTED = {
@@ -49,6 +49,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     console = Console(given.json)
     try:
         with logging_to_file(f"impronta {given.command}", file_names(_paths(given))):
+            log_versions()
             code = _run(command, given, console)
             _log.info("exit code %d", code)
             return code
@@ -84,6 +85,11 @@ def _paths(given: argparse.Namespace) -> list[str]:
 
 def _as_interrupt(_number: int, _frame: object) -> None:
     raise KeyboardInterrupt
+
+
+def parse(words: Sequence[str]) -> argparse.Namespace:
+    """The arguments of a subcommand, for one that needs another."""
+    return _parser().parse_args(words)
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -187,7 +187,8 @@ class ScanRunner:
         views: RegisteredViews | None = None
         wall_s = time.monotonic()
         captures: list[CaptureThread] = []
-        _log.info("scan %s: %d views, %d points wanted", "begun" if self._interruption is None else "resumed", self._request.views, self._request.points)
+        begun = "begun" if self._interruption is None else "resumed"
+        _log.info("scan %s: %d views, %d points wanted", begun, self._request.views, self._request.points)
         try:
             detector = SpotDetector(self._rig.config.spot)
             captures = [CaptureThread(camera, detector, self.previews[camera.name]) for camera in (self._rig.left, self._rig.right)]

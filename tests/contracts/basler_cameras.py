@@ -45,4 +45,8 @@ def basler(folder: Path) -> Kind:
     pytest.importorskip("pypylon", reason="the extra 'basler' is not installed")
     for seed, side in enumerate(SIDES):
         write_images(folder / side, pictures(seed))
-    return Kind(partial(_pair, folder, lambda camera: None), partial(_pair, folder, _lose_frames), partial(_pair, folder, _fall_silent))
+    return Kind(
+        partial(_pair, folder, lambda camera: None),
+        losing=partial(_pair, folder, _lose_frames),
+        silent=partial(_pair, folder, _fall_silent),
+    )
