@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import argparse
 import json
 import re
 import zipfile
@@ -8,6 +9,8 @@ from pathlib import Path
 import pytest
 
 from scanner_core.__main__ import main
+from scanner_core.commands import doctor
+from scanner_core.commands.console import Console
 from scanner_core.log_file import log_files
 from scanner_core.user_folders import log_folder
 
@@ -94,3 +97,18 @@ def test_a_log_that_cannot_be_written_stops_no_command(tmp_path: Path, monkeypat
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "file"))
     assert main(["target", "--out", "board.pdf"]) == 0
     assert capsys.readouterr().err.count("There will be no log") == 1
+
+
+def test_without_a_rig_the_doctor_looks_for_devices(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    asked: list[argparse.Namespace] = []
+
+    def run(given: argparse.Namespace, console: Console) -> int:
+        asked.append(given)
+        console.result({"checks": []}, [])
+        return 0
+
+    monkeypatch.setattr(doctor, "run", run)
+    for words in ([], ["--rig", "bench"]):
+        assert main(["support", *words, "--list", "--json"]) == 0
+        json.loads(capsys.readouterr().out)
+    assert [given.rig for given in asked] == [None, "bench"]
