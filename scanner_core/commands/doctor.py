@@ -66,8 +66,8 @@ def run(given: argparse.Namespace, console: Console) -> int:
     return 1 if any(check.verdict == "fail" for check in report.checks) else 0
 
 
-def arguments(rig: str) -> argparse.Namespace:
-    """What :func:`run` is given for one rig and nothing else."""
+def arguments(rig: str | None) -> argparse.Namespace:
+    """What :func:`run` is given for one rig and nothing else; None finds devices."""
     nothing: dict[str, object] = {"find": False, "port": [], "out": None, "thumbnails": None, "force": False, "fault": [], "without": []}
     return argparse.Namespace(rig=rig, specimen=_SPECIMEN, speed="max", seed=0, **nothing)
 
