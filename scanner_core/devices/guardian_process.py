@@ -4,9 +4,10 @@
 
 GRBL has no watchdog, so somebody else has to be it.  The guardian relays bytes both ways and resets the board (0x18
 stops the laser inside its receive interrupt) as soon as the pipe from the program closes, or nothing came over it for
-:data:`SILENCE_S` (:data:`DARK_SILENCE_S` before the first line that could light the laser).  It imports nothing but pyserial and the standard library: it is there before the program is, and
-nothing of the program can hold it up.  It lives in a session of its own and ignores Ctrl-C, because a terminal sends
-that to everybody at once and the program is the one to decide.
+:data:`SILENCE_S` (:data:`DARK_SILENCE_S` before the first line that could light the laser).  It imports nothing but
+pyserial and the standard library: it is there before the program is, and nothing of the program can hold it up.  It
+lives in a session of its own and ignores Ctrl-C, because a terminal sends that to everybody at once and the program is
+the one to decide.
 
 With ``--reset`` it opens the port, resets the board, and ends: how a program makes sure after its guardian was killed.
 """
