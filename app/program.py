@@ -36,7 +36,7 @@ from app.stop_key import StopKey
 from app.theme import apply_theme, icon
 from app.undo import UndoHistory
 from app.views.main_window import MainWindow
-from scanner_core.log_file import log_fault
+from scanner_core.log_file import log_fault, log_versions
 
 _DEADLINE_S = 8.0
 _SWITCH_S = 0.001
@@ -116,6 +116,7 @@ class Program(QObject):
         """The window stands on the screen: now the slow things may begin."""
         self.window.repaint()
         self.heartbeat.notes["first_window_s"] = time.perf_counter() - self._started_s
+        self.background.run("versions", log_versions)
         self.background.run("import-3d", partial(import_graphics, "app.views.scene_view"), lambda _: self._make_scene())
         self.services.rig.choose(preset=self.settings.preset, specimen=self.settings.specimen, speed=self.settings.speed)
         if case is not None:

@@ -18,7 +18,7 @@ from types import ModuleType
 from scanner_core import __version__
 from scanner_core.commands.console import Console
 from scanner_core.errors import ImprontaError
-from scanner_core.log_file import log_fault, logging_to_file
+from scanner_core.log_file import log_fault, log_versions, logging_to_file
 from scanner_core.support.private_names import file_names
 
 _INTERRUPTED = {
@@ -49,6 +49,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     console = Console(given.json)
     try:
         with logging_to_file(f"impronta {given.command}", file_names(_paths(given))):
+            log_versions()
             code = _run(command, given, console)
             _log.info("exit code %d", code)
             return code
@@ -104,7 +105,7 @@ def _parser() -> argparse.ArgumentParser:
     _virtual(demo)
 
     calibrate = _command(commands, "calibrate", "stereo, scale and turntable axis from ChArUco views and a known length")
-    calibrate.add_argument("--rig", required=True, metavar="RIG.toml", help="a rig file, or the name of a preset")
+    _measuring_rig(calibrate)
     calibrate.add_argument("--out", metavar="RIG.toml", help="the rig with its new calibration (default: report only)")
     calibrate.add_argument("--force", action="store_true", help="overwrite a rig file that is there")
     calibrate.add_argument("--length-mm", type=_positive, default=None, metavar="L", help="certified length of the length bar (virtual rig: 150)")
@@ -166,7 +167,7 @@ def _parser() -> argparse.ArgumentParser:
     _virtual(doctor)
 
     support = _command(commands, "support", "one archive for whoever helps: log, versions, rig, transcript and doctor's report, without names")
-    support.add_argument("--rig", default="bench", metavar="RIG.toml", help="a rig file, or the name of a preset")
+    support.add_argument("--rig", metavar="RIG.toml", help="a rig file, or the name of a preset (default: find devices)")
     support.add_argument("--out", metavar="FILE.zip", help="where to write it; nothing is sent")
     support.add_argument("--list", action="store_true", help="only show what would go in")
     support.add_argument("--without", action="append", default=[], metavar="NAME", help="leave an entry out; may be repeated")

@@ -18,7 +18,6 @@ import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
-from importlib import metadata
 from pathlib import Path
 
 from scanner_core import __version__
@@ -71,7 +70,7 @@ def keep_out_now(names: Callable[[], Iterable[PrivateName]]) -> Callable[[], Non
 
 @contextmanager
 def logging_to_file(what: str, names: Iterable[PrivateName] = (), folder: Path | None = None) -> Iterator[None]:
-    """Write the log while the body runs; `what` was started is its first line.
+    """Write the log while the body runs; that `what` was started is its first line.
 
     Parameters
     ----------
@@ -96,7 +95,6 @@ def logging_to_file(what: str, names: Iterable[PrivateName] = (), folder: Path |
     for each in handlers:
         root.addHandler(each)
     _log.info("start: %s", what)
-    _log.info("versions: %s", ", ".join(f"{name} {version}" for name, version in versions().items()))
     try:
         yield
     finally:
@@ -107,6 +105,11 @@ def logging_to_file(what: str, names: Iterable[PrivateName] = (), folder: Path |
         _log.setLevel(level)
 
 
+def log_versions() -> None:
+    """One line; to find them takes some hundredths of a second."""
+    _log.info("versions: %s", ", ".join(f"{name} {version}" for name, version in versions().items()))
+
+
 def log_fault(fault: BaseException, where: str) -> None:
     """A fault that a person is told elsewhere: code, details and traceback, in the file only."""
     code, details = (fault.code, fault.details) if isinstance(fault, ImprontaError) else (type(fault).__name__, "")
@@ -115,6 +118,8 @@ def log_fault(fault: BaseException, where: str) -> None:
 
 def versions() -> dict[str, str]:
     """Program, Python, system and the libraries that are installed."""
+    from importlib import metadata
+
     found = {"impronta": __version__, "Python": platform.python_version(), "system": f"{platform.system()} {platform.release()} {platform.machine()}"}
     for name in LIBRARIES:
         with suppress(metadata.PackageNotFoundError):

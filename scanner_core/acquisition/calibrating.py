@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from scanner_core import wall_clock
 from scanner_core.acquisition.rig_session import OpenRig
@@ -16,8 +16,33 @@ from scanner_core.optics.calibration_session import BoardOperator, CalibrationSe
 
 def default_settings(rig: OpenRig) -> CalibrationSettings:
     """The virtual rig has a certified bar, hardware only when its owner says so; the validity is the rig's own."""
-    settings = CalibrationSettings(bar=None if rig.bench is None else rig.bench.bar)
+    bar = rig.bench.bar if rig.bench is not None else DEFAULT_BAR if _of_bench(rig) else None
+    settings = CalibrationSettings(bar=bar)
     return settings if rig.calibration is None else replace(settings, valid_days=rig.calibration.valid_days)
+
+
+@dataclass(frozen=True, slots=True)
+class RecordedBoard:
+    """What a recording shows was held there already; `by_hand` as it was then, so that its frames are looked at alike."""
+
+    by_hand: bool
+
+    def show(self, index: int, count: int) -> None:
+        pass
+
+    def show_bar(self, index: int, count: int) -> None:
+        pass
+
+    def lay_on_table(self) -> None:
+        pass
+
+    def remove(self) -> None:
+        pass
+
+
+def _of_bench(rig: OpenRig) -> bool:
+    """Whether the virtual bench made what is replayed."""
+    return rig.replayed and rig.config.virtual is not None
 
 
 def known_length(rig: OpenRig, bar_mm: float | None, print_width_mm: float | None, thickness_mm: float) -> CalibrationSettings:
@@ -41,7 +66,7 @@ def calibrate_rig(
 
     Parameters
     ----------
-    operator : who shows the board; the virtual bench when None
+    operator : who shows the board; the virtual bench when None, and nobody where everything is replayed
     target : the board as it was drawn
     settings : :func:`default_settings` when None
 
@@ -49,7 +74,11 @@ def calibrate_rig(
     ------
     CalibrationError, DeviceError, Cancelled
     """
-    shown_by = operator or (rig.bench.board_operator() if rig.bench is not None else None)
+    shown_by = operator
+    if rig.bench is not None:
+        shown_by = operator or rig.bench.board_operator()
+    elif rig.replayed:
+        shown_by = RecordedBoard(by_hand=not _of_bench(rig))
     if shown_by is None:
         raise CalibrationError("E-CAL-01", reason="nobody shows the board")
     return run_calibration(

@@ -7,43 +7,54 @@ from dataclasses import replace
 from pathlib import Path
 
 from scanner_core.acquisition.calibrating import calibrate_rig, default_settings
+from scanner_core.acquisition.recording import check_recordable
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
 from scanner_core.commands.by_hand import Prompter
 from scanner_core.commands.calibration_report import calibration_json, calibration_summary, result_json, result_summary
 from scanner_core.commands.console import Console
-from scanner_core.devices.rig import parse_rig, recalibrated, rig_text
+from scanner_core.commands.scanning import recording, rig_given, rig_path
+from scanner_core.devices.rig import recalibrated, rig_text
 from scanner_core.errors import UsageError
 from scanner_core.files import check_free, replaced_when_whole
 from scanner_core.optics.board import DEFAULT_BAR, DEFAULT_TARGET, CharucoTarget
+from scanner_core.optics.calibration_result import CalibrationResult
 from scanner_core.optics.calibration_session import CalibrationSettings, Person
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
-    text = rig_text(given.rig)
-    config = parse_rig(text, given.rig)
+    text = rig_text(rig_path(given))
+    config = rig_given(given)
+    if given.record is not None:
+        check_recordable(Path(given.record).resolve())
     out = None if given.out is None else Path(given.out).resolve()
     if out is not None:
         check_free(out, given.force)
     with open_rig(config, None, "max", given.seed) as rig:
         target, settings = target_given(given), settings_given(given, rig)
-        if rig.bench is not None:
-            result = calibrate_rig(
-                rig,
-                target=target,
-                settings=settings,
-                progress=lambda told: console.progress("calibrate", told.fraction, told.seconds_left),
-            )
-        else:
-            asks = Prompter(console)
-            asks.begin(settings)
-            result = calibrate_rig(rig, Person(asks.say), target=target, settings=settings, progress=asks.progress, watch=asks.watch)
+        with recording(given, rig) as told:
+            result = _calibrated(rig, console, target, settings)
     lines = [calibration_summary(result.calibration), *result_summary(result)]
+    if told is not None:
+        lines.append(told.summary())
     if out is not None:
         with replaced_when_whole(out, given.force) as partial:
             partial.write_text(recalibrated(text, result.calibration), encoding="utf-8")
         lines.append(f"Written to {out}.")
     console.result(calibration_json(result.calibration) | result_json(result) | {"rig": None if out is None else str(out)}, lines)
     return 0
+
+
+def _calibrated(rig: OpenRig, console: Console, target: CharucoTarget, settings: CalibrationSettings) -> CalibrationResult:
+    if rig.bench is not None or rig.replayed:
+        return calibrate_rig(
+            rig,
+            target=target,
+            settings=settings,
+            progress=lambda told: console.progress("calibrate", told.fraction, told.seconds_left),
+        )
+    asks = Prompter(console)
+    asks.begin(settings)
+    return calibrate_rig(rig, Person(asks.say), target=target, settings=settings, progress=asks.progress, watch=asks.watch)
 
 
 def target_given(given: argparse.Namespace) -> CharucoTarget:

@@ -10,26 +10,21 @@ import argparse
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.clock import ScaledClock
 from scanner_core.commands.console import Console
-from scanner_core.commissioning.calibration_check import check_calibration
-from scanner_core.commissioning.device_checks import check_devices, found_values
 from scanner_core.commissioning.found_devices import FoundDevices, find_devices
-from scanner_core.commissioning.machine import check_machine
-from scanner_core.commissioning.proposed_rig import corrected_rig, propose_rig, write_rig
-from scanner_core.commissioning.rig_check import RigCheck, check_rig
-from scanner_core.commissioning.rig_findings import RigFindings
-from scanner_core.commissioning.thumbnails import picture_name, write_picture
 from scanner_core.devices.check import Check
 from scanner_core.devices.discovery import SerialPort, serial_ports
-from scanner_core.devices.rig import RigConfig, load_rig_or_preset
 from scanner_core.errors import DeviceError, ImprontaError
 from scanner_core.files import check_free
 from scanner_core.jobs.progress import Progress
-from scanner_core.virtual.faults import parse_fault
-from scanner_core.virtual.specimens import load_specimen
+
+if TYPE_CHECKING:  # what takes a second to import waits until the devices have been asked
+    from scanner_core.commissioning.rig_check import RigCheck
+    from scanner_core.commissioning.rig_findings import RigFindings
+    from scanner_core.devices.rig import RigConfig
 
 _DEFAULT = "bench"
 _SPECIMEN = "sphere"
@@ -47,30 +42,32 @@ class _Report:
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
-    config = load_rig_or_preset(given.rig or _DEFAULT).without(given.without)
     if given.out is not None:
         check_free(given.out, given.force)
-    report = _Report(check_machine(), {"port": config.controller.port, "transcript": []})
-    if given.find or given.out is not None:
-        _find_and_write(given, console, config, report)
+    only_find = given.find or given.out is not None
+    report = _Report()
+    found = _find(given, console, report) if only_find or given.rig is None else None
+
+    from scanner_core.commissioning.device_checks import check_devices
+    from scanner_core.commissioning.machine import check_machine
+
+    report.checks += check_machine()
+    if found is not None:
+        report.checks += check_devices(found, needed=only_find)
+    if found is not None and only_find:
+        controller = found.controller()
+        report.controller = {"port": "" if controller is None else controller.port.url, "transcript": []}
+        if given.out is not None:
+            _write(given, console, found, report)
     else:
-        if given.rig is None:
-            report.checks += check_devices(_find(given, console, report), needed=False)
-        report.checks.append(check_calibration(config))
-        _check(given, console, config, report)
-    values = {
-        "rig": config.name,
-        "checks": [asdict(check) for check in report.checks],
-        "controller": report.controller,
-        "cameras": report.cameras,
-        **report.more,
-    }
+        _check_given(given, console, report)
+    values = {"checks": [asdict(check) for check in report.checks], "controller": report.controller, "cameras": report.cameras, **report.more}
     console.result(values, [_line(check) for check in report.checks])
     return 1 if any(check.verdict == "fail" for check in report.checks) else 0
 
 
-def arguments(rig: str) -> argparse.Namespace:
-    """What :func:`run` is given for one rig and nothing else."""
+def arguments(rig: str | None) -> argparse.Namespace:
+    """What :func:`run` is given for one rig and nothing else; None finds devices."""
     nothing: dict[str, object] = {"find": False, "port": [], "out": None, "thumbnails": None, "force": False, "fault": [], "without": []}
     return argparse.Namespace(rig=rig, specimen=_SPECIMEN, speed="max", seed=0, **nothing)
 
@@ -82,6 +79,10 @@ def _line(check: Check) -> str:
 def _find(given: argparse.Namespace, console: Console, report: _Report) -> FoundDevices:
     ports = [SerialPort(url, "") for url in given.port] or serial_ports()
     found = find_devices(ScaledClock(), progress=_shown(console), cancelled=lambda: False, ports=ports)
+
+    from scanner_core.commissioning.device_checks import found_values
+    from scanner_core.commissioning.thumbnails import picture_name, write_picture
+
     report.more["found"] = found_values(found)
     for camera in found.cameras:
         if given.thumbnails is not None and camera.thumbnail is not None:
@@ -89,23 +90,39 @@ def _find(given: argparse.Namespace, console: Console, report: _Report) -> Found
     return found
 
 
-def _find_and_write(given: argparse.Namespace, console: Console, template: RigConfig, report: _Report) -> None:
-    found = _find(given, console, report)
-    report.checks += check_devices(found, needed=True)
+def _write(given: argparse.Namespace, console: Console, found: FoundDevices, report: _Report) -> None:
+    """A rig of what was found, checked by what its cameras see."""
+    from scanner_core.commissioning.proposed_rig import corrected_rig, propose_rig, write_rig
+    from scanner_core.devices.rig import load_rig_or_preset
+
     controller, cameras = found.controller(), found.usable_cameras()
-    report.controller["port"] = "" if controller is None else controller.port.url
-    if given.out is None:
-        return
     if controller is None or len(cameras) < 2:
         raise DeviceError("E-RIG-03", controller="no controller" if controller is None else "a controller", cameras=len(cameras))
-    config = propose_rig(template, controller, cameras[0], cameras[1])
+    config = propose_rig(load_rig_or_preset(given.rig or _DEFAULT), controller, cameras[0], cameras[1])
     findings = _check(given, console, config, report)
     write_rig(Path(given.out), corrected_rig(config, findings), force=given.force)
     report.more["out"] = str(given.out)
 
 
+def _check_given(given: argparse.Namespace, console: Console, report: _Report) -> None:
+    """The rig that was named, or the virtual one."""
+    from scanner_core.commissioning.calibration_check import check_calibration
+    from scanner_core.devices.rig import load_rig_or_preset
+
+    config = load_rig_or_preset(given.rig or _DEFAULT).without(given.without)
+    report.more["rig"] = config.name
+    report.controller = {"port": config.controller.port, "transcript": []}
+    report.checks.append(check_calibration(config))
+    _check(given, console, config, report)
+
+
 def _check(given: argparse.Namespace, console: Console, config: RigConfig, report: _Report) -> RigFindings | None:
     """Open the rig and check it; a rig that does not open is a line."""
+    from scanner_core.acquisition.rig_session import open_rig
+    from scanner_core.commissioning.rig_check import check_rig
+    from scanner_core.commissioning.thumbnails import picture_name, write_picture
+    from scanner_core.virtual.faults import parse_fault
+    from scanner_core.virtual.specimens import load_specimen
 
     def told(made: RigCheck) -> None:
         report.checks.append(made.check)

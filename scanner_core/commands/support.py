@@ -28,8 +28,8 @@ def run(given: argparse.Namespace, console: Console) -> int:
         check_free(out, given.force)
     sources = SupportSources(
         examine=lambda: _doctor(given.rig, console),
-        rig_text=_rig_text(given.rig, console),
-        rig_source=given.rig,
+        rig_text="" if given.rig is None else _rig_text(given.rig, console),
+        rig_source=given.rig or "",
         settings=_settings(),
         case_folders=(Path.cwd(),),
     )
@@ -59,7 +59,8 @@ class _Listener(Console):
         self.values = values
 
 
-def _doctor(rig: str, console: Console) -> Mapping[str, Any]:
+def _doctor(rig: str | None, console: Console) -> Mapping[str, Any]:
+    """Without a rig it asks what is plugged in."""
     listener = _Listener(console)
     doctor.run(doctor.arguments(rig), listener)
     return listener.values

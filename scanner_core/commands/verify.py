@@ -9,6 +9,7 @@ from pathlib import Path
 
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
+from scanner_core.commands.artefacts_by_hand import operator_at_terminal
 from scanner_core.commands.console import Console
 from scanner_core.commands.scanning import age_warnings, calibrated_rig, faults, is_rendered, recording, rig_path, specimen_on_table
 from scanner_core.commands.verifying import Bar, Conditions, Outcome, Session, part
@@ -16,6 +17,7 @@ from scanner_core.devices.rig import RigConfig
 from scanner_core.metrology.acceptance import AcceptanceTest, planned_positions
 from scanner_core.metrology.certificate import Occasion, acceptance_certificate, sphere_certificate, static_certificate
 from scanner_core.metrology.decision import Characteristic, Verdict
+from scanner_core.metrology.placing import ArtefactOperator
 from scanner_core.metrology.reference_sphere import Reference, SphereTest
 from scanner_core.metrology.static_spot import StaticTest
 from scanner_core.metrology.static_statistics import AXES
@@ -37,7 +39,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
     with open_rig(config, None, given.speed, given.seed, to_come) as rig:
         try:
             with recording(given, rig) as told:
-                outcome = measure(rig, Bar(console, given.test))
+                outcome = measure(rig, operator_at_terminal(rig, console), Bar(console, given.test))
         finally:
             console.clear()
     if told is not None:
@@ -49,7 +51,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
     return 3 if outcome.verdict is Verdict.FAIL else 0
 
 
-def _planned(given: argparse.Namespace, config: RigConfig) -> Callable[[OpenRig, Bar], Outcome]:
+def _planned(given: argparse.Namespace, config: RigConfig) -> Callable[[OpenRig, ArtefactOperator | None, Bar], Outcome]:
     """The test that was asked for; wrong usage is refused here, before a folder is made or the rig opened."""
     if given.test == "static":
         return partial(_static, given)
@@ -63,8 +65,8 @@ def _planned(given: argparse.Namespace, config: RigConfig) -> Callable[[OpenRig,
 
 
 # ------------------------------------------------------------------------------------------ the three tests
-def _static(given: argparse.Namespace, rig: OpenRig, bar: Bar) -> Outcome:
-    test = StaticTest(rig, given.repeats, given.places)
+def _static(given: argparse.Namespace, rig: OpenRig, operator: ArtefactOperator | None, bar: Bar) -> Outcome:
+    test = StaticTest(rig, given.repeats, given.places, operator)
     interrupted = False
     try:
         result = test.run(lambda count: bar.add(count, given.repeats))
@@ -88,8 +90,10 @@ def _static(given: argparse.Namespace, rig: OpenRig, bar: Bar) -> Outcome:
     return Outcome(result.as_dict(), summary, figures, spread, {}, None, (), partial(static_certificate, result), interrupted)
 
 
-def _sphere(given: argparse.Namespace, reference: Reference, specimen: Specimen | None, rig: OpenRig, bar: Bar) -> Outcome:
-    test = SphereTest(rig, reference, given.points, given.views, specimen=specimen)
+def _sphere(
+    given: argparse.Namespace, reference: Reference, specimen: Specimen | None, rig: OpenRig, operator: ArtefactOperator | None, bar: Bar
+) -> Outcome:
+    test = SphereTest(rig, reference, given.points, given.views, operator, specimen=specimen)
     interrupted = False
     try:
         result = test.run(given.acquisitions, bar.to)
@@ -109,8 +113,10 @@ def _sphere(given: argparse.Namespace, reference: Reference, specimen: Specimen 
     return _judged(result.as_dict(), summary, result.characteristics(), result.verdict, parameters, write, interrupted)
 
 
-def _acceptance(given: argparse.Namespace, radius: Reference, spacing: Reference, rig: OpenRig, bar: Bar) -> Outcome:
-    test = AcceptanceTest(rig, radius, spacing, given.points, given.views)
+def _acceptance(
+    given: argparse.Namespace, radius: Reference, spacing: Reference, rig: OpenRig, operator: ArtefactOperator | None, bar: Bar
+) -> Outcome:
+    test = AcceptanceTest(rig, radius, spacing, given.points, given.views, operator)
     interrupted = False
     try:
         result = test.run(given.positions, bar.to)

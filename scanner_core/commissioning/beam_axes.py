@@ -65,6 +65,7 @@ def measure_axis(rig: OpenRig, dark: dict[str, Image], axis: str, place: Place, 
     for step_deg in _STEPS_DEG:
         offsets = [k * step_deg for k in _OFFSETS if low <= place[index] + k * step_deg <= high]
         seen = []
+        rig.motion.aim(*_moved(place, index, max(low - place[index], offsets[0] - step_deg)))  # then every place is reached from below
         for offset in offsets:
             if cancelled():
                 raise Cancelled

@@ -137,7 +137,7 @@ class OpenCvCamera:
             id=self._config.id,
             model=self._model,
             size_px=self.size_px,
-            rate_hz=self._rate_hz,
+            rate_hz=self._taken.rate_hz or round(self._link.measured_hz, 1),
             pixel_format=self._taken.pixel_format,
             exposure_ms=self._taken.exposure_ms,
             gain_db=self._taken.gain_db,
@@ -208,11 +208,14 @@ def open_opencv_camera(
     """
     if config.trigger is not TriggerSource.FREE:
         raise DeviceError("E-CAM-15", camera=config.name, trigger=config.trigger.value)
-    source, node, model = _locate(config, nodes or VideoNodes())
+    nodes = nodes or VideoNodes()
+    source, node, model = _locate(config, nodes)
     wanted = Wanted(config.size_px, config.rate_hz, config.pixel_format, config.exposure_ms, config.gain_db)
     try:
         link = CameraLink(Assignment(source, node, wanted), open_capture)
     except LinkError as failure:
+        if failure.failed.fault == "closed" and node is not None:  # somebody else may have been quicker
+            _ensure_access(config, nodes, node)
         raise camera_error(config, failure.failed) from None
     if config.rate_hz is not None and link.measured_hz < LEAST_RATE * config.rate_hz:
         link.close()
@@ -227,7 +230,8 @@ def camera_error(config: CameraConfig, failed: Failed) -> DeviceError:
     if failed.fault == "format":
         return DeviceError("E-CAM-08", camera=config.name, reason=failed.details)
     if failed.fault == "closed":
-        return DeviceError("E-CAM-10", camera=config.name, id=config.id, reason=failed.details or "OpenCV gives no reason")
+        reason = failed.details or ("no stream answers there" if "://" in config.id else "OpenCV gives no reason")
+        return DeviceError("E-CAM-10", camera=config.name, id=config.id, reason=reason)
     return DeviceLostError("E-CAM-02", details=failed.details, camera=config.name)
 
 
@@ -253,9 +257,13 @@ def _locate(config: CameraConfig, nodes: VideoNodes) -> tuple[Source, Path | Non
             raise access_error(config, Access.GONE, lambda: [node.id for node in nodes.list()])
         return int(number[1]), None, f"camera {number[1]} of this machine"
     path = nodes.resolve(config.id).resolve()  # its stable name may vanish before the node does
+    _ensure_access(config, nodes, path)
+    return str(path), path, nodes.description(path)
+
+
+def _ensure_access(config: CameraConfig, nodes: VideoNodes, path: Path) -> None:
     if (access := nodes.access(path)) is not Access.FREE:
         raise access_error(config, access, lambda: [node.id for node in nodes.list()])
-    return str(path), path, nodes.description(path)
 
 
 def _rate_hz(wanted: float | None, told: float, measured: float) -> float:

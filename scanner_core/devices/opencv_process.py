@@ -174,6 +174,8 @@ class _Reader:
                 capture.release()
         except _FaultError as fault:
             self._frames.send(fault.failed)
+        except Exception as fault:  # of OpenCV, which raises what its drivers throw: nobody else would see it
+            self._frames.send(Failed("lost", repr(fault)))
 
     def _serve(self, capture: Capture) -> None:
         self._backend = capture.getBackendName()

@@ -11,12 +11,13 @@ from pathlib import Path
 
 import cv2
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 
 from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.clock import Clock, ScaledClock, SteppedClock
 from scanner_core.devices.camera import Camera, Frame, Trigger
-from scanner_core.devices.camera_config import CameraConfig
+from scanner_core.devices.camera_config import CameraConfig, TriggerSource
 from scanner_core.devices.camera_drivers import open_camera
 from scanner_core.devices.frame_writer import FrameWriter
 from scanner_core.devices.recording_camera import RecordingCamera
@@ -25,6 +26,7 @@ from scanner_core.virtual.bench_faults import BenchFault, CameraStalled, FramesD
 from scanner_core.virtual.camera import VirtualCamera
 from scanner_core.virtual.disturbed import Disturbed
 from scanner_core.virtual.presets import PRESETS
+from tests.core.devices.mjpeg_server import MjpegServer
 
 SIDES = ("left", "right")
 COUNT = 12
@@ -78,11 +80,13 @@ class Kind:
     Attributes
     ----------
     open : the pair as it should be
+    lasting : opening takes time, so that tests which leave the cameras open share a pair
     losing : a pair of which the right camera loses frames; None where nothing can lose any
     silent : a pair of which the right camera gives no frame any more, though it is open
     """
 
     open: Opening
+    lasting: bool = False
     losing: Opening | None = None
     silent: Opening | None = None
 
@@ -110,7 +114,7 @@ LOSING = FramesDropped(camera="right", share=0.3)
 
 
 def virtual() -> Kind:
-    return Kind(virtual_pair, partial(virtual_pair, LOSING), partial(virtual_pair, CameraStalled(camera="right")))
+    return Kind(virtual_pair, losing=partial(virtual_pair, LOSING), silent=partial(virtual_pair, CameraStalled(camera="right")))
 
 
 # ------------------------------------------------------------------------------------------ replay
@@ -144,7 +148,7 @@ def record(folder: Path, fault: BenchFault | None = None) -> Path:
 
 def recording(folder: Path) -> Kind:
     whole, losing = record(folder / "whole"), record(folder / "losing", LOSING)
-    return Kind(partial(replayed_pair, whole, whole, timed=False), partial(replayed_pair, losing, losing, timed=False))
+    return Kind(partial(replayed_pair, whole, whole, timed=False), losing=partial(replayed_pair, losing, losing, timed=False))
 
 
 def pictures(seed: int) -> list[NDArray[np.uint8]]:
@@ -169,6 +173,49 @@ def video(folder: Path) -> Kind:
     return Kind(partial(replayed_pair, folder / "left.avi", folder / "right.avi", timed=True))
 
 
+# ------------------------------------------------------------------------------------------ a stream through OpenCV
+def picture(number: int) -> NDArray[np.uint8]:
+    return np.full(SIZE_PX[::-1], 3 * (number % 64) + 10, np.uint8)
+
+
+@contextmanager
+def streamed_pair(befalls_right: Callable[[MjpegServer], threading.Event] | None = None) -> Iterator[Pair]:
+    clock = ScaledClock()
+    with ExitStack() as opened:
+        servers = [opened.enter_context(MjpegServer(picture, RATE_HZ)) for _ in SIDES]
+        configs = [CameraConfig(side, "opencv", server.url, 5.0, 0.0, rate_hz=RATE_HZ) for side, server in zip(SIDES, servers, strict=True)]
+        left, right = (opened.enter_context(open_camera(config, clock)) for config in configs)
+        if befalls_right is not None:
+            befalls_right(servers[1]).set()
+            right.start(Trigger(0, 1, clock.now_s()))  # forgets what it had received before
+        yield Pair(left, right, clock, whole=False)
+
+
+def stream(_: Path) -> Kind:
+    losing = partial(streamed_pair, lambda server: server.starved)
+    return Kind(streamed_pair, lasting=True, losing=losing, silent=partial(streamed_pair, lambda server: server.stalled))
+
+
+# ------------------------------------------------------------------------------------------ the SDK's emulation
+@contextmanager
+def emulated_pair(folder: Path, trigger: TriggerSource) -> Iterator[Pair]:
+    from tests.core.devices.basler_emulation import basler_config, open_emulated
+
+    clock = ScaledClock()
+    with pytest.MonkeyPatch.context() as patch, ExitStack() as opened:
+        patch.setenv("PYLON_CAMEMU", "2")
+        configs = [basler_config(side, SIZE_PX, RATE_HZ, trigger) for side in SIDES]
+        left, right = (opened.enter_context(open_emulated(config, clock, folder)) for config in configs)
+        yield Pair(left, right, clock, whole=False)
+
+
+def emulation(folder: Path, trigger: TriggerSource) -> Kind:
+    pytest.importorskip("pypylon", reason="the extra 'basler' is not installed")
+    from tests.core.devices.basler_emulation import write_images
+
+    return Kind(partial(emulated_pair, write_images(folder, pictures(0)), trigger), lasting=True)
+
+
 # ------------------------------------------------------------------------------------------ real devices
 @contextmanager
 def pair_of(config: RigConfig) -> Iterator[Pair]:
@@ -178,4 +225,4 @@ def pair_of(config: RigConfig) -> Iterator[Pair]:
 
 def hardware(config: RigConfig) -> Kind:
     """The cameras of a rig file, whatever they are."""
-    return Kind(partial(pair_of, config))
+    return Kind(partial(pair_of, config), lasting=True)

@@ -9,7 +9,7 @@ import pytest
 
 from scanner_core import log_file
 from scanner_core.errors import CaseLockedError, StorageError
-from scanner_core.log_file import FILES, LogFile, keep_out, log_fault, log_files, logging_to_file
+from scanner_core.log_file import FILES, LogFile, keep_out, log_fault, log_files, log_versions, logging_to_file
 from scanner_core.support.private_names import file_names, order_names
 
 LOG = logging.getLogger("impronta")
@@ -26,6 +26,7 @@ def _text(folder: Path) -> str:
 
 def test_it_begins_with_the_versions_and_holds_what_was_told(tmp_path: Path) -> None:
     with logging_to_file("impronta scan", folder=tmp_path):
+        log_versions()
         LOG.info("rig opened: bench")
         LOG.debug("too much")
     lines = _text(tmp_path).splitlines()

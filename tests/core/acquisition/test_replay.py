@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+from scanner_core.acquisition import calibrating
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.recording import PLAN, RIG, recorded, recorded_plan, recorded_rig
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
@@ -20,6 +21,7 @@ from scanner_core.devices.recording import INDEX
 from scanner_core.devices.rig import RigConfig, load_preset
 from scanner_core.errors import DeviceError, UsageError
 from scanner_core.metrology.static_spot import StaticTest
+from scanner_core.optics.board import DEFAULT_BAR, LengthBar
 from scanner_core.virtual.faults import parse_fault
 from scanner_core.virtual.specimens import load_specimen
 
@@ -146,3 +148,19 @@ def test_a_rig_that_exists_is_replayed_with_the_virtual_controller(tmp_path: Pat
         with pytest.raises(DeviceError, match="holds 1 single frames and no more"):
             rig.left.grab()
     assert json.loads((tmp_path / "rec" / "left" / INDEX).read_text(encoding="utf-8").splitlines()[0])["model"] == "camera of the virtual rig"
+
+
+@pytest.mark.parametrize(("virtual", "bar", "by_hand"), [("bench", DEFAULT_BAR, False), (None, None, True)])
+def test_a_recorded_calibration_is_looked_at_as_it_was_and_nobody_is_asked(
+    live: Live, monkeypatch: pytest.MonkeyPatch, virtual: str | None, bar: LengthBar | None, by_hand: bool
+) -> None:
+    given: dict[str, Any] = {}
+
+    def run_calibration(*devices: Any, **rest: Any) -> None:
+        given.update(operator=devices[3], settings=devices[5])
+
+    monkeypatch.setattr(calibrating, "run_calibration", run_calibration)
+    with open_rig(replace(recorded_rig(live.folder), virtual=virtual)) as rig:
+        calibrating.calibrate_rig(rig)
+    assert (given["settings"].bar, given["operator"].by_hand) == (bar, by_hand)
+    given["operator"].show(0, 1)

@@ -1,12 +1,16 @@
 from __future__ import annotations
 
+import argparse
 import json
+import re
 import zipfile
 from pathlib import Path
 
 import pytest
 
 from scanner_core.__main__ import main
+from scanner_core.commands import doctor
+from scanner_core.commands.console import Console
 from scanner_core.log_file import log_files
 from scanner_core.user_folders import log_folder
 
@@ -39,6 +43,7 @@ def test_without_devices_the_archive_holds_what_failed(tmp_path: Path, capsys: p
         assert {"README.txt", "rig.toml", "doctor.json", "machine.json", "log-0.txt"} <= set(archive.namelist())
         checks = json.loads(archive.read("doctor.json"))["checks"]
         assert "mine" not in archive.read("rig.toml").decode()
+    assert not any("unexpected" in check["detail"] for check in checks)
     assert any(check["verdict"] == "fail" and "ttyNotThere" in check["detail"] + check["remedy"] for check in checks)
 
 
@@ -72,8 +77,38 @@ def test_a_command_that_fails_is_in_the_log_without_its_file(tmp_path: Path, cap
     assert "ear left" not in text
 
 
+def test_a_scan_tells_the_log_what_it_did(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "plan.toml").write_text("views = 2\npoints = 200\n")
+    scan = ["scan", "--rig", "bench", "--plan", "plan.toml", "--specimen", "sphere", "--out"]
+    assert main([*scan, "Quirin Zwack.impronta"]) == 0
+    assert main([*scan, "Ottilie.impronta", "--fault", "camera_unplugged@1"]) == 1
+    capsys.readouterr()
+    text = log_files(log_folder())[0].read_text(encoding="utf-8")
+    assert text.count("rig opened: bench, cameras virtual and virtual, controller on virtual://") == 2
+    assert text.count("scan begun: 2 views, 200 points wanted") == 2
+    assert re.search(r"scan completed: \d+ planned, \d+ measured", text)
+    assert re.search(r"scan failed: \d+ planned, \d+ measured", text)
+    assert "E-CAM-02" in text
+    assert not re.search("Quirin|Zwack|Ottilie", text)
+
+
 def test_a_log_that_cannot_be_written_stops_no_command(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "file").write_text("")
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "file"))
     assert main(["target", "--out", "board.pdf"]) == 0
     assert capsys.readouterr().err.count("There will be no log") == 1
+
+
+def test_without_a_rig_the_doctor_looks_for_devices(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    asked: list[argparse.Namespace] = []
+
+    def run(given: argparse.Namespace, console: Console) -> int:
+        asked.append(given)
+        console.result({"checks": []}, [])
+        return 0
+
+    monkeypatch.setattr(doctor, "run", run)
+    for words in ([], ["--rig", "bench"]):
+        assert main(["support", *words, "--list", "--json"]) == 0
+        json.loads(capsys.readouterr().out)
+    assert [given.rig for given in asked] == [None, "bench"]

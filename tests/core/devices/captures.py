@@ -150,6 +150,15 @@ class Black(DriverModel):
         return np.zeros((48, 64, 3), np.uint8)
 
 
+class Throwing(DriverModel):
+    """OpenCV lets a driver's exception through."""
+
+    def grab(self) -> bool:
+        if self.frames > 50:
+            raise cv2.error("from its depths")
+        return super().grab()
+
+
 class Unopened(DriverModel):
     def isOpened(self) -> bool:  # noqa: N802
         return False
@@ -164,7 +173,7 @@ def open_fake(source: Source) -> Capture:
     if node.name == "pulled":
         return Pulled(node)
     kinds: dict[str, type[DriverModel]] = {
-        kind.__name__.lower(): kind for kind in (DriverModel, Hanging, Mute, Deep, Resized, Flawed, Black, Unopened)
+        kind.__name__.lower(): kind for kind in (DriverModel, Hanging, Mute, Deep, Resized, Flawed, Black, Throwing, Unopened)
     }
     return kinds[node.name]()
 

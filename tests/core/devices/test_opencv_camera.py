@@ -23,6 +23,7 @@ from scanner_core.devices.camera import Camera, Trigger
 from scanner_core.devices.camera_config import CameraConfig, TriggerSource
 from scanner_core.devices.camera_drivers import open_camera
 from scanner_core.devices.opencv_camera import OpenCvCamera, open_opencv_camera
+from scanner_core.devices.video_nodes import Access
 from scanner_core.errors import DeviceBusyError, DeviceClosedError, DeviceError, DeviceLostError, DeviceTimeoutError
 from tests.core.devices.captures import FakeNodes, open_fake
 from tests.core.devices.mjpeg_server import MjpegServer
@@ -121,7 +122,7 @@ def test_a_stream_that_is_not_there_and_one_that_is_no_picture(server: MjpegServ
     with pytest.raises(DeviceError, match=r"could not be decoded.*E-CAM-08"):
         open_camera(stream(server), ScaledClock())
     server.cut.set()
-    with pytest.raises(DeviceError, match="E-CAM-10"):
+    with pytest.raises(DeviceError, match=r"no stream answers there.*E-CAM-10"):
         open_camera(stream(server), ScaledClock())
 
 
@@ -244,6 +245,24 @@ def test_a_camera_that_cannot_be_had(tmp_path: Path, access: str, kind: type[Dev
     (tmp_path / "webcam").write_text(access)
     with pytest.raises(kind, match=sentence):
         open_opencv_camera(node("webcam"), ScaledClock(), nodes, open_fake)
+
+
+def test_another_program_that_is_quicker_is_told(tmp_path: Path) -> None:
+    class Contested(FakeNodes):
+        asked = 0
+
+        def access(self, path: Path, *, quick: bool = False) -> Access:
+            self.asked += 1
+            return Access.FREE if self.asked == 1 else Access.BUSY
+
+    with pytest.raises(DeviceBusyError, match="E-CAM-05"):
+        open_opencv_camera(node("unopened"), ScaledClock(), Contested(tmp_path, "unopened"), open_fake)
+
+
+def test_a_fault_that_opencv_throws_is_kept_for_the_log(tmp_path: Path) -> None:
+    with open_node(tmp_path, "throwing") as camera, pytest.raises(DeviceLostError, match="E-CAM-02") as caught:
+        grab_on(camera)
+    assert "from its depths" in caught.value.details
 
 
 def test_a_camera_that_is_not_there_is_told_with_those_that_are(tmp_path: Path) -> None:

@@ -9,13 +9,15 @@ from pathlib import Path
 from urllib.parse import quote
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from scanner_core.case.store import CaseStore, Order
 from scanner_core.errors import DeviceError, StorageError, UsageError
 from scanner_core.jobs.progress import Cancelled, Progress
 from scanner_core.support import bundle as bundles
 from scanner_core.support.bundle import SupportBundle, SupportSources, collect, write_bundle
-from scanner_core.support.private_names import Mark, PrivateName
+from scanner_core.support.private_names import Mark, PrivateName, file_names, order_names
 
 SECRETS = ("QX-7731", "Zwölfender", "Ottilie", "schläft schlecht", "Xanten-1962", "kxuser9", "host-kx77.example")
 """Order, patient (two words), remarks, a folder and file, the user, the machine."""
@@ -83,6 +85,26 @@ def test_no_name_is_anywhere_in_the_archive(sources: SupportSources, tmp_path: P
     assert json.loads(texts["settings.json"])["language"] == "de"
     assert [sorted(case) for case in json.loads(texts["cases.json"])] == [["bytes", "case", "changed"]]
     assert all(mark in texts["log-0.txt"] for mark in ("[order]", "[patient]", "[notes]", "[user]", "[host]", "[file]"))
+
+
+@settings(max_examples=20)
+@given(secrets=st.lists(st.text(st.characters(categories=("L", "Nd")), min_size=5, max_size=20), min_size=3, max_size=3, unique=True), data=st.data())
+def test_no_planted_secret_is_found(secrets: list[str], data: st.DataObject, tmp_path_factory: pytest.TempPathFactory) -> None:
+    """Whatever an order, a patient or a file is called, wherever it stands."""
+    order, patient, stem = secrets
+    folder = tmp_path_factory.mktemp("planted")
+    around = st.text(st.sampled_from("ab 1_-/\\\n\"'(){}[]:;,.%"), max_size=12)
+    everything = "".join(data.draw(around) + secret for _ in range(2) for secret in secrets) + data.draw(around)
+    (folder / "impronta.log").write_text(everything, encoding="utf-8")
+    names = (*order_names(order, patient), *file_names([folder / f"{stem}.impronta"]))
+    report = {"checks": [everything], "controller": {"transcript": [{"t_s": 0.0, "direction": "in", "line": everything}]}}
+    made = _collect(SupportSources(examine=lambda: report, rig_text=everything, rig_source=stem + ".toml", names=names, logs=folder))
+    write_bundle(made, folder / "bundle.zip")
+    with zipfile.ZipFile(folder / "bundle.zip") as archive:
+        texts = "".join(name + archive.read(name).decode("utf-8") for name in archive.namelist())
+    for secret in secrets:
+        for written in (secret, json.dumps(secret)[1:-1], quote(secret)):
+            assert written.lower() not in texts.lower()
 
 
 def test_its_readme_names_every_entry(sources: SupportSources) -> None:
