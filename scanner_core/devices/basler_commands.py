@@ -145,6 +145,7 @@ class _CommandedRun:
                         camera.command(place, self._clock.now_s())
                 place += max(late, 1)
         finally:
+            self._pacer.close()
             self.ended.set()
 
 
