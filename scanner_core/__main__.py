@@ -87,11 +87,6 @@ def _as_interrupt(_number: int, _frame: object) -> None:
     raise KeyboardInterrupt
 
 
-def parse(words: Sequence[str]) -> argparse.Namespace:
-    """The arguments of a subcommand, for one that needs another."""
-    return _parser().parse_args(words)
-
-
 def _parser() -> argparse.ArgumentParser:
     about = "Measure anatomical parts without touching them. Without a subcommand the window opens."
     parser = argparse.ArgumentParser(prog="impronta", description=about)

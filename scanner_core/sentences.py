@@ -66,6 +66,10 @@ SENTENCES: dict[str, Sentence] = {
         "Camera {camera} is driven through OpenCV, which cannot trigger it by {trigger}.",
         'Nothing was moved; write trigger = "free" into the rig file, or use a camera with a trigger of its own and its own driver.',
     ),
+    "E-CAM-16": Sentence(
+        "The left camera gives {left_hz} frames/s and the right one {right_hz}.",
+        "Nothing was measured; give both the same 'rate_hz' in the rig file.",
+    ),
     "E-CAM-20": Sentence("The recording {path} cannot be replayed: {reason}.", "Nothing was measured; choose another recording."),
     "E-CAM-21": Sentence(
         "The recording {path} holds no frames for what was asked of camera {camera}: {reason}.",

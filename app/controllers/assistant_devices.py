@@ -53,7 +53,7 @@ class AssistantDevices:
         from scanner_core.virtual.specimens import load_specimen
 
         self.close()
-        self.rig = open_rig(config, load_specimen("sphere") if config.virtual else None)
+        self.rig = open_rig(config, load_specimen("ear") if config.virtual else None)
         return self.rig
 
     # -------------------------------------------------------------------------------- the cameras that were found

@@ -19,7 +19,7 @@ def config_of(snapshot: AssistantSnapshot) -> RigConfig:
 
     template, choice = load_preset("bench"), snapshot.choice
     if choice.virtual:
-        config = template.with_calibration(None)
+        config = template  # with its calibration: the scene is the one that it is of
     else:
         cameras = {key_of(found): found for found in snapshot.cameras}
         port = next(answer for answer in snapshot.ports if answer.port.url == choice.port)

@@ -243,8 +243,10 @@ class RigController(QObject):
             self._background.post(partial(self._ended, None))
         except CalibrationError as fault:
             self._background.post(partial(self._not_accepted, fault))
-        except DeviceError as fault:
+        except MotionStoppedError:  # by a person, who knows
             self._background.post(partial(self._ended, None))
+        except DeviceError as fault:
+            self._background.post(partial(self._ended, fault))
             self._fell_out(fault)
         except Exception:  # whatever it is: the window must not show a calibration that is over
             self._background.post(partial(self._ended, None))
@@ -272,7 +274,7 @@ class RigController(QObject):
         """A device of the open rig raised this."""
         if isinstance(fault, ControllerAlarmError):  # it is there, and says so
             self._background.post(partial(self._alarmed, DeviceFailure(CONTROLLER, fault)))
-        elif not isinstance(fault, MotionStoppedError):  # by a person, who knows
+        else:
             self._devices.lose(fault)
 
     def _recover(self) -> None:

@@ -17,8 +17,8 @@ from app.views.assistant_words import camera_details, camera_name, camera_state
 from app.views.parts import Lamp, button, label, row
 from scanner_core.devices.found_camera import CameraState, FoundCamera
 
-WIDTH = 214
-_HEIGHT = 122
+WIDTH = 196
+_HEIGHT = 112
 _LIFT = 0.6
 """Gamma that makes a dark picture just visible."""
 

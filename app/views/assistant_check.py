@@ -13,7 +13,7 @@ from app.views.assistant_corrections import Corrections
 from app.views.assistant_jog import JogPanel
 from app.views.assistant_pictures import AssistantPictures
 from app.views.assistant_words import check_name
-from app.views.parts import button, column, label, make_primary, row, scrolled, seam
+from app.views.parts import button, column, give_role, label, make_primary, row, scrolled, seam
 
 
 class CheckStep(QWidget):
@@ -45,6 +45,7 @@ class CheckStep(QWidget):
         self._bar.setAccessibleName(self.tr("Progress of the check"))
         self._doing = label("", "muted")
         self._failed = label("", "bad", wrap=True, selectable=True)
+        self.summary = label("", wrap=True)
         self._running = QFrame()
         running = column(row(self._doing, 1, self.cancel), self._bar, spacing=8)
         running.setContentsMargins(0, 0, 0, 0)
@@ -55,9 +56,8 @@ class CheckStep(QWidget):
         self.pictures = AssistantPictures()
         self.jog = JogPanel(assistant)
         inside = QWidget()
-        left = column(
-            self.warning, self.agreed, row(self.start, self.open, 1), self._running, self._failed, self._list, self.corrections, 1, spacing=14
-        )
+        above = (self.warning, self.agreed, row(self.start, self.open, 1), self._running, self._failed)
+        left = column(*above, self.summary, self.corrections, self._list, 1, spacing=14)
         left.setContentsMargins(36, 20, 24, 16)
         inside.setLayout(left)
         self.left = scrolled(inside)
@@ -98,6 +98,7 @@ class CheckStep(QWidget):
         self._failed.setText("" if snapshot.failed is None else " ".join(sentence_of(snapshot.failed)))
         self._failed.setVisible(snapshot.failed is not None)
         self._show_checks(snapshot)
+        self._show_summary(snapshot)
         self.corrections.show_findings(snapshot.config, snapshot.findings)
         self.corrections.do.setVisible(not running)
         self.jog.show_snapshot(snapshot)
@@ -131,6 +132,16 @@ class CheckStep(QWidget):
         shown = self.pictures.check
         for line in self.lines:
             line.show_chosen(line.made is shown)
+
+    def _show_summary(self, snapshot: AssistantSnapshot) -> None:
+        """One verdict of all checks, and which of them to look at."""
+        self.summary.setVisible(snapshot.findings is not None)
+        to_see = [check_name(made.check.name) for made in snapshot.checks if made.check.verdict != "pass"]
+        if to_see:
+            self.summary.setText(self.tr("Not everything is as it should be: {checks}.").format(checks=", ".join(to_see)))
+        else:
+            self.summary.setText(self.tr("All {n} checks are good.").format(n=len(snapshot.checks)))
+        give_role(self.summary, "bad" if to_see else "good")
 
     def _choose(self, made: object) -> None:
         """The pictures of one check, whatever else comes; pressed once more, what the cameras see now."""

@@ -56,7 +56,7 @@ def corrections_of(config: RigConfig, findings: RigFindings) -> dict[str, str]:
                 "left": QT_TRANSLATE_NOOP("assistant", "Expose the left camera for {ms} ms at {db} dB: that suits what stands on the table."),
                 "right": QT_TRANSLATE_NOOP("assistant", "Expose the right camera for {ms} ms at {db} dB: that suits what stands on the table."),
             }
-            told[side] = _tr(words[side]).format(ms=f"{after_by.exposure_ms:g}", db=f"{after_by.gain_db:g}")
+            told[side] = _tr(words[side]).format(ms=f"{after_by.exposure_ms:.3g}", db=f"{after_by.gain_db:.2g}")
     return told
 
 

@@ -121,11 +121,16 @@ class FindStep(QStackedWidget):
             self.cards = []
         for found in snapshot.cameras[len(self.cards) :]:
             card = CameraCard(found, self._press, self._side)
-            place = len(self.cards)
-            self._grid.addWidget(card, place // _COLUMNS, place % _COLUMNS)
+            self._grid.addWidget(card, *self._next_place(found))
             self.cards.append(card)
         for card in self.cards:
             card.show_side(snapshot.choice.side_of(card.key))
+
+    def _next_place(self, found: FoundCamera) -> tuple[int, int]:
+        """Row and column of a card; those of the virtual rig begin a row of their own."""
+        alike = [card for card in self.cards if (card.found.driver == VIRTUAL) == (found.driver == VIRTUAL)]
+        before = -(-(len(self.cards) - len(alike)) // _COLUMNS) if found.driver == VIRTUAL else 0
+        return before + len(alike) // _COLUMNS, len(alike) % _COLUMNS
 
     def _waiting(self, snapshot: AssistantSnapshot, some: bool) -> str:
         return self.tr("Looking…") if snapshot.running is Job.FIND and not some else ""

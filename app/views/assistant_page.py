@@ -140,6 +140,8 @@ class AssistantPage(Page):
         self.next.setEnabled(snapshot.choice.complete and idle and not busy)
         self.next.setText(self._next_words(snapshot))
         # one thing is to be done next, and looks like it
+        checked = snapshot.findings is not None and self.checking.corrections.isHidden()
+        make_primary(self.next, self.step == FIND or checked)
         make_primary(self.search, not snapshot.choice.complete)
 
     def _next_words(self, snapshot: AssistantSnapshot) -> str:

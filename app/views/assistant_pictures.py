@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -32,10 +31,11 @@ class CheckPicture(CameraPreview):
         self.setMaximumHeight(_HIGHEST)
         self.mark_px: tuple[float, float] | None = None
 
-    def show_picture(self, image: NDArray[np.uint8], mark_px: tuple[float, float] | None) -> None:
-        """(h, w) uint8, and where the spot was found in it, if it was."""
+    def show_picture(self, image: NDArray[np.uint8], mark_px: tuple[float, float] | None, miss: str) -> None:
+        """(h, w) uint8, and where the spot was found in it, or a word for that it was not."""
         self.mark_px = mark_px
         self.show_frame(Frame(image, 0, 0.0, ""))
+        self._miss = miss
 
     def _overlay(self, painter: QPainter) -> None:
         if self.mark_px is None or self._image is None:
@@ -46,6 +46,8 @@ class CheckPicture(CameraPreview):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(QPen(QColor(ACCENT), 1.6))
         painter.drawEllipse(at, _REACH, _REACH)
+        if self._zoom < 3:
+            self._lens(painter, self.mark_px, at)
 
 
 class AssistantPictures(QWidget):
@@ -87,14 +89,14 @@ class AssistantPictures(QWidget):
         self.to_live.show()
         for preview in self.live.values():
             preview.hide()
-        marks = _marks(made.values)
         kinds: list[str] = []
         for name, image in made.pictures.items():
             side, _, kind = name.partition(" ")
             if kind not in kinds:
                 kinds.append(kind)
             picture = CheckPicture(picture_name(side, kind))
-            picture.show_picture(image, marks.get(side))
+            dark = bool(made.spots_px) and kind != "dark" and name not in made.spots_px
+            picture.show_picture(image, made.spots_px.get(name), self.tr("no spot") if dark else "")
             self._grid.addWidget(picture, 1 + kinds.index(kind), int(side == "right"))
             self.shown[name] = picture
 
@@ -107,13 +109,3 @@ class AssistantPictures(QWidget):
             self._grid.removeWidget(picture)
             picture.deleteLater()
         self.shown = {}
-
-
-def _marks(values: Mapping[str, object]) -> dict[str, tuple[float, float]]:
-    """Where a check found the spot, by camera."""
-    marks = {}
-    for side in ("left", "right"):
-        place = values.get(f"{side}_spot_px")
-        if isinstance(place, list | tuple) and len(place) == 2:
-            marks[side] = (float(place[0]), float(place[1]))
-    return marks

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QButtonGroup, QRadioButton, QVBoxLayout, QWidget
 
 from app.controllers.assistant_choice import is_virtual
 from app.views.assistant_words import port_details, port_state
-from app.views.parts import Lamp, column, label, row
+from app.views.parts import Lamp, column, label
 from scanner_core.devices.discovery import PortAnswer, PortState
 
 
@@ -32,9 +32,9 @@ class PortLine(QWidget):
         description.setVisible(bool(answer.port.description) and answer.port.description != "n/a")
         self.details.setVisible(bool(details))
         self.choice.setAccessibleName(", ".join(part for part in (name, answer.port.description, word, details) if part))
-        below = column(description, self.details, spacing=2)
+        below = column(lamp, description, self.details, spacing=3)
         below.setContentsMargins(24, 0, 0, 0)
-        box = column(row(self.choice, 1, lamp), below, spacing=3)
+        box = column(self.choice, below, spacing=3)
         box.setContentsMargins(0, 0, 0, 0)
         self.setLayout(box)
 

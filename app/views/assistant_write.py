@@ -48,10 +48,8 @@ class WriteStep(QWidget):
         self.text.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         self.text.setAccessibleName(self.tr("What will be written"))
         self._written = label("", "good", wrap=True, selectable=True)
-        self.use_now = button(self.tr("Use this rig now, and calibrate it"), "primary", self._go)
-        self._next = label(
-            self.tr("The rig cannot measure before it is calibrated: print the target, then show it to both cameras."), "muted", wrap=True
-        )
+        self.use_now = button(self.tr("Use this rig now"), "primary", self._go)
+        self._next = label("", "muted", wrap=True)
         form = QGridLayout()
         form.setHorizontalSpacing(18)
         form.setVerticalSpacing(12)
@@ -106,6 +104,9 @@ class WriteStep(QWidget):
         self.save.setEnabled(bool(snapshot.text) and bool(self.name.text().strip()) and snapshot.running is Job.NONE)
         written = snapshot.written
         self._written.setText("" if written is None else self.tr("Written to {path}.").format(path=fmt.short_path(str(written))))
+        calibrated = snapshot.config is not None and snapshot.config.calibration is not None
+        to_do = self.tr("The rig cannot measure before it is calibrated: the Rig page prints the target and takes you through it.")
+        self._next.setText(self.tr("The Rig page shows it, and calibrates it anew.") if calibrated else to_do)
         for part in (self._written, self.use_now, self._next):
             part.setVisible(written is not None)
         self._told.setVisible(bool(self._told.text()))

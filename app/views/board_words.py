@@ -30,9 +30,9 @@ _TASKS = {
     Phase.TABLE: QT_TRANSLATE_NOOP("board", "Lay the board on the table"),
 }
 _TAKEN = {
-    Phase.BOARD: QT_TRANSLATE_NOOP("board", "Taken. Now tilt it another way."),
-    Phase.BAR: QT_TRANSLATE_NOOP("board", "Taken. Now hold the bar another way."),
-    Phase.TABLE: QT_TRANSLATE_NOOP("board", "Taken. The table turns: hands off."),
+    Phase.BOARD: QT_TRANSLATE_NOOP("board", "View {n} taken. Now tilt it another way."),
+    Phase.BAR: QT_TRANSLATE_NOOP("board", "Bar {n} taken. Now hold it another way."),
+    Phase.TABLE: QT_TRANSLATE_NOOP("board", "Angle {n} taken. The table turns: hands off."),
 }
 _MOVING = {
     Phase.BOARD: QT_TRANSLATE_NOOP("board", "Hold the board still."),
@@ -106,11 +106,11 @@ def now_text(watch: BoardWatch) -> str:
     if watch.verdict is ViewVerdict.TAKEN:
         if watch.index + 1 == watch.count:
             return computing_text(watch.phase)
-        return _tr(_TAKEN[watch.phase])
+        return _tr(_TAKEN[watch.phase]).format(n=watch.index + 1)
     if watch.verdict is ViewVerdict.MOVING:
         return _tr(_MOVING[watch.phase])
-    if watch.verdict is ViewVerdict.TOO_SIMILAR and watch.phase is Phase.TABLE:
-        return task_text(watch.phase)  # it is still where a hand has held it
+    if watch.phase is not Phase.BOARD and watch.index == 0:
+        return task_text(watch.phase)  # what is seen is still the step before
     if watch.verdict is ViewVerdict.TOO_SIMILAR and watch.wishes:
         return _wish_text(watch.wishes[0]) if watch.wishes[0].kind is not WishKind.MORE_VIEWS else verdict_text(watch.verdict)
     if watch.verdict in (ViewVerdict.MISSED, ViewVerdict.ONE_CAMERA):

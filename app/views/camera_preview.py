@@ -124,15 +124,15 @@ class CameraPreview(QWidget):
         reach = max(7.0, 4 * spot.sigma_x_px * scale)
         painter.drawEllipse(at, reach, reach)
         if self._zoom < 3:
-            self._lens(painter, spot, at)
+            self._lens(painter, (spot.x_px, spot.y_px), at)
 
-    def _lens(self, painter: QPainter, spot: Spot, at: QPointF) -> None:
+    def _lens(self, painter: QPainter, place_px: tuple[float, float], at: QPointF) -> None:
         """The spot's surroundings, pixel by pixel, in the corner that is farther from it."""
         assert self._image is not None
         side = min(64.0, 0.52 * self.height())
         left = at.x() > self.width() / 2
         frame = QRectF(6 if left else self.width() - side - 6, self.height() - side - 6, side, side)
-        source = QRectF(spot.x_px + 0.5 - LENS_PX / 2, spot.y_px + 0.5 - LENS_PX / 2, LENS_PX, LENS_PX)
+        source = QRectF(place_px[0] + 0.5 - LENS_PX / 2, place_px[1] + 0.5 - LENS_PX / 2, LENS_PX, LENS_PX)
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, False)
         painter.fillRect(frame, QColor(0, 0, 0))
         painter.drawImage(frame, self._image, source)

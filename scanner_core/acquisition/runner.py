@@ -49,6 +49,9 @@ from scanner_core.log_file import log_fault
 from scanner_core.optics.spot import MissReason
 from scanner_core.optics.spot_detection import SpotDetector
 
+_SAME_RATE = 0.01
+"""How far apart the frame rates of the two cameras may be, of the rate."""
+
 _log = logging.getLogger("impronta")
 
 
@@ -252,6 +255,9 @@ class ScanRunner:
             self._ended.set()
 
     def _scan(self, left: CaptureThread, right: CaptureThread) -> None:
+        rates_hz = self._rig.left.rate_hz, self._rig.right.rate_hz
+        if abs(rates_hz[0] - rates_hz[1]) > _SAME_RATE * rates_hz[0]:  # one trigger id would be two instants
+            raise DeviceError("E-CAM-16", left_hz=f"{rates_hz[0]:g}", right_hz=f"{rates_hz[1]:g}")
         # Whatever ended the scan before: dark, at rest, and where the rig's angles begin.
         self._rig.motion.recover()
         if self._rig.motion.needs_homing and not self._control.cancelled.is_set():

@@ -47,11 +47,13 @@ class RigCheck:
     check : the line
     pictures : (h, w) uint8 by name: ``left`` and ``right``, or ``left dark``, ``left lit``, ``left difference`` and so on
     values : for JSON
+    spots_px : where in a picture the spot was found, (x, y), by the picture's name
     """
 
     check: Check
     pictures: Mapping[str, NDArray[np.uint8]] = field(default_factory=dict)
     values: Mapping[str, object] = field(default_factory=dict)
+    spots_px: Mapping[str, tuple[float, float]] = field(default_factory=dict)
 
 
 OnRigCheck = Callable[[RigCheck], None]
@@ -141,7 +143,9 @@ class _Run:
     # ------------------------------------------------------------------------------------------ laser and beam
     def laser(self) -> None:
         self._seen = seen = see_laser(self._rig, self._cancelled)
-        self._tell(RigCheck(seen.check, seen.pictures))
+        kinds = ("lit", "difference")
+        places = {f"{name} {kind}": (spot.x_px, spot.y_px) for name, spot in seen.sighting.spots.items() for kind in kinds if spot is not None}
+        self._tell(RigCheck(seen.check, seen.pictures, spots_px=places))
         self.findings = replace(self.findings, laser_left_off=seen.left_off)
         for name, spot in seen.sighting.spots.items():
             self._camera(name, replace(self._found(name), laser_seen=spot is not None, background_dn=float(seen.dark[name].mean())))
@@ -157,7 +161,13 @@ class _Run:
             self._motions.append(motion)
             ends = [s for s in (motion.sightings[0], motion.sightings[-1])] if motion.sightings else []
             pictures = {f"{name} {end}": picture(s.lit[name]) for end, s in zip(("low", "high"), ends, strict=False) for name in s.lit}
-            self._tell(RigCheck(check_beam_axis(motion), pictures))
+            places = {
+                f"{name} {end}": (spot.x_px, spot.y_px)
+                for end, s in zip(("low", "high"), ends, strict=False)
+                for name, spot in s.spots.items()
+                if spot is not None
+            }
+            self._tell(RigCheck(check_beam_axis(motion), pictures, spots_px=places))
             self._axis(motion.finding)
 
     def sides(self) -> None:

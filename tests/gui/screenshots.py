@@ -14,20 +14,28 @@ import os
 import sys
 import tempfile
 import time
+from dataclasses import replace
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 from PIL import Image
 from PySide6.QtGui import QImage
 
+from app.controllers.assistant_choice import VIRTUAL_PORT
 from app.draft import KINDS
 from app.main import make_application
 from app.program import Program
+from app.views.assistant_page import AssistantPage
 from app.views.compare_page import ComparePage
 from app.views.rig_page import RigPage
 from app.views.support_dialog import SupportDialog
+from scanner_core.commissioning import found_devices
 from scanner_core.comparison.parameters import Frame, Jaw
+from scanner_core.devices.discovery import SerialPort
+from scanner_core.devices.rig import load_preset
 from scanner_core.log_file import logging_to_file
+from tests.core.devices.boards import remote_board
 from tests.gui.compare_pair import write_pair
 from tests.gui.waiting import until, wait_ms
 
@@ -78,6 +86,7 @@ def tour(program: Program, folder: Path, points: int) -> None:
     until(lambda: services.rig.snapshot.calibrating is None, 240, "the end of the calibration")
     wait_ms(1000)
     shoot(program, folder / "rig.png")
+    set_up(program, folder)
     services.draft.edit("points", points)
     if services.rig.snapshot.specimen in KINDS:
         services.draft.edit("kind", services.rig.snapshot.specimen)
@@ -137,6 +146,42 @@ def compare(program: Program, folder: Path) -> None:
     comparing.draft.edit("frame", frame=Frame.WHOLE)
     until(lambda: comparing.answers.current, 240, "the comparison of the whole")
     shoot(program, folder / "compare-unreliable.png")
+
+
+def set_up(program: Program, folder: Path) -> None:
+    """The rig assistant: boards of our own firmware model and emulated cameras are found; the virtual rig is checked and written."""
+    window, assistant = program.window, program.services.assistant
+    window.set_up_rig()
+    page = window.pages["assistant"]
+    assert isinstance(page, AssistantPage)
+    shoot(program, folder / "assistant.png")
+    with remote_board() as usable, remote_board(laser_mode=False) as cutter:
+        ports = [SerialPort(usable.url, "USB2.0-Serial"), SerialPort(cutter.url, "Arduino Uno"), SerialPort("/dev/ttyUSB3", "")]
+        with mock.patch.object(found_devices, "serial_ports", return_value=ports), mock.patch.dict(os.environ, PYLON_CAMEMU="2"):
+            page.search.click()
+            until(lambda: not assistant.snapshot.busy, 60, "the end of the search")
+            wait_ms(2000)
+            shoot(program, folder / "assistant-find.png")
+        assistant.choose(assistant.snapshot.choice.with_port(VIRTUAL_PORT))
+    bench = load_preset("bench")
+    wrong = replace(bench, controller=replace(bench.controller, units_per_deg=(-1.0, 1.0, 1.0)))
+    page.next.click()
+    page.checking.agreed.click()
+    with mock.patch("app.controllers.assistant.config_of", return_value=wrong):
+        page.checking.start.click()
+        until(lambda: any(made.check.name == "laser seen" for made in assistant.snapshot.checks), 240, "the laser seen by both cameras")
+        until(lambda: not assistant.snapshot.busy, 240, "the check")
+    next(line for line in page.checking.lines if line.made.check.name == "laser seen").pictures.click()
+    shoot(program, folder / "assistant-check.png")
+    page.checking.corrections.do.click()
+    until(lambda: not assistant.snapshot.busy, 240, "the second check")
+    page.next.click()
+    until(lambda: page.writing.text.toPlainText(), 20, "the text")
+    page.writing.save.click()
+    until(lambda: assistant.snapshot.written is not None, 20, "the file")
+    shoot(program, folder / "assistant-write.png")
+    window.show_page("home")
+    until(lambda: program.services.rig.snapshot.connected, 120, "the rig of the program")
 
 
 def go_wrong(program: Program, folder: Path, points: int) -> None:

@@ -42,41 +42,69 @@ def tour(program: Program, lab: LabRig, folder: Path) -> None:
     transcript.close()
     page._calibrate()
     shoot(program, folder / "rig-own-before-calibrating.png")
-    page.by_hand._begin_now()
-    hold = lab.bench.operator_poses(30)
-    for number, pose in enumerate(hold):
-        lab.bench.show_board(pose)
-        before = rig.snapshot.calibrating
-        for _ in range(20):
-            wait_ms(150)
-            if (rig.snapshot.calibrating or 0) > (before or 0):
-                break
-        if number == 6:
-            wait_ms(100)
-            shoot(program, folder / "rig-own-by-hand-taken.png")
-            break
-    wait_ms(3000)
-    shoot(program, folder / "rig-own-by-hand.png")
-    lab.bench.remove_board()
-    wait_ms(3000)
-    shoot(program, folder / "rig-own-by-hand-none.png")
-    rig.cancel_calibration()
-    until(lambda: rig.snapshot.calibrating is None, 20, "the end")
+    page._prepare(False)
+
+    def failing(device: str) -> bool:
+        failure = rig.snapshot.failure
+        return failure is not None and failure.device == device
+
+    def back() -> None:
+        until(lambda: rig.snapshot.connected and rig.snapshot.failure is None, 60, "the rig is back")
+        wait_ms(1500)
+
+    back()
     lab.firmware.witness.happen("trip_limit")
-    wait_ms(1500)
+    until(lambda: rig.snapshot.connected and failing("controller"), 20, "an alarm")
     shoot(program, folder / "rig-own-alarm.png")
     rig.unlock()
-    wait_ms(1500)
+    back()
     lab.servers["right"].cut.set()
-    until(lambda: not rig.snapshot.connected, 20, "a camera is missing")
+    until(lambda: failing("right"), 20, "a camera is missing")
     shoot(program, folder / "rig-own-camera.png")
     lab.servers["right"].cut.clear()
-    until(lambda: rig.snapshot.connected, 40, "it is back")
+    back()
     lab.firmware.pull()
-    until(lambda: not rig.snapshot.connected, 20, "the controller is gone")
+    until(lambda: failing("controller") and not rig.snapshot.connected, 20, "the controller is gone")
     shoot(program, folder / "rig-own-unplugged.png")
     window.show_page("home")
     shoot(program, folder / "home-own-unplugged.png")
+    window.show_page("rig")
+    by_hand(program, folder)
+
+
+def by_hand(program: Program, folder: Path) -> None:
+    """At the pace of this machine: see :mod:`tests.gui.shown_by_hand`."""
+    import pytest
+
+    from app.views.rig_page import RigPage
+    from tests.gui.screenshots import shoot
+    from tests.gui.shown_by_hand import Hands, write_rig
+    from tests.gui.waiting import until, wait_ms
+
+    rig, page, hands = program.services.rig, program.window.pages["rig"], Hands()
+    assert isinstance(page, RigPage)
+    with pytest.MonkeyPatch.context() as patch:
+        hands.stand_in(patch, 25, 8, 12)
+        rig.choose(preset=str(write_rig(Path(os.environ["HOME"]) / "lab.toml")))
+        until(lambda: rig.snapshot.connected, 60, "the rig")
+        page._calibrate()
+        page.by_hand._begin_now()
+
+        def seen() -> bool:
+            hands.obey(page.board)
+            return (rig.snapshot.calibrating or 0.0) > 0.13
+
+        until(seen, 100, "some views")
+        until(lambda: "taken" in page.board.now, 20, "one more")
+        shoot(program, folder / "rig-own-by-hand-taken.png")
+        wait_ms(2500)
+        shoot(program, folder / "rig-own-by-hand.png")
+        assert hands.bench is not None
+        hands.bench.remove_board()
+        wait_ms(2500)
+        shoot(program, folder / "rig-own-by-hand-none.png")
+        rig.cancel_calibration()
+        until(lambda: rig.snapshot.calibrating is None, 20, "the end")
 
 
 def main() -> int:

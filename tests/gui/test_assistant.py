@@ -18,10 +18,12 @@ from app.controllers.assistant_choice import VIRTUAL_PORT, DeviceChoice, first_c
 from app.controllers.assistant_snapshot import AssistantSnapshot, Job
 from app.controllers.emission import Emission
 from app.program import Program
+from app.theme import ACCENT
 from app.views import assistant_words
 from app.views.assistant_corrections import Corrections, corrections_of, only
 from app.views.assistant_page import CHECK, FIND, WRITE, AssistantPage
 from app.views.file_dialogs import FileDialog
+from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.clock import make_clock
 from scanner_core.commissioning import found_devices
 from scanner_core.commissioning.rig_findings import AxisFinding, CameraFinding, RigFindings
@@ -31,7 +33,7 @@ from scanner_core.devices.rig import load_preset, load_rig
 from scanner_core.errors import DeviceBusyError, DeviceError, ImprontaError
 from tests.core.devices.boards import remote_board
 from tests.core.devices.mjpeg_server import MjpegServer
-from tests.gui.pictures import pixels_of
+from tests.gui.pictures import near, pixels_of
 from tests.gui.test_texts import NAMES, VALUE, Bracketing, _texts
 from tests.gui.waiting import until, wait_ms
 
@@ -238,22 +240,42 @@ def test_a_board_and_two_streams_make_a_rig_and_their_pictures_live(
         until(lambda: not _assistant(shared_program).holds_devices, 30, "the devices given back")
 
 
-def test_the_whole_way_on_the_virtual_rig(shared_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_the_whole_way_on_a_virtual_rig_whose_beam_goes_the_wrong_way(
+    shared_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
     _finds(monkeypatch, [], [])
     _try_virtual(page, shared_program)
     checking, assistant = page.checking, _assistant(shared_program)
+    bench = load_preset("bench")
+    wrong = replace(bench, controller=replace(bench.controller, units_per_deg=(-1.0, 1.0, 1.0)))
+    monkeypatch.setattr("app.controllers.assistant.config_of", lambda _: wrong)
     assert not checking.start.isEnabled()
     checking.agreed.click()
     checking.start.click()
     until(lambda: not assistant.snapshot.busy, 180, "the check")
-    assert assistant.snapshot.findings is not None
-    assert len(checking.lines) == len(assistant.snapshot.checks) > 5
-    assert {line.made.check.verdict for line in checking.lines} == {"pass"}
+    assert assistant.snapshot.failed is None
+    assert len(checking.lines) == len(assistant.snapshot.checks) > 10
     until(lambda: assistant.emission is Emission.DARK, 10, "dark")
-    pictured = next(line for line in checking.lines if line.made.pictures)
-    pictured.pictures.click()
+    seen = next(line for line in checking.lines if line.made.check.name == "laser seen")
+    seen.pictures.click()
     shown = checking.pictures.shown
-    assert set(shown) == set(pictured.made.pictures)
+    assert len(shown) == 6
+    assert shown["left dark"].mark_px is None
+    assert shown["left difference"].mark_px is not None
+    assert near(pixels_of(shown["left difference"]), ACCENT, 40).sum() > 20
+    assert "Beam axis x" in checking.summary.text()
+    assert {"x"} <= set(checking.corrections.boxes) <= {"x", "left", "right"}
+    checked: list[tuple[float, float, float]] = []
+
+    def check_again(rig: OpenRig, **_: object) -> RigFindings:
+        checked.append(rig.config.controller.units_per_deg)
+        return RigFindings()
+
+    monkeypatch.setattr("scanner_core.commissioning.rig_check.check_rig", check_again)
+    checking.corrections.do.click()
+    until(lambda: checked and not assistant.snapshot.busy, 60, "the second check")
+    assert checked == [(1.0, 1.0, 1.0)]
+    assert checking.corrections.isHidden()
     page.next.click()
     assert page.step == WRITE
     writing = page.writing
@@ -262,9 +284,13 @@ def test_the_whole_way_on_the_virtual_rig(shared_program: Program, page: Assista
     assert writing.path.name == "bench-of-mine.toml"
     writing.save.click()
     until(lambda: assistant.snapshot.written is not None, 10, "the file")
-    assert load_rig(writing.path).name == "bench of mine"
-    assert load_rig(writing.path).calibration is None
-    assert writing.use_now.isVisible()
+    written = load_rig(writing.path)
+    assert (written.name, written.virtual, written.controller.units_per_deg) == ("bench of mine", "bench", (1.0, 1.0, 1.0))
+    writing.use_now.click()
+    assert shared_program.window.page_id == "rig"
+    rig = shared_program.services.rig
+    until(lambda: rig.snapshot.connected and rig.snapshot.preset == str(writing.path), 60, "the rig in use")
+    rig.choose(preset="bench")
 
 
 def test_a_file_that_is_there_is_replaced_only_when_asked_twice(

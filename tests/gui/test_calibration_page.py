@@ -90,7 +90,7 @@ def _result(calibration: StereoCalibration, previous: StereoCalibration) -> Cali
     return CalibrationResult(calibration, fit, table, compare_calibrations(previous, calibration))
 
 
-def _look(verdict: ViewVerdict = ViewVerdict.TAKEN, **changes: Any) -> BoardLook:
+def board_look(verdict: ViewVerdict = ViewVerdict.TAKEN, **changes: Any) -> BoardLook:
     covered = np.zeros((6, 8), bool)
     covered[:3] = True
     wishes = (Wish(WishKind.TILT_MORE), Wish(WishKind.COVER, "left", 1, -1), Wish(WishKind.MORE_VIEWS, count=18))
@@ -103,8 +103,8 @@ def _look(verdict: ViewVerdict = ViewVerdict.TAKEN, **changes: Any) -> BoardLook
 def test_a_look_shows_step_corners_coverage_and_what_is_missing(rig: RigController) -> None:
     view, panel = BoardWatchView(), CalibratingPanel(rig)
     view.resize(590, 746)
-    view.show_look(_look())
-    panel.show_look(_look())
+    view.show_look(board_look())
+    panel.show_look(board_look())
     shown = _texts(view)
     assert "Hold the board into the volume" in shown
     assert "View 7 of 25" in shown
@@ -133,7 +133,7 @@ def test_a_look_shows_step_corners_coverage_and_what_is_missing(rig: RigControll
 def test_a_board_that_one_camera_does_not_see_is_told_at_both_pictures(application: QApplication, reason: BoardMissReason, words: str) -> None:
     view = BoardWatchView()
     view.resize(590, 746)
-    view.show_look(_look(ViewVerdict.ONE_CAMERA, right=CameraSighting(0, reason)))
+    view.show_look(board_look(ViewVerdict.ONE_CAMERA, right=CameraSighting(0, reason)))
     assert view.pictures["right"].words == words
     assert view.pictures["left"].words == "Only one camera sees the board."
     for picture in view.pictures.values():
@@ -142,17 +142,17 @@ def test_a_board_that_one_camera_does_not_see_is_told_at_both_pictures(applicati
 
 def test_a_view_like_an_earlier_one_is_told(application: QApplication) -> None:
     view = BoardWatchView()
-    view.show_look(_look(ViewVerdict.TOO_SIMILAR))
+    view.show_look(board_look(ViewVerdict.TOO_SIMILAR))
     assert "Too similar" in view.pictures["left"].words
 
 
 def test_bar_and_table_have_their_own_steps(application: QApplication) -> None:
     view = BoardWatchView()
-    view.show_look(_look(phase=Phase.BAR, index=2, count=8, wishes=()))
+    view.show_look(board_look(phase=Phase.BAR, index=2, count=8, wishes=()))
     assert {"Hold the length bar into the volume", "Length bar 3 of 8"} <= _texts(view)
-    view.show_look(_look(phase=Phase.TABLE, index=4, count=12, wishes=()))
+    view.show_look(board_look(phase=Phase.TABLE, index=4, count=12, wishes=()))
     assert {"Lay the board on the table", "Angle 5 of 12"} <= _texts(view)
-    view.show_look(_look(phase=Phase.TABLE, index=11, count=12, wishes=()))
+    view.show_look(board_look(phase=Phase.TABLE, index=11, count=12, wishes=()))
     assert any("Computing" in text for text in _texts(view))
 
 

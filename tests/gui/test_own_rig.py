@@ -4,59 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from types import SimpleNamespace
-from typing import cast
 
 import pytest
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QPushButton
+from PySide6.QtWidgets import QApplication
 
-from app.background import Background
-from app.controllers.rig import RigController
-from app.services import Services
-from app.settings import Settings
-from app.views.device_row import DeviceRow
-from app.views.rig_page import RigPage
 from tests.gui.lab_rig import LabRig
+from tests.gui.rig_window import RigWindow
 from tests.gui.waiting import until, wait_ms
-
-
-class Window:
-    """The Rig page without the rest of the window."""
-
-    def __init__(self, folder: Path, known: list[str]) -> None:
-        self.told: list[BaseException] = []
-        self.background = Background()
-        self.rig = RigController(self.background, folder / "rigs", self.told.append, known=known)
-        self.page = RigPage(cast(Services, SimpleNamespace(rig=self.rig, settings=Settings())))
-        self.page.resize(1190, 746)
-        self.page.show()
-        self._timer = QTimer()
-        self._timer.timeout.connect(self._tick)
-        self._timer.start(30)
-
-    def _tick(self) -> None:
-        self.background.drain()
-        self.page.tick()
-
-    def open(self, path: Path) -> None:
-        self.rig.choose(preset=str(path))
-        until(lambda: not self.rig.snapshot.opening, 30, "an answer")
-
-    def row(self, name: str) -> DeviceRow:
-        return self.page.devices.rows[name]
-
-    def button(self, text: str) -> QPushButton:
-        return next(made for made in self.page.findChildren(QPushButton) if made.text() == text and made.isVisible())
-
-    def close(self) -> None:
-        self._timer.stop()
-        assert self.rig.shutdown(10)
-        assert self.background.join(20) == []
-        self.page.close()
-        self.page.deleteLater()
 
 
 @pytest.fixture
@@ -66,13 +23,13 @@ def lab(tmp_path: Path) -> Iterator[LabRig]:
 
 
 @pytest.fixture
-def window(application: QApplication, tmp_path: Path) -> Iterator[Window]:
-    made = Window(tmp_path, [])
+def window(application: QApplication, tmp_path: Path) -> Iterator[RigWindow]:
+    made = RigWindow(tmp_path)
     yield made
     made.close()
 
 
-def test_an_own_rig_tells_what_its_devices_say(window: Window, lab: LabRig) -> None:
+def test_an_own_rig_tells_what_its_devices_say(window: RigWindow, lab: LabRig) -> None:
     page = window.page
     window.open(lab.file)
     assert window.rig.snapshot.connected, window.rig.snapshot.failure
@@ -108,7 +65,7 @@ def test_an_own_rig_tells_what_its_devices_say(window: Window, lab: LabRig) -> N
     transcript.close()
 
 
-def test_what_was_pulled_is_told_and_comes_back_by_itself(window: Window, lab: LabRig) -> None:
+def test_what_was_pulled_is_told_and_comes_back_by_itself(window: RigWindow, lab: LabRig) -> None:
     window.open(lab.file)
     camera, controller = window.row("right"), window.row("controller")
     lab.servers["right"].cut.set()
@@ -129,7 +86,7 @@ def test_what_was_pulled_is_told_and_comes_back_by_itself(window: Window, lab: L
     assert window.told == [], "the page has said it"
 
 
-def test_an_alarm_waits_for_a_person(window: Window, lab: LabRig) -> None:
+def test_an_alarm_waits_for_a_person(window: RigWindow, lab: LabRig) -> None:
     window.open(lab.file)
     until(lambda: window.row("controller").state == "idle", 10, "the controller")
     lab.firmware.witness.happen("trip_limit")
@@ -142,7 +99,7 @@ def test_an_alarm_waits_for_a_person(window: Window, lab: LabRig) -> None:
     assert window.row("controller").texts[3] == ""
 
 
-def test_a_board_with_switches_finds_its_reference_when_it_is_asked_to(window: Window, tmp_path: Path) -> None:
+def test_a_board_with_switches_finds_its_reference_when_it_is_asked_to(window: RigWindow, tmp_path: Path) -> None:
     with LabRig(tmp_path, homing=True) as lab:
         window.open(lab.file)
         until(lambda: window.rig.snapshot.needs_homing, 10, "a position that nobody knows")
@@ -155,7 +112,7 @@ def test_a_board_with_switches_finds_its_reference_when_it_is_asked_to(window: W
         until(lambda: window.rig.snapshot.connected and window.rig.snapshot.preset == "bench", 30, "closed")
 
 
-def test_a_rig_file_is_dropped_and_one_that_is_gone_is_taken_off_the_list(window: Window, tmp_path: Path) -> None:
+def test_a_rig_file_is_dropped_and_one_that_is_gone_is_taken_off_the_list(window: RigWindow, tmp_path: Path) -> None:
     path = tmp_path / "gone.toml"
     data = QMimeData()
     data.setUrls([QUrl.fromLocalFile(str(path))])
@@ -172,7 +129,7 @@ def test_a_rig_file_is_dropped_and_one_that_is_gone_is_taken_off_the_list(window
     assert window.page._title.text() == "Virtual rig"
 
 
-def test_what_speaks_something_else_is_told_with_its_words(window: Window, lab: LabRig) -> None:
+def test_what_speaks_something_else_is_told_with_its_words(window: RigWindow, lab: LabRig) -> None:
     text = lab.file.read_text(encoding="utf-8").replace(lab.firmware.url, lab.servers["left"].url.replace("http", "socket").rpartition("/")[0])
     lab.file.write_text(text, encoding="utf-8")
     window.open(lab.file)

@@ -119,3 +119,12 @@ def test_a_stop_ends_a_pause_also_when_a_pause_is_asked_for_again(tmp_path: Path
             runner.pause()
 
         assert scan(store, rig, 300, 5, pause_stop_pause).finish_reason is FinishReason.CANCELLED
+
+
+def test_cameras_of_two_rates_are_told_before_anything_moves(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with CaseStore.create(tmp_path / "a.impronta") as store, open_rig(BENCH, SPHERE) as rig:
+        monkeypatch.setattr(rig.right, "_rate_hz", 30.0)
+        result = scan(store, rig, 100, 0, lambda runner: None)
+        assert result.error is not None
+        assert (result.finish_reason, result.error.code) == (FinishReason.FAILED, "E-CAM-16")
+        assert (rig.motion.status().x_deg, rig.motion.status().y_deg, result.counts.planned) == (0.0, 0.0, 0)
