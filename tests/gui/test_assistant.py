@@ -34,7 +34,7 @@ from scanner_core.errors import DeviceBusyError, DeviceError, ImprontaError
 from tests.core.devices.boards import remote_board
 from tests.core.devices.mjpeg_server import MjpegServer
 from tests.gui.pictures import near, pixels_of
-from tests.gui.test_texts import NAMES, VALUE, Bracketing, _texts
+from tests.gui.test_texts import texts_of
 from tests.gui.waiting import until, wait_ms
 
 GREY = np.full((90, 160), 120, np.uint8)
@@ -175,7 +175,7 @@ def test_with_no_device_a_sentence_says_so_and_the_virtual_rig_is_offered(
     _finds(monkeypatch, [], [])
     snapshot = _look(page, shared_program)
     assert [answer.port.url for answer in snapshot.ports] == [VIRTUAL_PORT]
-    texts = " ".join(_texts(page))
+    texts = " ".join(texts_of(page))
     assert "No serial port was found" in texts
     assert "No camera was found" in texts
     assert not page.next.isEnabled()
@@ -194,7 +194,7 @@ def test_every_port_and_camera_says_what_it_is_and_what_to_do(shared_program: Pr
     _finds(monkeypatch, [lambda: ports[0], lambda: ports[1]], [_camera("a"), _camera("b", CameraState.IN_USE, held)])
     monkeypatch.setattr("scanner_core.devices.camera_drivers.open_camera", _no_camera)
     _look(page, shared_program)
-    texts = " ".join(_texts(page))
+    texts = " ".join(texts_of(page))
     for part in ("used by another program", "close the other program", "it said: hello", "The rig needs two cameras", "None of these ports"):
         assert part in texts, part
     usable = {line.answer.port.url: line.choice.isEnabled() for line in page.finding.ports.lines}
@@ -203,7 +203,7 @@ def test_every_port_and_camera_says_what_it_is_and_what_to_do(shared_program: Pr
     page.finding.cards[0].thumbnail.setFocus()
     QTest.keyClick(page.finding.cards[0].thumbnail, Qt.Key.Key_Space)
     assert _assistant(shared_program).snapshot.choice.left == A
-    assert "a controller, the right camera" in " ".join(_texts(page))
+    assert "a controller, the right camera" in " ".join(texts_of(page))
 
 
 def _no_camera(*_: object) -> Any:
@@ -393,7 +393,7 @@ def test_a_rig_that_does_not_open_says_why(shared_program: Program, page: Assist
     until(lambda: _assistant(shared_program).snapshot.failed is not None, 20, "the fault")
     failed = _assistant(shared_program).snapshot.failed
     assert isinstance(failed, ImprontaError)
-    assert "The port /dev/ttyUSB0 is used by another program." in " ".join(_texts(page.checking))
+    assert "The port /dev/ttyUSB0 is used by another program." in " ".join(texts_of(page.checking))
     assert page.checking.start.isEnabled()
 
 
@@ -409,28 +409,3 @@ def test_another_file_may_be_chosen_in_a_dialog_that_the_stop_key_reaches(
     dialog.selectFile(str(tmp_path / "other.toml"))
     dialog.accept()
     assert page.writing.path == tmp_path / "other.toml"
-
-
-def test_the_page_speaks_the_language_of_the_window(application: QApplication, settings_file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    _finds(monkeypatch, [lambda: _port("/dev/ttyS0", PortState.SILENT)], [_camera("a", CameraState.BLACK)])
-    translator = Bracketing()
-    application.installTranslator(translator)
-    program = Program(application, started_s=0.0, settings_file=settings_file)
-    try:
-        until(lambda: program.services.rig.snapshot.connected, 60, "the rig")
-        program.window.set_up_rig()
-        page = program.window.pages["assistant"]
-        assert isinstance(page, AssistantPage)
-        _look(page, program)
-        page.finding.use_virtual.click()
-        for step in (FIND, CHECK, WRITE):
-            page.go_to(step)
-        shown = list(_texts(page))
-        own = {"/dev/ttyS0", "a board", "Camera a", "a", "virtual:left", "virtual:right", "my-rig"} | NAMES
-        loose = sorted({text for text in shown if text and "«" not in text and text not in own and not VALUE.search(text)})
-        assert loose == []
-    finally:
-        program.window.close()
-        program.window.deleteLater()
-        application.removeTranslator(translator)
-    assert not program.services.assistant._device._thread.is_alive()  # nothing is left running
