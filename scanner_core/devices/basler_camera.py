@@ -149,14 +149,18 @@ class BaslerCamera:
             try:
                 self._times.begin()
                 self._stream.begin()
+                commanded_s: float | None = None
                 if self._commanded or hardware:
-                    self._stream.await_ready(SILENCE_S)
+                    if not self._stream.await_ready(SILENCE_S):
+                        raise self._silent()
+                    commanded_s = self._clock.now_s()
                     self._stream.command()
                 end_s = time.monotonic() + self._patience_s
                 while (frame := self._stream.read(end_s - time.monotonic(), self._closed.is_set)) is not None:
                     if frame.image is not None:
                         self._grabs += 1
-                        return self._frame(frame.image, self._grabs, self._begun_s(frame))
+                        begun_s = self._begun_s(frame) if commanded_s is None else self._commanded_s(frame, commanded_s, self._closed)
+                        return self._frame(frame.image, self._grabs, begun_s)
             finally:
                 with suppress(DeviceError):
                     self._stream.end()
@@ -225,7 +229,7 @@ class BaslerCamera:
             lost, place, commanded_s = answer
             self._dropped += lost + (frame.image is None)
             if frame.image is not None:
-                begun_s = self._begun_s(frame) if self._times.stamped(frame) else commanded_s
+                begun_s = self._commanded_s(frame, commanded_s, stop)
                 yield self._frame(frame.image, run.trigger.first_id + place, begun_s)
         self._dropped += commands.unanswered
 
@@ -268,6 +272,13 @@ class BaslerCamera:
         """Whether the time of the last slots is past."""
         lacking = run.trigger.count - 1 - slot
         return lacking <= _LAST_SLOTS and self._clock.now_s() > begun_s + (lacking + 1) / self.rate_hz + _ANSWER_S
+
+    def _commanded_s(self, frame: BaslerFrame, commanded_s: float, stop: threading.Event) -> float:
+        """When the exposure of a commanded frame began; in simulated time it takes its time too."""
+        if self._times.stamped(frame):
+            return self._begun_s(frame)
+        self._clock.wait_until(commanded_s + 1e-3 * self._exposure_ms, stop)
+        return commanded_s
 
     def _begun_s(self, frame: BaslerFrame) -> float:
         return self._times.begun_s(frame, 1e-3 * self._exposure_ms)

@@ -4,9 +4,10 @@
 
 GRBL has no watchdog, so somebody else has to be it.  The guardian relays bytes both ways and resets the board (0x18
 stops the laser inside its receive interrupt) as soon as the pipe from the program closes, or nothing came over it for
-:data:`SILENCE_S`.  It imports nothing but pyserial and the standard library: it is there before the program is, and
-nothing of the program can hold it up.  It lives in a session of its own and ignores Ctrl-C, because a terminal sends
-that to everybody at once and the program is the one to decide.
+:data:`SILENCE_S` (:data:`DARK_SILENCE_S` before the first line that could light the laser).  It imports nothing but
+pyserial and the standard library: it is there before the program is, and nothing of the program can hold it up.  It
+lives in a session of its own and ignores Ctrl-C, because a terminal sends that to everybody at once and the program is
+the one to decide.
 
 With ``--reset`` it opens the port, resets the board, and ends: how a program makes sure after its guardian was killed.
 """
@@ -26,6 +27,9 @@ from scanner_core.devices.port_faults import OPEN_FAULTS, TRANSPORT_FAULTS, faul
 
 SILENCE_S = 0.4
 """A program that said nothing for so long is taken for dead."""
+DARK_SILENCE_S = 2.0
+"""The same while nothing was sent since the last reset that could light the laser: while a program shakes hands, a machine that is
+busy must not cost it the port."""
 
 _TICK_S = 0.04
 _LONGEST_TICK_S = 0.1
@@ -34,6 +38,7 @@ _LONGEST_TICK_S = 0.1
 _READ_TIMEOUT_S = 0.1
 _WRITE_TIMEOUT_S = 0.3
 _RESET = b"\x18"
+_LIGHTS = (b"M3", b"M4")
 _FROM_PROGRAM, _TO_PROGRAM = 0, 1
 
 
@@ -45,6 +50,7 @@ class Guardian:
         self._say_lock = threading.Lock()
         self._end_lock = threading.RLock()  # a signal may come while the end has begun
         self._silence_s = 0.0
+        self._patience_s = DARK_SILENCE_S
 
     def run(self) -> None:
         """Relay until the end; does not return."""
@@ -56,6 +62,10 @@ class Guardian:
             for kind, content in read_frames(_FROM_PROGRAM):
                 self._silence_s = 0.0
                 if kind == BYTES:
+                    if any(light in content.upper() for light in _LIGHTS):
+                        self._patience_s = SILENCE_S
+                    elif content == _RESET:
+                        self._patience_s = DARK_SILENCE_S
                     self._port.write(content)
                 elif kind == QUIT:
                     reason = "the program closed the port"
@@ -66,12 +76,12 @@ class Guardian:
 
     def _watch(self) -> None:
         before_s = time.monotonic()
-        while self._silence_s < SILENCE_S:
+        while self._silence_s < self._patience_s:
             time.sleep(_TICK_S)
             now_s = time.monotonic()
             self._silence_s += min(now_s - before_s, _LONGEST_TICK_S)
             before_s = now_s
-        self._end(TRIPPED, f"the program was silent for {SILENCE_S} s")
+        self._end(TRIPPED, f"the program was silent for {self._patience_s} s")
 
     def _relay_answers(self) -> None:
         try:

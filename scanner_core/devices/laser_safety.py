@@ -42,7 +42,7 @@ exception, ``sys.exit``
 SIGINT, SIGTERM, SIGHUP       0.6 s     headless: the scan is cancelled and its end recorded, exit 130; window: it closes
 window closed                 0.6 s     the scan is cancelled, then the rig is closed
 program killed, ``os._exit``  0.6 s     the guardian: its pipe ends
-program hung or stopped       0.6 s     the guardian: 0.4 s without a heartbeat
+program hung or stopped       0.6 s     the guardian: 0.4 s without a heartbeat (2 s as long as nothing was sent that could light it)
 owner's thread hung           2.5 s     :class:`LaserWatch`: the heartbeat goes on then, nobody looks at the laser; a
                                         sweep is dark at its end anyway, which comes sooner as a rule
 guardian killed               2 s       a second guardian resets the board (E-MOT-10), or a sentence says that nobody could

@@ -30,7 +30,7 @@ from scanner_core.virtual.firmware_settings import FirmwareSettings
 
 _HOST = "127.0.0.1"
 _LONGEST_WAIT_S = 0.5
-_EVENTS = ("open_door", "close_door", "trip_limit", "power_cycle", "freeze")
+_EVENTS = ("open_door", "close_door", "trip_limit", "power_cycle", "freeze", "unplug", "plug")
 
 
 class FirmwareServer:

@@ -19,6 +19,7 @@ from scanner_core.devices.camera_config import TriggerSource
 from scanner_core.devices.rig import RigConfig
 from scanner_core.errors import DeviceClosedError, DeviceError, DeviceTimeoutError
 from tests.contracts import cameras
+from tests.contracts.basler_cameras import basler
 from tests.contracts.cameras import COUNT, Kind, Pair
 
 PATIENCE_S = 5.0
@@ -31,7 +32,7 @@ KINDS: dict[str, Callable[[Path], Kind]] = {
     "video": cameras.video,
     "opencv": cameras.stream,
     "basler-free": partial(cameras.emulation, trigger=TriggerSource.FREE),
-    "basler-software": partial(cameras.emulation, trigger=TriggerSource.SOFTWARE),
+    "basler-software": basler,
 }
 
 

@@ -13,7 +13,7 @@ import serial
 
 from scanner_core.clock import SteppedClock
 from scanner_core.devices.controller_config import ControllerConfig
-from scanner_core.devices.grbl import GrblController, open_controller
+from scanner_core.devices.grbl import FirmwareFamily, GrblController, open_controller
 from scanner_core.devices.motion import MotionState
 from scanner_core.devices.port_faults import fault_kind
 from scanner_core.errors import (
@@ -134,6 +134,54 @@ def test_laser_mode_is_required(line: bytes, value: str) -> None:
     answers = GRBL_HAL | {b"$$\n": line + b"ok\r\n"}
     error = refused(answers, BANNER)
     assert (error.code, error.fields["value"]) == ("E-MOT-13", value)
+
+
+def test_firmware_that_lacks_something_is_told_by_name() -> None:
+    old = b"\r\nGrbl 0.9j ['$' for help]\r\n"
+    error = refused(GRBL_HAL | {b"$$\n": b"$11=0.010 (junction deviation, mm)\r\nok\r\n"}, old)
+    assert (error.code, error.fields["firmware"]) == ("E-MOT-23", "Grbl 0.9j ['$' for help]")
+    error = refused(GRBL_HAL | {b"$$\n": b"$32=1\r\nok\r\n"}, BANNER)
+    assert (error.code, error.fields["setting"]) == ("E-MOT-22", "$30")
+
+
+def test_capabilities_are_read_and_what_is_not_told_is_unknown() -> None:
+    _, controller = scripted(GRBL_HAL, BANNER, table_axis="A")
+    with controller:
+        assert controller.description()["max_rate_deg_s"] == [100.0, 100.0, 60.0]
+        assert controller.self_checks()[0].verdict == "warn"
+    identity = controller.identity
+    assert (identity.family, identity.options, identity.planner_blocks, identity.receive_bytes) == (FirmwareFamily.GRBLHAL, "VNMSL", 35, 1024)
+    assert (identity.homing, identity.soft_limits, identity.steps_per_unit(0)) == (None, None, None)
+    assert identity.untold()[:3] == ["$20", "$22", "$100"]
+    assert not controller.needs_homing
+    with board() as here, here.open() as known:
+        assert (known.identity.family, known.identity.homing, known.identity.untold()) == (FirmwareFamily.GRBL, True, [])
+
+
+def test_power_that_grblhal_programmed_is_not_taken_for_light_at_rest() -> None:
+    with board(programmed_power=True, banner="GrblHAL 1.1f ['$' or '$HELP' for help]") as here, here.open() as controller:
+        controller.aim(0.0, 0.0)
+        controller.sweep(2.0, 0.0, 20.0)
+        here.clock.sleep(0.5)
+        status = controller.status()
+        assert (status.state, status.laser_power) == (MotionState.IDLE, 1000.0)
+        assert here.firmware.instant(here.clock.now_s()).laser_power == 0.0
+        controller.wait_idle(1.0)
+        assert controller.status().laser_power == 0.0
+    with board(programmed_power=True) as here, here.open() as controller:
+        controller.sweep(2.0, 0.0, 20.0)
+        here.clock.sleep(0.5)
+        with pytest.raises(DeviceError) as caught:
+            controller.status()
+    assert caught.value.code == "E-MOT-18", "GRBL's own status is what it emits"
+
+
+def test_a_transcript_can_be_copied() -> None:
+    _, controller = scripted(GRBL_HAL, BANNER)
+    lines = controller.transcript_text().splitlines()
+    assert lines[0] == "     0.000 < GrblHAL 1.1f ['$' or '$HELP' for help]"
+    assert lines[1] == "     0.000 > $I"
+    assert len(lines) == len(controller.transcript())
 
 
 def test_table_axis_must_exist() -> None:
