@@ -273,7 +273,8 @@ def test_the_whole_way_on_a_virtual_rig_whose_beam_goes_the_wrong_way(
     assert len(checking.lines) == len(assistant.snapshot.checks) >= (11 if real else 2)
     until(lambda: assistant.emission is Emission.DARK, 10, "dark")
     seen = next(line for line in checking.lines if line.made.check.name == "laser seen")
-    seen.pictures.click()
+    if checking.pictures.check is not seen.made:  # the newest pictures are shown by themselves
+        seen.pictures.click()
     shown = checking.pictures.shown
     assert len(shown) == 6
     assert shown["left dark"].mark_px is None
