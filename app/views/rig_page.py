@@ -78,7 +78,7 @@ class RigPage(Page):
             self.devices.show_laser()
         for name, preview in self._previews.items():
             frame = self.services.rig.frames[name].take()
-            if frame is not None and self.isVisible():
+            if frame is not None and self.isVisible() and self.services.rig.snapshot.connected:
                 preview.show_frame(frame)
 
     def show_transcript(self) -> None:

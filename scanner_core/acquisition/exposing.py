@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from scanner_core.acquisition.rig_session import OpenRig
@@ -34,8 +35,12 @@ class ExposureResult:
     readings: tuple[ExposureReading, ...]
 
 
-def expose_automatically(camera: Camera, detector: SpotDetector, limits: ExposureLimits, frames: int = 3) -> ExposureResult:
+def expose_automatically(
+    camera: Camera, detector: SpotDetector, limits: ExposureLimits, frames: int = 3, between: Callable[[], object] = lambda: None
+) -> ExposureResult:
     """Set a camera's exposure and gain for the spot that it sees now: the laser is on and rests on a typical surface.
+
+    `between` is called before every look: a lit laser has to be looked after.
 
     Raises
     ------
@@ -45,7 +50,11 @@ def expose_automatically(camera: Camera, detector: SpotDetector, limits: Exposur
     while True:
         # the camera may round what it is asked for: what it says is what counts
         setting = camera.exposure_ms, camera.gain_db
-        reading = combine_readings([read_exposure(camera.grab().image, *setting, detector) for _ in range(frames)])
+        looks = []
+        for _ in range(frames):
+            between()
+            looks.append(read_exposure(camera.grab().image, *setting, detector))
+        reading = combine_readings(looks)
         readings.append(reading)
         proposal = propose_exposure(reading, limits)
         if proposal.verdict is not ExposureVerdict.CHANGE:
@@ -77,7 +86,8 @@ def propose_for_rig(rig: OpenRig) -> dict[str, ExposureResult]:
         for camera in cameras:
             light(rig, places[camera.name])
             # no longer than a frame lasts: the scan runs at that rate
-            results[camera.name] = expose_automatically(camera, detector, ExposureLimits(_SHORTEST_MS, 1e3 / camera.rate_hz))
+            limits = ExposureLimits(_SHORTEST_MS, 1e3 / camera.rate_hz)
+            results[camera.name] = expose_automatically(camera, detector, limits, between=rig.motion.status)
         return results
     finally:
         try:

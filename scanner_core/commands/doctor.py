@@ -97,10 +97,18 @@ def _write(given: argparse.Namespace, console: Console, found: FoundDevices, rep
 
     controller, cameras = found.controller(), found.usable_cameras()
     if controller is None or len(cameras) < 2:
-        raise DeviceError("E-RIG-03", controller="no controller" if controller is None else "a controller", cameras=len(cameras))
+        error = DeviceError("E-RIG-03", controller="no controller" if controller is None else "a controller", cameras=len(cameras))
+        report.checks.append(Check("rig file", "fail", error.message, error.hint))
+        return
     config = propose_rig(load_rig_or_preset(given.rig or _DEFAULT), controller, cameras[0], cameras[1])
     findings = _check(given, console, config, report)
+    if findings is None:
+        report.checks.append(
+            Check("rig file", "fail", "none was written, because the rig could not be checked.", "Repair what failed, then try again.")
+        )
+        return
     write_rig(Path(given.out), corrected_rig(config, findings), force=given.force)
+    report.checks.append(Check("rig file", "pass", f"{given.out} was written; correct its limits for your mechanics, then calibrate."))
     report.more["out"] = str(given.out)
 
 

@@ -62,6 +62,8 @@ def _controller(found: FoundDevices, missing: str) -> Check:
         almost = next((answer for answer in found.ports if answer.state in (PortState.UNSUITABLE, PortState.BUSY, PortState.NOT_PERMITTED)), None)
         if almost is not None:  # most likely the one: its own sentence helps more
             return Check(name, missing, *_told(almost.error, almost.state.value))
+        if len(found.ports) == 1:
+            return Check(name, missing, *_told(found.ports[0].error, found.ports[0].state.value))
         ports = ", ".join(answer.port.url for answer in found.ports)
         return Check(name, missing, f"no controller answered on {ports}.", _NO_CONTROLLER)
     urls = ", ".join(answer.port.url for answer in usable)

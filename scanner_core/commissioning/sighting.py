@@ -52,7 +52,7 @@ def dark_images(rig: OpenRig, frames: int = DARK_FRAMES) -> dict[str, Image]:
     DeviceError
     """
     rig.motion.laser(False)
-    return {camera.name: mean_image(camera, frames) for camera in (rig.left, rig.right)}
+    return {camera.name: mean_image(camera, frames, rig.motion.status) for camera in (rig.left, rig.right)}
 
 
 def sight(rig: OpenRig, dark: dict[str, Image], place: Place, frames: int = LIT_FRAMES) -> Sighting:
@@ -63,8 +63,12 @@ def sight(rig: OpenRig, dark: dict[str, Image], place: Place, frames: int = LIT_
     DeviceError
     """
     light(rig, place)
-    lit = {camera.name: mean_image(camera, frames) for camera in (rig.left, rig.right)}
-    return Sighting(place, {name: difference_spot(image, dark[name]) for name, image in lit.items()}, lit)
+    lit = {camera.name: mean_image(camera, frames, rig.motion.status) for camera in (rig.left, rig.right)}
+    spots = {}
+    for name, image in lit.items():
+        spots[name] = difference_spot(image, dark[name])
+        rig.motion.status()  # large images take a while, and a lit laser has to be looked after
+    return Sighting(place, spots, lit)
 
 
 def search_spot(rig: OpenRig, dark: dict[str, Image]) -> Iterator[Sighting]:

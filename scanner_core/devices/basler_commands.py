@@ -1,7 +1,7 @@
 """Software triggers: one thread commands both cameras of a rig, one right after the other, at every planned time of a run.
 
-Two threads would wake up some tenths of a millisecond to some milliseconds apart, and a spot that is swept at 30 mm/s moves by
-30 um in each.  A camera that is not ready yet, or whose reader is slow, holds the command back; one that would come more than
+Two threads would wake up some tenths of a millisecond to some milliseconds apart, and in every millisecond a spot that is swept
+at 30 mm/s moves by 30 um.  A camera that is not ready yet, or whose reader is slow, holds the command back; one that would come more than
 half a period late is given to neither.  The n-th frame of a camera is the answer to its n-th command.
 """
 

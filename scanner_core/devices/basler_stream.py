@@ -42,7 +42,7 @@ class BaslerFrame:
 
 
 class BaslerStream:
-    """One camera's frames; its calls raise E-CAM-02 and E-CAM-30.  ``begin`` and ``end`` are for one thread at a time, ``end`` for any."""
+    """One camera's frames.  Its calls raise E-CAM-02 and E-CAM-30; ``end`` may come from any thread, and wakes who reads."""
 
     def __init__(self, sdk: BaslerSdk, device: Any, camera: str, size_px: tuple[int, int], clock: Clock) -> None:
         self._sdk, self._device, self._camera, self._clock = sdk, device, camera, clock
