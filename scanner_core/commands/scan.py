@@ -39,12 +39,12 @@ def run(given: argparse.Namespace, console: Console) -> int:
     if given.resume and (given.plan is not None or given.force):
         raise UsageError("E-USE-01", what="An interrupted scan goes on with its own plan, in its own case", do="leave --plan and --force away")
     config, calibration = calibrated_rig(given)
-    request = recorded_plan(config) or PlanRequest()
+    known = recorded_plan(config)
+    request = known or PlanRequest()
     if given.plan is not None:
-        asked = read_plan(Path(given.plan))
-        if request != PlanRequest() and asked != request:  # its frames would be taken for others
+        request = read_plan(Path(given.plan))
+        if known not in (None, request):  # frames of other table angles would pass for those that are asked for
             raise UsageError("E-USE-01", what="The recording was made with another plan", do="leave --plan away")
-        request = asked
     specimen = specimen_on_table(given, config) if is_rendered(config) else None
     to_come = faults(given, config)
     if any(isinstance(fault, WorkerFault) for fault in to_come):
