@@ -23,6 +23,7 @@ LOWEST_PEAK, AIMED_PEAK, HIGHEST_PEAK = 0.70, 0.775, 0.85
 """Of full scale."""
 HIGHEST_BACKGROUND = 0.05
 """Of full scale."""
+HIGHEST_GAIN_DB = 24.0
 
 _SMALLEST_SIGNAL_DN = 6.0
 """A fainter spot may be noise: its height tells nothing but "more"."""
@@ -85,7 +86,7 @@ class ExposureLimits:
     shortest_ms: float
     longest_ms: float
     lowest_gain_db: float = 0.0
-    highest_gain_db: float = 24.0
+    highest_gain_db: float = HIGHEST_GAIN_DB
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,6 +140,11 @@ def propose_exposure(reading: ExposureReading, limits: ExposureLimits) -> Exposu
 def _judged_as_it_is(reading: ExposureReading) -> ExposureVerdict:
     within = LOWEST_PEAK * FULL_SCALE_DN <= reading.peak_dn <= HIGHEST_PEAK * FULL_SCALE_DN and not reading.saturated_px
     return ExposureVerdict.GOOD if within and reading.background_dn <= HIGHEST_BACKGROUND * FULL_SCALE_DN else at_the_limit(reading)
+
+
+def gain_making_up(exposure_ms: float, gain_db: float, new_exposure_ms: float) -> float:
+    """Gain, dB, at which another exposure shows what these show, between none and the highest."""
+    return min(max(gain_db + 20 * math.log10(exposure_ms / new_exposure_ms), 0.0), HIGHEST_GAIN_DB)
 
 
 def at_the_limit(reading: ExposureReading) -> ExposureVerdict:
