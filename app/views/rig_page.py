@@ -138,8 +138,10 @@ class RigPage(Page):
         self.choice.show_rig()
         self.devices.show_rig()
         self.faults.show_rig()
-        if not self.services.rig.snapshot.connected:
-            for preview in self._previews.values():
+        rig = self.services.rig.snapshot
+        for name, preview in self._previews.items():
+            preview.wait_for_measurement(name in rig.cameras and rig.cameras[name].driver == "replay")
+            if not rig.connected:
                 preview.clear()
         self._show_calibration()
 

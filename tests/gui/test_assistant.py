@@ -105,10 +105,10 @@ TURNED = RigFindings(
 
 def test_what_is_to_be_corrected_is_said_and_nothing_else() -> None:
     told = corrections_of(load_preset("bench"), TURNED)
-    assert set(told) == {"x", "table", "left"}
+    assert set(told) == {"x", "table", "exposure"}
     assert "other way" in told["x"]
     assert "50 %" in told["table"]
-    assert "7.5 ms" in told["left"]
+    assert "both cameras for 7.5 ms, the left one at 2 dB, the right one at 4.1 dB" in told["exposure"]
     assert corrections_of(load_preset("bench"), only(TURNED, set())) == {}
 
 
@@ -119,7 +119,7 @@ def test_only_what_is_ticked_is_corrected(application: QApplication) -> None:
     panel.boxes["table"].setChecked(False)
     panel.do.click()
     assert set(taken[0].axes) == {"x"}
-    assert set(taken[0].cameras) == {"left"}
+    assert set(taken[0].cameras) == {"left", "right"}
     for box in panel.boxes.values():
         box.setChecked(False)
     assert not panel.do.isEnabled()
