@@ -198,7 +198,7 @@ def test_a_driver_that_hangs_is_ended_with_its_process(tmp_path: Path) -> None:
 
 
 def test_a_driver_that_hangs_while_it_opens(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(opencv_link, "_OPEN_S", 1.0)
+    monkeypatch.setattr(opencv_link, "_FIRST_FRAME_S", 1.0)
     with pytest.raises(DeviceError, match=r"its driver does not answer.*E-CAM-10"):
         open_node(tmp_path, "deaf")
 
