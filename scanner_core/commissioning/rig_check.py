@@ -34,6 +34,7 @@ from scanner_core.devices.check import Check
 from scanner_core.errors import DeviceError
 from scanner_core.jobs.progress import Cancelled, IsCancelled, OnProgress, Progress
 from scanner_core.optics.auto_exposure import ExposureVerdict
+from scanner_core.remedies import remedy_of
 
 STEPS = ("controller", "cameras", "frame rate", "laser seen", "beam axes", "left and right", "trigger skew", "laser spot", "exposure", "table")
 """Phases of the progress in their order; ``done`` follows.  A step that fails gives a check of its name."""
@@ -89,7 +90,7 @@ def check_rig(rig: OpenRig, *, progress: OnProgress, cancelled: IsCancelled, on_
         try:
             step()
         except DeviceError as error:
-            on_check(RigCheck(Check(name, "fail", error.message, error.hint)))
+            on_check(RigCheck(Check(name, "fail", error.message, remedy_of(error))))
             run.failed = True
         finally:
             _darken(rig)
@@ -130,7 +131,7 @@ class _Run:
             try:
                 check, values, image = check_camera(camera)
             except DeviceError as error:  # the other camera is looked at all the same
-                self._tell(RigCheck(Check(f"camera {camera.name}", "fail", error.message, error.hint), values={"name": camera.name}))
+                self._tell(RigCheck(Check(f"camera {camera.name}", "fail", error.message, remedy_of(error)), values={"name": camera.name}))
                 self.failed = True
                 continue
             self._tell(RigCheck(check, {camera.name: image}, values))
