@@ -19,6 +19,7 @@ from PySide6.QtCore import QObject, Signal
 from app.background import Background
 from app.controllers.assistant_choice import CameraKey, DeviceChoice, first_choice
 from app.controllers.assistant_devices import AssistantDevices
+from app.controllers.assistant_hand import HandMoves
 from app.controllers.assistant_proposal import config_of
 from app.controllers.assistant_snapshot import AssistantSnapshot, Job
 from app.controllers.device_thread import DeviceThread
@@ -32,13 +33,11 @@ from scanner_core.errors import ImprontaError, StorageError
 from scanner_core.jobs.progress import Cancelled, Progress
 
 if TYPE_CHECKING:
-    from scanner_core.acquisition.rig_session import OpenRig
     from scanner_core.commissioning.rig_check import RigCheck
     from scanner_core.commissioning.rig_findings import RigFindings
     from scanner_core.devices.rig import RigConfig
 
 _LOOK_PERIOD_S = 0.25
-_JOG_DEG_S = 20.0
 _END_S = 2.0
 """Of a thread that has nothing more to do."""
 _log = logging.getLogger("impronta")
@@ -55,11 +54,10 @@ class AssistantController(QObject):
         self.snapshot = AssistantSnapshot()
         self.holds_devices = False
         """The rig of the program is closed meanwhile."""
-        self.spot_wanted = False
-        """A person wants the spot lit while moving by hand."""
         self.frames: dict[str, LatestSlot[Frame]] = {"left": LatestSlot(), "right": LatestSlot()}
         """The newest frames of the rig that is checked, while nothing is being checked."""
         self._devices = AssistantDevices()
+        self.hand = HandMoves(self._devices, lambda work: self._device.call(work), background, tell)
         self._cancelled, self._closing = threading.Event(), threading.Event()
         self._began_s = 0.0
         self._device = self._new_thread()
@@ -139,28 +137,6 @@ class AssistantController(QObject):
 
         self._background.run("write-rig", work, lambda written: self._end_job(written=written), failed)
 
-    def jog(self, **degrees: float) -> None:
-        """Move the open rig by so many degrees: ``x_deg``, ``y_deg``, ``table_deg``."""
-
-        def call(rig: OpenRig) -> None:
-            limits = rig.config.limits
-            speed_deg_s = min(_JOG_DEG_S, limits.travel_speed_deg_s, limits.table_speed_deg_s)
-            if rig.motion.jog(**degrees, speed_deg_s=speed_deg_s) and self.spot_wanted:
-                rig.motion.laser(True)
-
-        self._device.call(partial(self._move, call))
-
-    def jog_cancel(self) -> None:
-        """End the motion; the position stays known."""
-        rig = self._devices.rig
-        if rig is not None:
-            self._background.run("jog-cancel", rig.motion.jog_cancel, None, self._tell)
-
-    def light(self, on: bool) -> None:
-        """A standing spot, to see where the beam is, or dark."""
-        self.spot_wanted = on
-        self._device.call(partial(self._move, lambda rig: rig.motion.laser(on)))
-
     def leave_with(self, rig_file: str) -> None:
         """The program uses this rig from now on, as soon as the devices are given back."""
         self._next_rig = rig_file
@@ -180,7 +156,7 @@ class AssistantController(QObject):
         """Laser off and motion stopped, at once, whatever is being checked; the check is over."""
         rig = self._devices.rig
         if rig is not None:
-            self.spot_wanted = False
+            self.hand.spot_wanted = False
             self.cancel()
             self.changed.emit()
             self._background.run("laser-off", rig.motion.stop, lambda _: self._device.call(self._recover), self._tell)
@@ -195,17 +171,22 @@ class AssistantController(QObject):
         """Release everything; the program opens its own rig again."""
         if not self.holds_devices or self._closing.is_set():
             return
-        self._cancelled.set()
-        self.spot_wanted = False
+        self._stop_all()
         self._leaving = True
         self._device.call(self._give_back)
 
     def shutdown(self, timeout_s: float) -> bool:
         """Laser off, devices released; False when they did not answer in time."""
         self._closing.set()
-        self._cancelled.set()
+        self._stop_all()
         self._device.call(self._close)
         return self._device.close(timeout_s)
+
+    def _stop_all(self) -> None:
+        """Whatever the device thread is at comes to its end."""
+        self._cancelled.set()
+        self.hand.spot_wanted = False
+        self.hand.cancel()
 
     def _work(self, work: Callable[[], None]) -> None:
         """In the device thread, once the devices are free."""
@@ -292,11 +273,6 @@ class AssistantController(QObject):
         finally:
             self._background.post(partial(self._end_job, findings=findings, failed=failed))
 
-    def _move(self, call: Callable[[OpenRig], None]) -> None:
-        rig = self._devices.rig
-        if rig is not None and not self._closing.is_set():
-            call(rig)
-
     def _look(self) -> None:
         """In between: what the cameras see, and what the controller says."""
         rig = self._devices.rig
@@ -334,7 +310,7 @@ class AssistantController(QObject):
     # -------------------------------------------------------------------------------- back in the GUI thread
     def _begin(self, job: Job, **changes: Any) -> None:
         self._cancelled.clear()
-        self.spot_wanted = False
+        self.hand.spot_wanted = False
         self._began_s = time.monotonic()
         self._news(replace(self.snapshot, running=job, doing="", fraction=0.0, left_s=None, cancelling=False, **changes))
 

@@ -262,8 +262,9 @@ class RigController(QObject):
             return
         try:
             if self.watching.is_set():
-                for camera in (rig.left, rig.right):
-                    self.frames[camera.name].put(camera.grab())
+                for camera, config in ((rig.left, rig.config.left), (rig.right, rig.config.right)):
+                    if config.driver != "replay":  # its frames are those of a measurement, which would miss them
+                        self.frames[camera.name].put(camera.grab())
             status, needs_homing = rig.motion.status(), rig.motion.needs_homing
         except ImprontaError as fault:
             self._fell_out(fault)

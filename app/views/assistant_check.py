@@ -12,7 +12,7 @@ from app.views.assistant_check_line import CheckLine
 from app.views.assistant_corrections import Corrections
 from app.views.assistant_jog import JogPanel
 from app.views.assistant_pictures import AssistantPictures
-from app.views.assistant_words import check_name
+from app.views.check_names import check_name
 from app.views.parts import button, column, give_role, label, make_primary, row, scrolled, seam
 
 

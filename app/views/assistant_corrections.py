@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from scanner_core.devices.rig import RigConfig
 
 AXES = ("x", "y", "table")
-_EXCHANGED = "exchanged"
+_EXCHANGED, _EXPOSURE = "exchanged", "exposure"
 _TURN = {
     "x": QT_TRANSLATE_NOOP("assistant", "Turn the direction of beam X round: it moves the spot the other way."),
     "y": QT_TRANSLATE_NOOP("assistant", "Turn the direction of beam Y round: it moves the spot the other way."),
@@ -48,15 +48,14 @@ def corrections_of(config: RigConfig, findings: RigFindings) -> dict[str, str]:
         if seen is None or before == after:
             continue
         told[axis] = _axis_text(seen, abs(after) != abs(before))
-    for side in ("left", "right"):
-        seen_by = getattr(config, side)
-        after_by = getattr(corrected_rig(config, only(findings, {side})), side)
-        if (seen_by.exposure_ms, seen_by.gain_db) != (after_by.exposure_ms, after_by.gain_db):
-            words = {
-                "left": QT_TRANSLATE_NOOP("assistant", "Expose the left camera for {ms} ms at {db} dB: that suits what stands on the table."),
-                "right": QT_TRANSLATE_NOOP("assistant", "Expose the right camera for {ms} ms at {db} dB: that suits what stands on the table."),
-            }
-            told[side] = _tr(words[side]).format(ms=f"{after_by.exposure_ms:.3g}", db=f"{after_by.gain_db:.2g}")
+    exposed = corrected_rig(config, only(findings, {_EXPOSURE}))
+    if (exposed.left, exposed.right) != (config.left, config.right):
+        told[_EXPOSURE] = _tr(
+            QT_TRANSLATE_NOOP(
+                "assistant",
+                "Expose both cameras for {ms} ms, the left one at {left} dB, the right one at {right} dB: that suits what stands on the table.",
+            )
+        ).format(ms=f"{exposed.left.exposure_ms:.3g}", left=f"{exposed.left.gain_db:.2g}", right=f"{exposed.right.gain_db:.2g}")
     return told
 
 
@@ -66,7 +65,7 @@ def only(findings: RigFindings, taken: set[str]) -> RigFindings:
         findings,
         exchanged=findings.exchanged if _EXCHANGED in taken else None,
         axes={axis: seen for axis, seen in findings.axes.items() if axis in taken},
-        cameras={side: seen for side, seen in findings.cameras.items() if side in taken},
+        cameras=findings.cameras if _EXPOSURE in taken else {},
     )
 
 

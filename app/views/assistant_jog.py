@@ -50,7 +50,7 @@ class JogPanel(QWidget):
             self.steps[step] = made
         self.spot = button(self.tr("Show the spot"), "choice", self._light)
         self.spot.setCheckable(True)
-        self.stop = button(self.tr("Stop moving"), "", assistant.jog_cancel)
+        self.stop = button(self.tr("Stop moving"), "", assistant.hand.cancel)
         side = QVBoxLayout()
         side.setSpacing(8)
         side.addLayout(row(*self.steps.values(), 1, spacing=4))
@@ -69,14 +69,14 @@ class JogPanel(QWidget):
         free = snapshot.opened and snapshot.running is Job.NONE
         for part in (*self.arrows.values(), self.spot, self.stop):
             part.setEnabled(free)
-        if not free or not self._assistant.spot_wanted:
+        if not free or not self._assistant.hand.spot_wanted:
             self.spot.setChecked(False)
 
     def _choose(self, step_deg: float) -> None:
         self.step_deg = step_deg
 
     def _move(self, axis: str, sign: int) -> None:
-        self._assistant.jog(**{f"{axis}_deg": sign * self.step_deg})
+        self._assistant.hand.jog(**{f"{axis}_deg": sign * self.step_deg})
 
     def _light(self) -> None:
-        self._assistant.light(self.spot.isChecked())
+        self._assistant.hand.light(self.spot.isChecked())

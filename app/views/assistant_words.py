@@ -100,12 +100,6 @@ def verdict_words(check: Check) -> tuple[str, str]:
     return mood, QCoreApplication.translate("assistant", word)
 
 
-def check_name(name: str) -> str:
-    """A check's name in the window's language; the core calls it in English."""
-    word = QCoreApplication.translate("checks", name)
-    return word[:1].upper() + word[1:]
-
-
 def picture_name(side: str, kind: str) -> str:
     """Of a check: which camera, and what was lit."""
     word = _PICTURES.get((side, kind))

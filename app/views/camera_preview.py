@@ -33,6 +33,7 @@ class CameraPreview(QWidget):
         self._pixels: NDArray[np.uint8] | None = None
         self._spot: Spot | None = None
         self._miss = self._advice = ""
+        self._waiting = self.tr("no picture yet")
         self._zoom = 1.0
         self._middle = QPointF(0.5, 0.5)
         self._grip: QPointF | None = None
@@ -79,6 +80,16 @@ class CameraPreview(QWidget):
         self._image.setColorTable(self._colours)
         self.update()
 
+    @property
+    def waiting(self) -> str:
+        """What stands in place of a picture."""
+        return self._waiting
+
+    def wait_for_measurement(self, replayed: bool) -> None:
+        """A recording shows its pictures only to what measures them."""
+        self._waiting = self.tr("recorded: shown while it is measured") if replayed else self.tr("no picture yet")
+        self.update()
+
     def clear(self) -> None:
         self._image = self._pixels = self._spot = None
         self._miss = self._advice = ""
@@ -93,7 +104,7 @@ class CameraPreview(QWidget):
         painter.fillRect(self.rect(), QColor(GROUND))
         if self._image is None:
             painter.setPen(QColor(MUTED))
-            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, self.tr("no picture yet"))
+            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, self._waiting)
         else:
             painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, self._zoom < 4)
             painter.drawImage(self._target(), self._image)

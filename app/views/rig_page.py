@@ -78,7 +78,7 @@ class RigPage(Page):
             self.devices.show_laser()
         for name, preview in self._previews.items():
             frame = self.services.rig.frames[name].take()
-            if frame is not None and self.isVisible():
+            if frame is not None and self.isVisible() and self.services.rig.snapshot.connected:
                 preview.show_frame(frame)
 
     def show_transcript(self) -> None:
@@ -138,8 +138,10 @@ class RigPage(Page):
         self.choice.show_rig()
         self.devices.show_rig()
         self.faults.show_rig()
-        if not self.services.rig.snapshot.connected:
-            for preview in self._previews.values():
+        rig = self.services.rig.snapshot
+        for name, preview in self._previews.items():
+            preview.wait_for_measurement(name in rig.cameras and rig.cameras[name].driver == "replay")
+            if not rig.connected:
                 preview.clear()
         self._show_calibration()
 

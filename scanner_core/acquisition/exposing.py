@@ -15,6 +15,7 @@ from scanner_core.optics.auto_exposure import (
     ExposureVerdict,
     at_the_limit,
     combine_readings,
+    gain_making_up,
     propose_exposure,
     read_exposure,
 )
@@ -23,6 +24,8 @@ from scanner_core.optics.spot_detection import SpotDetector
 
 _MOST_STEPS = 10
 _SHORTEST_MS = 0.01
+_EQUAL = 0.01
+"""Exposures that differ by a smaller part are equal: cameras round them."""
 _PLACES_DEG = (-1.2, -0.6, 0.0, 0.6, 1.2)
 """In both axes: a field of two centimetres at half a metre."""
 
@@ -73,6 +76,9 @@ Place = tuple[float, float]
 def propose_for_rig(rig: OpenRig) -> dict[str, ExposureResult]:
     """What both cameras need for the object on the table, by camera; they are left as they were, the laser off.
 
+    Both are to expose equally long, or a moving spot is seen at two instants: the longer exposure of two good ones is
+    exchanged for gain.
+
     Raises
     ------
     DeviceError
@@ -88,6 +94,15 @@ def propose_for_rig(rig: OpenRig) -> dict[str, ExposureResult]:
             # no longer than a frame lasts: the scan runs at that rate
             limits = ExposureLimits(_SHORTEST_MS, 1e3 / camera.rate_hz)
             results[camera.name] = expose_automatically(camera, detector, limits, between=rig.motion.status)
+        shortest_ms = min(camera.exposure_ms for camera in cameras)
+        good = shortest_ms > 0 and all(result.verdict is ExposureVerdict.GOOD for result in results.values())
+        for camera in cameras:
+            if good and camera.exposure_ms > (1 + _EQUAL) * shortest_ms:
+                light(rig, places[camera.name])
+                gain_db = gain_making_up(camera.exposure_ms, camera.gain_db, shortest_ms)
+                camera.exposure_ms, camera.gain_db = shortest_ms, gain_db
+                again = expose_automatically(camera, detector, ExposureLimits(shortest_ms, shortest_ms), between=rig.motion.status)
+                results[camera.name] = ExposureResult(again.verdict, results[camera.name].readings + again.readings)
         return results
     finally:
         try:

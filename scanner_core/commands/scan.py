@@ -24,6 +24,7 @@ from scanner_core.commands.scanning import (
     finding_warnings,
     is_rendered,
     recording,
+    recording_warnings,
     run_scan,
     scan_json,
     scan_summary,
@@ -39,12 +40,12 @@ def run(given: argparse.Namespace, console: Console) -> int:
     if given.resume and (given.plan is not None or given.force):
         raise UsageError("E-USE-01", what="An interrupted scan goes on with its own plan, in its own case", do="leave --plan and --force away")
     config, calibration = calibrated_rig(given)
-    request = recorded_plan(config) or PlanRequest()
+    known = recorded_plan(config)
+    request = known or PlanRequest()
     if given.plan is not None:
-        asked = read_plan(Path(given.plan))
-        if request != PlanRequest() and asked != request:  # its frames would be taken for others
+        request = read_plan(Path(given.plan))
+        if known not in (None, request):  # frames of other table angles would pass for those that are asked for
             raise UsageError("E-USE-01", what="The recording was made with another plan", do="leave --plan away")
-        request = asked
     specimen = specimen_on_table(given, config) if is_rendered(config) else None
     to_come = faults(given, config)
     if any(isinstance(fault, WorkerFault) for fault in to_come):
@@ -73,9 +74,8 @@ def run(given: argparse.Namespace, console: Console) -> int:
     if told is not None:
         values["recording"] = told.as_dict()
         lines.append(told.summary())
-        if told.error is not None and result.error is None:  # the last frames only: the scan itself is whole
-            console.say(f"Warning: {told.error}")
-            warnings.append(str(told.error))
+        if result.error is None:  # else it is what ended the scan
+            warnings += recording_warnings(console, told)
     values["warnings"] = warnings
     kept = f"Nothing was measured; {path} is as it was." if old and not begins(result) else f"Kept in {path}."
     if result.finish_reason is not FinishReason.COMPLETED and begins(result):

@@ -5,13 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from scanner_core.commissioning.rig_findings import AxisFinding, RigFindings
+from scanner_core.commissioning.rig_findings import AxisFinding, CameraFinding, RigFindings
 from scanner_core.devices.camera_config import CameraConfig
 from scanner_core.devices.controller_config import ControllerConfig
 from scanner_core.devices.discovery import PortAnswer
 from scanner_core.devices.found_camera import FoundCamera
 from scanner_core.devices.rig import RigConfig, dump_rig
 from scanner_core.files import replaced_when_whole
+from scanner_core.optics.auto_exposure import gain_making_up
 
 _AXES = ("x", "y", "table")
 _CERTAIN = 3.0
@@ -33,10 +34,11 @@ def propose_rig(template: RigConfig, controller: PortAnswer, left: FoundCamera, 
 
     What `findings` measured under that rig corrects it: exchanged cameras, direction and scale of the axes, exposure and gain.
     """
+    exposed_left, exposed_right = _equally_exposed(_camera(template.left, left), _camera(template.right, right))
     config = replace(
         template,
-        left=_camera(template.left, left),
-        right=_camera(template.right, right),
+        left=exposed_left,
+        right=exposed_right,
         controller=_controller(template.controller, controller),
         virtual=None,
         image_model={},
@@ -49,17 +51,13 @@ def corrected_rig(config: RigConfig, findings: RigFindings | None) -> RigConfig:
     """The rig under which `findings` were measured, corrected by them; a calibration that no longer holds is dropped."""
     if findings is None:
         return config
-    sides = {name: findings.cameras.get(name) for name in ("left", "right")}
-    exposed = {}
-    for name, camera in (("left", config.left), ("right", config.right)):
-        seen = sides[name]
-        if seen is not None and seen.exposure_ms is not None and seen.gain_db is not None:
-            camera = replace(camera, exposure_ms=round(seen.exposure_ms, 3), gain_db=round(seen.gain_db, 2))
-        exposed[name] = camera
+    left, right = (_exposed(camera, findings.cameras.get(name)) for name, camera in (("left", config.left), ("right", config.right)))
+    if (left, right) != (config.left, config.right):
+        left, right = _equally_exposed(left, right)
     units = tuple(_units(unit, findings.axes.get(axis)) for axis, unit in zip(_AXES, config.controller.units_per_deg, strict=True))
     x, y, table = units
     before = config.controller.units_per_deg[2]
-    config = replace(config, left=exposed["left"], right=exposed["right"], controller=replace(config.controller, units_per_deg=(x, y, table)))
+    config = replace(config, left=left, right=right, controller=replace(config.controller, units_per_deg=(x, y, table)))
     if table != before:  # the table's angles meant something else when it was calibrated
         config = config.with_calibration(None)
     if findings.exchanged:
@@ -95,6 +93,22 @@ def _camera(template: CameraConfig, found: FoundCamera) -> CameraConfig:
     exposure_ms = template.exposure_ms if report is None or not report.exposure_ms > 0 else report.exposure_ms
     gain_db = template.gain_db if report is None else report.gain_db
     return CameraConfig(template.name, found.driver, found.id, exposure_ms, gain_db)
+
+
+def _exposed(camera: CameraConfig, seen: CameraFinding | None) -> CameraConfig:
+    if seen is None or seen.exposure_ms is None or seen.gain_db is None:
+        return camera
+    return replace(camera, exposure_ms=round(seen.exposure_ms, 3), gain_db=round(seen.gain_db, 2))
+
+
+def _equally_exposed(left: CameraConfig, right: CameraConfig) -> tuple[CameraConfig, CameraConfig]:
+    """Both as long as the shorter exposure, else a moving spot is seen at two instants; gain makes up for the rest."""
+    exposure_ms = min(left.exposure_ms, right.exposure_ms)
+    equal_left, equal_right = (
+        replace(camera, exposure_ms=exposure_ms, gain_db=round(gain_making_up(camera.exposure_ms, camera.gain_db, exposure_ms), 2))
+        for camera in (left, right)
+    )
+    return equal_left, equal_right
 
 
 def _controller(template: ControllerConfig, found: PortAnswer) -> ControllerConfig:

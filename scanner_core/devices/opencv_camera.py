@@ -227,7 +227,7 @@ def open_opencv_camera(
 def camera_error(config: CameraConfig, failed: Failed) -> DeviceError:
     """The sentence for a camera that failed."""
     if failed.fault == "silent":
-        return DeviceTimeoutError("E-CAM-01", details=failed.details, camera=config.name, seconds=f"{failed.seconds:.0f}")
+        return DeviceTimeoutError("E-CAM-01", details=failed.details, camera=config.name, seconds=f"{failed.seconds:g}")
     if failed.fault == "format":
         return DeviceError("E-CAM-08", camera=config.name, reason=failed.details)
     if failed.fault == "closed":

@@ -29,8 +29,8 @@ from scanner_core.devices.opencv_process import (
 
 _START_S = 20.0
 """For the process to start, seconds: a third of one, but many on a machine with more to do."""
-_OPEN_S = 4.0
-_FIRST_FRAME_S = 4.0
+_FIRST_FRAME_S = 3.5
+"""For the driver to open the camera, to set it, and to deliver its first frame, together."""
 _MEASURED_S = 8.0
 _ANSWER_S = 3.0
 _POLL_S = 0.05
@@ -82,12 +82,16 @@ class CameraLink:
             control.close()  # only the process holds these ends now: its end closes them
             frames.close()
             self._expect(Started, _START_S, Failed("closed", "the process that reads it did not start"))
-            self.opened = self._expect(Opened, _OPEN_S, Failed("closed", "its driver does not answer"))
-            self.shape = self._expect(FirstFrame, _FIRST_FRAME_S, Failed("silent", "", _FIRST_FRAME_S)).shape
+            end_s = time.monotonic() + _FIRST_FRAME_S
+            self.opened = self._expect(Opened, _FIRST_FRAME_S, Failed("closed", "its driver does not answer"))
+            left_s = max(0.0, end_s - time.monotonic())
+            self.shape = self._expect(FirstFrame, left_s, Failed("silent", "", _FIRST_FRAME_S)).shape
             self.measured_hz = self._expect(Ready, _MEASURED_S, Failed("silent", "", _MEASURED_S)).rate_hz
             self._ring = SharedMemory(create=True, size=PLACES * self.shape[0] * self.shape[1])
             self._control.send(self._ring.name)
         except BaseException as fault:
+            if self._process.pid is not None:
+                self._process.kill()  # it may hang in its driver, and there is nothing to end in order yet
             self.close()
             if isinstance(fault, OSError):  # the process is gone without a word
                 raise LinkError(Failed("lost", repr(fault))) from None

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import datetime
+from functools import partial
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -16,10 +17,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from scanner_core.devices import camera_drivers
 from scanner_core.devices.camera_config import CameraConfig, TriggerSource
 from scanner_core.devices.controller_config import ControllerConfig
 from scanner_core.devices.null_level import NullLevel, dump_null_levels, null_levels
-from scanner_core.devices.rig_values import FAR_MM, array, axis, number, only, plain, port, table, text, whole
+from scanner_core.devices.rig_values import FAR_MM, array, axis, number, one_of, only, part, plain, port, table, text, whole
 from scanner_core.errors import UsageError
 from scanner_core.one_line import one_line
 from scanner_core.optics.calibration import VALID_DAYS, ScaleReference, StereoCalibration, TurntableAxis
@@ -30,6 +32,7 @@ from scanner_core.toml_text import parse_toml, read_text, toml_value, without_ta
 Array = NDArray[np.float64]
 
 PRESETS = ("bench", "paper-2003", "workshop")
+_TOP = ("name", "virtual", "camera", "controller", "limits", "laser", "volume", "spot", "acceptance", "image_model", "null_comparison", "calibration")
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,7 +169,7 @@ def dump_rig(rig: RigConfig) -> str:
     lines = [f"name = {toml_value(rig.name)}"]
     if rig.virtual is not None:
         lines.append(f"virtual = {toml_value(rig.virtual)}")
-    for key, part in (
+    for key, values in (
         ("camera.left", rig.left),
         ("camera.right", rig.right),
         ("controller", rig.controller),
@@ -177,7 +180,7 @@ def dump_rig(rig: RigConfig) -> str:
         ("acceptance", rig.acceptance),
     ):
         lines += ["", f"[{key}]"]
-        written = {name: getattr(part, name) for name in part.__dataclass_fields__ if not (key.startswith("camera") and name == "name")}
+        written = {name: getattr(values, name) for name in values.__dataclass_fields__ if not (key.startswith("camera") and name == "name")}
         lines += [f"{name} = {toml_value(value)}" for name, value in written.items() if value is not None]
     if rig.image_model:
         lines += ["", "[image_model]", *(f"{name} = {toml_value(value)}" for name, value in rig.image_model.items())]
@@ -216,7 +219,8 @@ def recalibrated(text: str, calibration: StereoCalibration) -> str:
 
 
 def _rig(tree: dict[str, Any]) -> RigConfig:
-    cameras, volume = table(tree, "camera"), table(tree, "volume")
+    only(tree, _TOP)
+    cameras = only(table(tree, "camera", {}), ("left", "right"), "camera")
     spot = only(table(tree, "spot", {}), SpotDetectorParameters.__dataclass_fields__, "spot")
     for key, value in spot.items():
         if key != "centroid":
@@ -224,12 +228,12 @@ def _rig(tree: dict[str, Any]) -> RigConfig:
     limits = only(table(tree, "acceptance", {}), AcceptanceLimits.__dataclass_fields__, "acceptance")
     return RigConfig(
         name=text(tree, "name"),
-        left=_camera("left", table(cameras, "left")),
-        right=_camera("right", table(cameras, "right")),
-        controller=_controller(table(tree, "controller")),
-        limits=_limits(table(tree, "limits")),
-        laser=_laser(table(tree, "laser")),
-        volume=VolumeConfig(*(number(volume[key], key, 1e-3, 1e4) for key in ("radius_mm", "height_mm"))),
+        left=part(cameras, "left", partial(_camera, "left"), "camera."),
+        right=part(cameras, "right", partial(_camera, "right"), "camera."),
+        controller=part(tree, "controller", _controller),
+        limits=part(tree, "limits", _limits),
+        laser=part(tree, "laser", _laser),
+        volume=part(tree, "volume", _volume),
         virtual=None if tree.get("virtual") is None else text(tree, "virtual"),
         calibration=_calibration(table(tree, "calibration")) if "calibration" in tree else None,
         spot=SpotDetectorParameters(**spot),
@@ -240,32 +244,32 @@ def _rig(tree: dict[str, Any]) -> RigConfig:
 
 
 def _camera(name: str, values: dict[str, Any]) -> CameraConfig:
-    only(values, set(CameraConfig.__dataclass_fields__) - {"name"}, f"camera.{name}")
+    only(values, set(CameraConfig.__dataclass_fields__) - {"name"})
     exposure_ms, gain_db = number(values["exposure_ms"], "exposure_ms", 1e-6, 1e4), number(values["gain_db"], "gain_db", -100, 100)
     size_px = array(values["size_px"], "size_px", (2,)).tolist() if "size_px" in values else None
     return CameraConfig(
         name,
-        text(values, "driver"),
+        one_of(text(values, "driver"), "driver", (*camera_drivers.DRIVERS, "virtual")),
         text(values, "id"),
         exposure_ms,
         gain_db,
         size_px=None if size_px is None else (whole(int(size_px[0]), "size_px", 1, 20_000), whole(int(size_px[1]), "size_px", 1, 20_000)),
         rate_hz=number(values["rate_hz"], "rate_hz", 0.01, 1e5) if "rate_hz" in values else None,
         pixel_format=text(values, "pixel_format", ""),
-        trigger=TriggerSource(text(values, "trigger", TriggerSource.FREE)),
+        trigger=TriggerSource(one_of(text(values, "trigger", TriggerSource.FREE), "trigger", tuple(TriggerSource))),
         trigger_line=text(values, "trigger_line", "Line1"),
     )
 
 
 def _controller(values: dict[str, Any]) -> ControllerConfig:
-    only(values, ControllerConfig.__dataclass_fields__, "controller")
+    only(values, ControllerConfig.__dataclass_fields__)
     units, approach = _triple_of(values, "units_per_deg", (1.0, 1.0, 1.0)), _triple_of(values, "approach_deg", (0.0, 0.0, 1.0))
     if not all(1e-6 <= abs(value) <= 1e6 for value in units):
         raise ValueError("'units_per_deg' must be three numbers other than 0")
     if not all(0.0 <= value <= 90.0 for value in approach):
         raise ValueError("'approach_deg' must be three numbers from 0 to 90")
     return ControllerConfig(
-        driver=text(values, "driver"),
+        driver=one_of(text(values, "driver"), "driver", ("grbl",)),
         port=port(values),
         baud=whole(values.get("baud", 115200), "baud", 1, 100_000_000),
         table_axis=axis(values, "table_axis", "Z"),
@@ -281,16 +285,23 @@ def _triple_of(values: dict[str, Any], key: str, default: tuple[float, float, fl
 
 
 def _limits(values: dict[str, Any]) -> LimitsConfig:
+    only(values, LimitsConfig.__dataclass_fields__)  # a limit with a typing error would be no limit
     speeds = {key: number(values[key], key, 1e-3, 1e5) for key in ("sweep_speed_deg_s", "travel_speed_deg_s", "table_speed_deg_s")}
     table_deg = _pair(values["table_deg"], "table_deg", 1e6) if "table_deg" in values else None
     return LimitsConfig(x_deg=_pair(values["x_deg"], "x_deg"), y_deg=_pair(values["y_deg"], "y_deg"), table_deg=table_deg, **speeds)
 
 
 def _laser(values: dict[str, Any]) -> LaserConfig:
+    only(values, LaserConfig.__dataclass_fields__)
     diameter_mm = values.get("spot_diameter_mm", 0.6)
     if not 0 < number(diameter_mm, "spot_diameter_mm", -1e9, 1e9) < 20:
         raise ValueError(f"the laser's spot of {diameter_mm} mm is no spot")
     return LaserConfig(_triple(values["position_mm"], "position_mm"), _triple(values["target_mm"], "target_mm"), float(diameter_mm))
+
+
+def _volume(values: dict[str, Any]) -> VolumeConfig:
+    only(values, VolumeConfig.__dataclass_fields__)
+    return VolumeConfig(*(number(values[key], key, 1e-3, 1e4) for key in ("radius_mm", "height_mm")))
 
 
 def _pair(value: Any, key: str, most: float = 360.0) -> tuple[float, float]:

@@ -7,16 +7,20 @@ because it is there.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from difflib import get_close_matches
 from math import isfinite
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+Made = TypeVar("Made")
+
 FAR_MM = 1e5
 """No part of a rig is farther away."""
 _LONGEST_TEXT = 200
+_AXES = "XYZABCUVW"
 _SCHEMES = ("virtual", "socket", "rfc2217", "loop", "hwgrep")
 """Ports that pyserial opens by URL; others of it write files (``spy``) or make objects by name (``alt``)."""
 
@@ -29,24 +33,51 @@ def table(tree: dict[str, Any], key: str, default: dict[str, Any] | None = None)
     return value
 
 
-def only(values: dict[str, Any], known: Iterable[str], name: str) -> dict[str, Any]:
-    """The table as it is; ValueError when it has a key that nobody knows."""
+def part(tree: dict[str, Any], key: str, made: Callable[[dict[str, Any]], Made], inside: str = "") -> Made:
+    """What `made` makes of a table; what is wrong there is said with the table's name, for many keys stand in two of them."""
+    whole_name = f"{inside}{key}"
+    if key not in tree:
+        raise ValueError(f"the table [{whole_name}] is missing")
+    values = table(tree, key)
+    try:
+        return made(values)
+    except KeyError as fault:
+        raise ValueError(f"the key {fault} of [{whole_name}] is missing") from fault
+    except ValueError as fault:
+        raise ValueError(f"in [{whole_name}] {fault}") from fault
+
+
+def only(values: dict[str, Any], known: Iterable[str], name: str = "") -> dict[str, Any]:
+    """The table as it is; ValueError when it has a key that nobody knows.  `name` is the table's, where nobody else will say it."""
+    known = sorted(known)
     if unknown := sorted(set(values) - set(known)):
-        raise ValueError(f"[{name}] has the unknown key {unknown[0]!r}")
+        close = get_close_matches(unknown[0], known, 1, 0.7)
+        there = f"in [{name}] " if name else ""
+        raise ValueError(f"{there}the key {unknown[0]!r} is unknown" + (f"; is {close[0]!r} meant" if close else f", known are {', '.join(known)}"))
     return values
+
+
+def one_of(value: str, key: str, known: tuple[str, ...]) -> str:
+    """One of the words that are known."""
+    if value not in known:
+        words = f"one of {', '.join(known)}" if len(known) > 1 else known[0]
+        raise ValueError(f"'{key}' must be {words}, not {value!r}")
+    return value
 
 
 def text(values: dict[str, Any], key: str, default: str | None = None) -> str:
     """One printable line."""
     value = values[key] if default is None else values.get(key, default)
     if not isinstance(value, str) or len(value) > _LONGEST_TEXT or not value.isprintable():
-        raise ValueError(f"'{key}' must be a line of at most {_LONGEST_TEXT} characters")
+        raise ValueError(f"'{key}' must be a line of at most {_LONGEST_TEXT} characters in quotation marks")
     return value
 
 
 def port(values: dict[str, Any]) -> str:
     """A serial device, or a URL of a kind that only carries bytes."""
     value = text(values, "port")
+    if not value.strip():
+        raise ValueError("'port' is empty")
     scheme = re.match(r"\s*([A-Za-z0-9+.-]*)://", value)
     if scheme is not None and scheme.group(1).lower() not in _SCHEMES:
         raise ValueError(f"'port' must be a serial device, or a URL of the kinds {', '.join(_SCHEMES)}")
@@ -56,8 +87,8 @@ def port(values: dict[str, Any]) -> str:
 def axis(values: dict[str, Any], key: str, default: str) -> str:
     """The letter of an axis; it becomes part of the lines to the controller."""
     value = text(values, key, default)
-    if value not in tuple("XYZABCUVW"):
-        raise ValueError(f"'{key}' must be the letter of an axis")
+    if value not in tuple(_AXES):
+        raise ValueError(f"'{key}' must be the letter of an axis, one of {' '.join(_AXES)}")
     return value
 
 

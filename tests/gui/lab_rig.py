@@ -78,7 +78,16 @@ class LabRig:
         cameras = {side: CameraConfig(side, "opencv", server.url, 2.0, 0.0) for side, server in self.servers.items()}
         controller = ControllerConfig("grbl", self.firmware.url)
         calibration = config.calibration if calibrated else None
-        config = replace(config, name="Lab bench", virtual=None, controller=controller, calibration=calibration, image_model={}, **cameras)
+        config = replace(
+            config,
+            name="Lab bench",
+            virtual=None,
+            controller=controller,
+            calibration=calibration,
+            image_model={},
+            left=cameras["left"],
+            right=cameras["right"],
+        )
         self.file = folder / "lab-bench.toml"
         self.file.write_text(f"{COMMENT}\n{dump_rig(config)}", encoding="utf-8")
 

@@ -43,18 +43,28 @@ def tour(program: Program, lab: LabRig, folder: Path) -> None:
     page._calibrate()
     shoot(program, folder / "rig-own-before-calibrating.png")
     page._prepare(False)
+
+    def failing(device: str) -> bool:
+        failure = rig.snapshot.failure
+        return failure is not None and failure.device == device
+
+    def back() -> None:
+        until(lambda: rig.snapshot.connected and rig.snapshot.failure is None, 60, "the rig is back")
+        wait_ms(1500)
+
+    back()
     lab.firmware.witness.happen("trip_limit")
-    wait_ms(1500)
+    until(lambda: rig.snapshot.connected and failing("controller"), 20, "an alarm")
     shoot(program, folder / "rig-own-alarm.png")
     rig.unlock()
-    wait_ms(1500)
+    back()
     lab.servers["right"].cut.set()
-    until(lambda: not rig.snapshot.connected, 20, "a camera is missing")
+    until(lambda: failing("right"), 20, "a camera is missing")
     shoot(program, folder / "rig-own-camera.png")
     lab.servers["right"].cut.clear()
-    until(lambda: rig.snapshot.connected, 40, "it is back")
+    back()
     lab.firmware.pull()
-    until(lambda: not rig.snapshot.connected, 20, "the controller is gone")
+    until(lambda: failing("controller") and not rig.snapshot.connected, 20, "the controller is gone")
     shoot(program, folder / "rig-own-unplugged.png")
     window.show_page("home")
     shoot(program, folder / "home-own-unplugged.png")

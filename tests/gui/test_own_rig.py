@@ -11,6 +11,9 @@ from PySide6.QtGui import QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from scanner_core.acquisition.recording import recorded, recorded_rig
+from scanner_core.acquisition.rig_session import open_rig
+from scanner_core.devices.rig import dump_rig, load_preset
 from tests.gui.lab_rig import LabRig
 from tests.gui.rig_window import RigWindow
 from tests.gui.waiting import until, wait_ms
@@ -84,6 +87,23 @@ def test_what_was_pulled_is_told_and_comes_back_by_itself(window: RigWindow, lab
     QTest.mouseClick(window.button("Try again"), Qt.MouseButton.LeftButton)
     until(lambda: controller.state == "idle", 30, "the controller is back")
     assert window.told == [], "the page has said it"
+
+
+def test_a_recording_keeps_its_frames_for_what_measures_it(window: RigWindow, tmp_path: Path) -> None:
+    with open_rig(load_preset("bench")) as bench, recorded(bench, tmp_path / "recording"):
+        for camera in (bench.left, bench.right):
+            camera.grab()
+    path = tmp_path / "replayed.toml"
+    path.write_text(dump_rig(recorded_rig(tmp_path / "recording")), encoding="utf-8")
+    window.open(path)
+    assert window.rig.snapshot.connected, window.rig.snapshot.failure
+    until(lambda: window.row("controller").state == "idle", 10, "the controller has been asked")
+    wait_ms(500)
+    assert window.rig.snapshot.connected, "nothing was grabbed beyond what it holds"
+    assert window.told == []
+    assert {preview.waiting for preview in window.page._previews.values()} == {"recorded: shown while it is measured"}
+    window.rig.choose(preset="bench")
+    until(lambda: {preview.waiting for preview in window.page._previews.values()} == {"no picture yet"}, 30, "a rig that has pictures")
 
 
 def test_an_alarm_waits_for_a_person(window: RigWindow, lab: LabRig) -> None:

@@ -11,6 +11,10 @@ from PySide6.QtCore import QTranslator
 from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QLabel, QLineEdit, QSpinBox, QWidget
 
 from app.program import Program
+from app.views.assistant_page import CHECK, WRITE, AssistantPage
+from scanner_core.commissioning import found_devices
+from scanner_core.devices.discovery import PortAnswer, PortState, SerialPort
+from scanner_core.devices.found_camera import CameraState, FoundCamera
 from scanner_core.errors import CaseLockedError
 from tests.gui.waiting import until
 
@@ -41,7 +45,7 @@ def bracketed(application: QApplication, settings_file: Path) -> Iterator[Progra
     application.removeTranslator(translator)
 
 
-def _texts(root: QWidget) -> Iterator[str]:
+def texts_of(root: QWidget) -> Iterator[str]:
     for widget in [root, *root.findChildren(QWidget)]:
         yield widget.toolTip()
         yield widget.accessibleName()
@@ -56,12 +60,30 @@ def _texts(root: QWidget) -> Iterator[str]:
             yield from (widget.itemText(index) for index in range(widget.count()))
 
 
-def test_no_text_stands_outside_of_the_translation(bracketed: Program) -> None:
+def _fill_assistant(program: Program, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What its page says of devices that are found and chosen."""
+    port = PortAnswer(SerialPort("/dev/ttyS0", ""), PortState.SILENT)
+    camera = FoundCamera("opencv", "/dev/v4l/by-id/a", "", CameraState.BLACK)
+    monkeypatch.setattr(found_devices, "serial_ports", lambda: [port.port])
+    monkeypatch.setattr(found_devices, "ask_ports", lambda *_, **__: [port])
+    monkeypatch.setattr(found_devices, "find_cameras", lambda: [camera])
+    page, assistant = program.window.pages["assistant"], program.services.assistant
+    assert isinstance(page, AssistantPage)
+    program.window.set_up_rig()
+    page.search.click()
+    until(lambda: not assistant.snapshot.busy, 60, "the end of the search")
+    page.finding.use_virtual.click()
+    for step in (CHECK, WRITE):
+        page.go_to(step)
+
+
+def test_no_text_stands_outside_of_the_translation(bracketed: Program, monkeypatch: pytest.MonkeyPatch) -> None:
     window = bracketed.window
     until(lambda: bracketed.services.rig.snapshot.connected and bracketed.services.rig.snapshot.motion is not None, 60, "the rig")
     for page in window.pages:
         window.show_page(page)
-    shown = [*_texts(window), *(action.text() for action in window.actions_by_id.values()), *(menu.text() for menu in window.menuBar().actions())]
+    _fill_assistant(bracketed, monkeypatch)
+    shown = [*texts_of(window), *(action.text() for action in window.actions_by_id.values()), *(menu.text() for menu in window.menuBar().actions())]
     assert sum("«" in text for text in shown) > 100
     loose = sorted({text for text in shown if text and "«" not in text and text not in NAMES and not VALUE.search(text)})
     assert loose == []

@@ -1,7 +1,7 @@
 """``python -m tests.bench.controllers lines --port URL --lines 10000`` and ``... events --port URL --times 20``; JSON on standard output.
 
 Without ``--port`` our firmware model is taken, in a process of its own.  Laser mode ($32=1) must be set on the board; it moves the beam by
-up to 8 degrees, lit in sweeps, and the table not at all.
+up to 8 degrees, lit in sweeps, and the table not at all.  A reset in the middle of everything is among the events.
 """
 
 from __future__ import annotations

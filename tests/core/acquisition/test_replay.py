@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import sqlite3
 from dataclasses import dataclass, replace
@@ -27,7 +28,7 @@ from scanner_core.virtual.specimens import load_specimen
 
 BENCH = load_preset("bench")
 EAR = load_specimen("ear")
-REQUEST = PlanRequest(2, 60, EAR.radius_mm, EAR.height_mm)
+REQUEST = PlanRequest(2, 40, 6.0, 8.0)  # a part of the ear: fewer frames to render
 
 
 def scan(rig: OpenRig, case: Path, request: PlanRequest = REQUEST) -> ScanResult:
@@ -119,6 +120,28 @@ def test_the_static_test_measures_a_recording_without_anybody_who_places_a_plate
     assert not (tmp_path / "rec" / PLAN).exists()
     with open_rig(recorded_rig(tmp_path / "rec")) as rig:
         assert measure(rig) == there
+
+
+def test_a_disk_that_fills_ends_the_scan_dark_with_everything_that_was_measured(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    real = Path.write_bytes
+
+    def write_bytes(path: Path, content: bytes) -> int:
+        if path.name == "0000150.png":
+            raise OSError(errno.ENOSPC, "No space left on device", str(path))
+        return real(path, content)
+
+    monkeypatch.setattr(Path, "write_bytes", write_bytes)
+    with open_rig(BENCH, EAR, seed=3) as rig:
+        with recorded(rig, tmp_path / "rec", REQUEST) as told:
+            result = scan(rig, tmp_path / "a.impronta")
+        assert rig.motion.status().laser_power == 0.0
+    assert result.error is not None
+    assert told.error is not None
+    assert result.error.code == told.error.code == "E-CAM-22"
+    assert result.counts.measured > 0
+    assert result.counts.planned == result.counts.measured + sum(result.counts.rejected.values()) + result.counts.skipped
+    assert len(observations(tmp_path / "a.impronta")) > 100
+    assert 149 in told.frames.values()
 
 
 def test_a_folder_that_holds_something_is_not_recorded_into(tmp_path: Path) -> None:

@@ -12,14 +12,14 @@ from scanner_core.commissioning.rig_findings import AxisFinding, CameraFinding, 
 from scanner_core.devices.camera import CameraReport
 from scanner_core.devices.discovery import PortAnswer, PortState, SerialPort
 from scanner_core.devices.found_camera import CameraState, FoundCamera
-from scanner_core.devices.grbl.handshake import ControllerIdentity
+from scanner_core.devices.grbl.identity import ControllerIdentity
 from scanner_core.devices.rig import RigConfig, load_preset, load_rig
 from scanner_core.errors import StorageError
 from tests.core.optics.rigs import known_rig
 
 
-def _camera(number: int) -> FoundCamera:
-    report = CameraReport("opencv", f"usb-{number}", "Webcam", (640, 480), 30.0, "GREY", 8.0, 1.5)
+def _camera(number: int, exposure_ms: float = 8.0) -> FoundCamera:
+    report = CameraReport("opencv", f"usb-{number}", "Webcam", (640, 480), 30.0, "GREY", exposure_ms, 1.5)
     return FoundCamera("opencv", f"usb-{number}", "Webcam", CameraState.READY, report=report)
 
 
@@ -54,7 +54,22 @@ def test_findings_correct_direction_scale_exposure_and_exchanged_cameras() -> No
     assert rig.controller.units_per_deg == (-1.0, 1.0, -0.5)
     assert (rig.left.id, rig.right.id) == ("usb-2", "usb-1")
     assert (rig.left.name, rig.right.name) == ("left", "right")
-    assert rig.right.exposure_ms == 4.0
+    assert (rig.right.exposure_ms, rig.right.gain_db) == (4.0, 0.0)
+    assert rig.left.exposure_ms == 4.0
+    assert rig.left.gain_db == pytest.approx(1.5 + 6.02, abs=0.01)
+
+
+def test_cameras_that_were_found_exposing_differently_are_to_expose_equally_long() -> None:
+    rig = propose_rig(load_preset("bench"), _controller(), _camera(1), _camera(2, exposure_ms=16.0))
+    assert (rig.left.exposure_ms, rig.left.gain_db) == (8.0, 1.5)
+    assert rig.right.exposure_ms == 8.0
+    assert rig.right.gain_db == pytest.approx(1.5 + 6.02, abs=0.01)
+
+
+def test_what_was_not_exposed_anew_is_left_alone() -> None:
+    rig = _rig()
+    own = replace(rig, left=replace(rig.left, exposure_ms=3.0))
+    assert corrected_rig(own, RigFindings(axes={"x": AxisFinding("x", -1)})).left.exposure_ms == 3.0
 
 
 def test_a_calibration_goes_with_the_cameras_or_the_table_and_stays_otherwise() -> None:

@@ -6,10 +6,12 @@ from collections.abc import Iterator
 
 import pytest
 
+from scanner_core.acquisition.exposing import propose_for_rig
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
 from scanner_core.commissioning.spot_checks import check_exposure, check_spot
 from scanner_core.devices.rig import load_preset
 from scanner_core.errors import DeviceError
+from scanner_core.optics.auto_exposure import ExposureVerdict
 from scanner_core.virtual.specimens import load_specimen
 
 
@@ -51,6 +53,16 @@ def test_what_the_rule_proposes_is_what_passes(rig: OpenRig) -> None:
         exposure_ms, _, gain_db = told.split("].")[0].partition(", gain_db = ")
         camera.exposure_ms, camera.gain_db = float(exposure_ms), float(gain_db.split(" ")[0].rstrip("."))
     assert check_exposure(rig).verdict == "pass"
+
+
+@pytest.mark.parametrize("left_ms", [1.0, 5.6], ids=["too dark", "bright enough by itself"])
+def test_both_cameras_are_to_expose_equally_long_and_gain_makes_up(rig: OpenRig, left_ms: float) -> None:
+    rig.left.exposure_ms = left_ms
+    results = propose_for_rig(rig)
+    best = {name: result.readings[-1] for name, result in results.items()}
+    assert best["left"].exposure_ms == best["right"].exposure_ms
+    assert max(reading.gain_db for reading in best.values()) > 0.0
+    assert {result.verdict for result in results.values()} == {ExposureVerdict.GOOD}
 
 
 def test_no_object_is_told_for_both_cameras() -> None:

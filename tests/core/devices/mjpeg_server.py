@@ -34,13 +34,14 @@ class MjpegServer:
     starved : while it is set only every second frame is sent
     """
 
-    def __init__(self, picture: Picture, rate_hz: float = 30.0, quality: int = 95) -> None:
+    def __init__(self, picture: Picture, rate_hz: float = 30.0, quality: int = 95, start_s: float | None = None) -> None:
+        """`start_s` on ``time.monotonic``, also in the past; now when None."""
         self._picture, self._rate_hz, self._quality = picture, rate_hz, quality
         self.stalled, self.cut, self.garbage, self.starved = (threading.Event() for _ in range(4))
         self._closing = threading.Event()
         self._server = ThreadingHTTPServer(("127.0.0.1", 0), self._handler())
         self._server.daemon_threads = False
-        self._start_s = time.monotonic()
+        self._start_s = time.monotonic() if start_s is None else start_s
         self._thread = threading.Thread(target=self._server.serve_forever, args=(_POLL_S,), name="mjpeg-server")
         self._thread.start()
 

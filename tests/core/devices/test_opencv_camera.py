@@ -228,7 +228,7 @@ def test_whoever_waits_for_an_answer_while_the_camera_is_closed_is_told(tmp_path
 
 
 def test_a_driver_that_hangs_while_it_opens(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(opencv_link, "_OPEN_S", 1.0)
+    monkeypatch.setattr(opencv_link, "_FIRST_FRAME_S", 1.0)
     with pytest.raises(DeviceError, match=r"its driver does not answer.*E-CAM-10"):
         open_node(tmp_path, "deaf")
 

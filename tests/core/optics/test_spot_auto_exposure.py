@@ -96,14 +96,6 @@ def test_several_frames_count_by_their_bright_ones_and_the_usual_background() ->
     assert combine_readings(readings) == ExposureReading(2.0, 0.0, 180.0, 0, 8.2)
 
 
-@pytest.mark.parametrize(
-    ("peak_dn", "verdict"), [(60.0, ExposureVerdict.TOO_DARK), (200.0, ExposureVerdict.GOOD), (255.0, ExposureVerdict.SATURATED)]
-)
-def test_an_exposure_that_a_camera_does_not_tell_is_judged_and_left(peak_dn: float, verdict: ExposureVerdict) -> None:
-    proposal = propose_exposure(ExposureReading(0.0, 0.0, peak_dn, int(peak_dn == 255.0), 1.0), LIMITS)
-    assert (proposal.verdict, proposal.exposure_ms, proposal.gain_db) == (verdict, 0.0, 0.0)
-
-
 def test_camera_of_the_virtual_rig_is_exposed_for_its_specimen() -> None:
     bench = VirtualBench(PRESETS["bench"], load_specimen("sphere"), SteppedClock(), ScriptedMotion(), seed=2)
     for side in ("left", "right"):
