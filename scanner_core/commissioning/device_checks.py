@@ -1,4 +1,4 @@
-"""What was found, as lines: a controller, two cameras, and every port and camera with what became of it."""
+"""What was found, as lines: every port and camera with what became of it, and whether they are a controller and two cameras."""
 
 from __future__ import annotations
 
@@ -17,14 +17,9 @@ _MANY_CAMERAS = "Unplug what does not belong to the rig, or write the right ids 
 
 
 def check_devices(found: FoundDevices, *, needed: bool) -> list[Check]:
-    """One line for the controller, one for the cameras, then one a port and one a camera; `needed`: what is missing fails, else it warns."""
+    """One line for the controller and one for the cameras; `needed`: what is missing fails, else it warns."""
     missing = "fail" if needed else "warn"
-    return [
-        _controller(found, missing),
-        _cameras(found, missing),
-        *(check_port(answer) for answer in found.ports),
-        *(check_found_camera(camera) for camera in found.cameras),
-    ]
+    return [_controller(found, missing), _cameras(found, missing)]
 
 
 def check_port(answer: PortAnswer) -> Check:

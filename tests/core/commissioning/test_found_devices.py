@@ -117,7 +117,7 @@ def test_lines(ports: tuple[PortAnswer, ...], cameras: tuple[FoundCamera, ...], 
     assert remedy in told.remedy
     assert bool(told.remedy) is (verdict != "pass")
     assert not any(check.verdict == "fail" for check in check_devices(found, needed=False))
-    assert len(checks) == 2 + len(ports) + len(cameras)
+    assert len(checks) == 2
     assert set(found_values(found)) == {"ports", "cameras"}
 
 
