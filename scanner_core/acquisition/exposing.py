@@ -95,7 +95,7 @@ def propose_for_rig(rig: OpenRig) -> dict[str, ExposureResult]:
             limits = ExposureLimits(_SHORTEST_MS, 1e3 / camera.rate_hz)
             results[camera.name] = expose_automatically(camera, detector, limits, between=rig.motion.status)
         shortest_ms = min(camera.exposure_ms for camera in cameras)
-        good = all(result.verdict is ExposureVerdict.GOOD for result in results.values())
+        good = shortest_ms > 0 and all(result.verdict is ExposureVerdict.GOOD for result in results.values())
         for camera in cameras:
             if good and camera.exposure_ms > (1 + _EQUAL) * shortest_ms:
                 light(rig, places[camera.name])

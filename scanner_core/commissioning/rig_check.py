@@ -208,8 +208,8 @@ class _Run:
         results = propose_for_rig(self._rig)
         self._tell(RigCheck(judge_exposure(results)))
         for name, result in results.items():
-            if result.verdict is ExposureVerdict.GOOD:
-                best = result.readings[-1]
+            best = result.readings[-1]
+            if result.verdict is ExposureVerdict.GOOD and best.exposure_ms > 0:
                 self._camera(name, replace(self._found(name), exposure_ms=best.exposure_ms, gain_db=best.gain_db))
 
     # ------------------------------------------------------------------------------------------ table

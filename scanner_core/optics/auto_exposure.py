@@ -66,7 +66,7 @@ class ExposureReading:
 
     Attributes
     ----------
-    exposure_ms, gain_db : of the frames
+    exposure_ms, gain_db : of the frames; an exposure of 0 is one that the camera does not tell
     peak_dn : brightest pixel of the spot, 0 to 255; the background where no spot was seen
     saturated_px : clipped pixels
     background_dn : level of the dark pixels
@@ -123,6 +123,8 @@ def propose_exposure(reading: ExposureReading, limits: ExposureLimits) -> Exposu
             factor = 1 / _LARGEST_STEP
     if signal < _SMALLEST_SIGNAL_DN and reading.background_dn > 0.5 * FULL_SCALE_DN:
         factor = 1 / _LARGEST_STEP  # the light that hides the spot is not the laser's
+    if reading.exposure_ms <= 0:  # it keeps its own exposure and does not tell it
+        return _stay(reading, at_the_limit(reading))
     light = factor * reading.exposure_ms * _amplification(reading.gain_db)
     exposure_ms = min(max(light / _amplification(limits.lowest_gain_db), limits.shortest_ms), limits.longest_ms)
     gain_db = min(max(20 * math.log10(light / exposure_ms), limits.lowest_gain_db), limits.highest_gain_db)
