@@ -160,6 +160,8 @@ def _parser() -> argparse.ArgumentParser:
     doctor.add_argument("--rig", metavar="RIG.toml", help="a rig file, or the name of a preset (default: find devices, and check the virtual rig)")
     doctor.add_argument("--find", action="store_true", help="ask every serial port and look at every camera; --rig gives limits for --out")
     doctor.add_argument("--port", action="append", default=[], metavar="URL", help="ask this port instead of those of the system; may be repeated")
+    stream = "look at this network camera (http://..., rtsp://...) instead of those of the system; repeated: the left one, then the right one"
+    doctor.add_argument("--camera", action="append", default=[], metavar="URL", help=stream)
     doctor.add_argument("--out", metavar="RIG.toml", help="write a rig file for what was found, after a check of it")
     doctor.add_argument("--thumbnails", metavar="DIR", help="write what the cameras show as pictures")
     doctor.add_argument("--force", action="store_true", help="overwrite files that are there")

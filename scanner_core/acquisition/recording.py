@@ -54,6 +54,14 @@ class Recorded:
         frames = " and ".join(f"{count} frames of camera {name}" for name, count in self.frames.items())
         return f"Recorded {frames} into {self.folder} ({self.bytes / 1e6:.0f} MB)."
 
+    def warnings(self) -> list[str]:
+        """That it lacks its last frames, of which what was measured knows nothing: the cameras had delivered them."""
+        if self.error is None:
+            return []
+        return [
+            f"The recording is incomplete, what was measured is whole: {self.error.message} Free some space and record again. [{self.error.code}]"
+        ]
+
 
 def check_recordable(folder: Path) -> None:
     """Say before the rig is touched whether something can be recorded into a folder.

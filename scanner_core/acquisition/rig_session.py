@@ -5,9 +5,11 @@ from __future__ import annotations
 import itertools
 import logging
 from collections.abc import Callable, Iterable
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from scanner_core.case.store import CaseStore
 from scanner_core.clock import Clock, Speed, SteppedClock, make_clock
@@ -20,14 +22,16 @@ from scanner_core.devices.recording import is_recording
 from scanner_core.devices.rig import RigConfig
 from scanner_core.errors import DeviceError, ImprontaError, UsageError
 from scanner_core.optics.calibration import StereoCalibration
-from scanner_core.virtual.bench import VirtualBench
-from scanner_core.virtual.fault import Fault
 from scanner_core.virtual.firmware import Firmware
 from scanner_core.virtual.firmware_registry import register_firmware, unregister_firmware
-from scanner_core.virtual.injection import FaultInjection
 from scanner_core.virtual.presets import PRESETS, VirtualPreset
 from scanner_core.virtual.remote_timeline import RemoteTimeline
-from scanner_core.virtual.specimens import Specimen
+
+if TYPE_CHECKING:  # a second and a half of imports that hardware does not need before its first sentence
+    from scanner_core.virtual.bench import VirtualBench
+    from scanner_core.virtual.fault import Fault
+    from scanner_core.virtual.injection import FaultInjection
+    from scanner_core.virtual.specimens import Specimen
 
 _log = logging.getLogger("impronta")
 _VIRTUAL = "virtual://"
@@ -35,6 +39,8 @@ _RENDERED = "virtual"
 """Driver of the cameras that the bench makes."""
 _SIMULATED = (_RENDERED, "replay")
 """Drivers of cameras that keep whatever time the clock shows."""
+_SIDE_BY_SIDE = "opencv"
+"""Driver whose cameras each belong to a process of their own: they are opened while the controller shakes hands."""
 _numbers = itertools.count(1)
 
 
@@ -104,7 +110,7 @@ class OpenRig:
 
 
 def open_rig(config: RigConfig, specimen: Specimen | None = None, speed: Speed = "max", seed: int = 0, faults: Iterable[Fault] = ()) -> OpenRig:
-    """Open the devices of a rig: the controller, which makes sure that the laser is dark, then the cameras.  Nothing moves.
+    """Open the devices of a rig: the controller, which makes sure that the laser is dark, and the cameras.  Nothing moves.
 
     The controller goes by its port (``virtual://`` is a firmware model in this process; with a `witness` it is one in a process
     of its own; anything else is hardware), and each camera by its driver; they may be mixed.
@@ -189,12 +195,54 @@ def _open(
         clock = make_clock(1.0)
     if release is not None:
         opened.append(release)
-    motion = open_controller(controller, clock, config.limits)
-    opened.insert(0, motion.close)
-    bench = None if preset is None or timeline is None else VirtualBench(preset, specimen, clock, timeline, seed)
-    left, right = (_open_camera(camera, clock, bench, opened) for camera in (config.left, config.right))
-    faults = None if bench is None or timeline is None else FaultInjection(clock, bench, timeline)
+    with _Ahead(config, clock, opened) as ahead:
+        motion = open_controller(controller, clock, config.limits)
+        opened.insert(0, motion.close)
+        bench, faults = (None, None) if preset is None or timeline is None else _virtual(preset, specimen, clock, timeline, seed)
+        left, right = (ahead.take(camera) or _open_camera(camera, clock, bench, opened) for camera in (config.left, config.right))
     return OpenRig(config, left, right, motion, clock, config.calibration, bench, faults, release)
+
+
+def _virtual(
+    preset: VirtualPreset, specimen: Specimen | None, clock: Clock, timeline: Firmware | RemoteTimeline, seed: int
+) -> tuple[VirtualBench, FaultInjection]:
+    from scanner_core.virtual.bench import VirtualBench
+    from scanner_core.virtual.injection import FaultInjection
+
+    bench = VirtualBench(preset, specimen, clock, timeline, seed)
+    return bench, FaultInjection(clock, bench, timeline)
+
+
+class _Ahead:
+    """Cameras that are being opened in threads meanwhile; at the end every one of them is open, or has failed.
+
+    `opened` gets what closes them.
+    """
+
+    def __init__(self, config: RigConfig, clock: Clock, opened: list[Callable[[], None]]) -> None:
+        self._opened = opened
+        self._pool = ThreadPoolExecutor(2, "open-camera")
+        wanted = [camera for camera in (config.left, config.right) if camera.driver == _SIDE_BY_SIDE]
+        self._coming: dict[str, Future[Camera]] = {camera.name: self._pool.submit(open_camera, camera, clock) for camera in wanted}
+
+    def take(self, config: CameraConfig) -> Camera | None:
+        """The camera, once it is open; None when it was not to be opened ahead.
+
+        Raises
+        ------
+        DeviceError, UsageError
+        """
+        future = self._coming.get(config.name)
+        return None if future is None else future.result()
+
+    def __enter__(self) -> _Ahead:
+        return self
+
+    def __exit__(self, *exception: object) -> None:
+        self._pool.shutdown()
+        for future in self._coming.values():
+            if future.exception() is None:
+                self._opened.insert(1, future.result().close)
 
 
 def _in_process(config: RigConfig) -> bool:

@@ -12,7 +12,7 @@ from scanner_core.acquisition.rig_session import OpenRig, open_rig
 from scanner_core.commands.by_hand import Prompter
 from scanner_core.commands.calibration_report import calibration_json, calibration_summary, result_json, result_summary
 from scanner_core.commands.console import Console
-from scanner_core.commands.scanning import recording, rig_given, rig_path
+from scanner_core.commands.scanning import recording, recording_warnings, rig_given, rig_path
 from scanner_core.devices.rig import recalibrated, rig_text
 from scanner_core.errors import UsageError
 from scanner_core.files import check_free, replaced_when_whole
@@ -34,13 +34,15 @@ def run(given: argparse.Namespace, console: Console) -> int:
         with recording(given, rig) as told:
             result = _calibrated(rig, console, target, settings)
     lines = [calibration_summary(result.calibration), *result_summary(result)]
+    values = calibration_json(result.calibration) | result_json(result)
+    values["warnings"] = [*result.warnings(), *recording_warnings(console, told)]
     if told is not None:
         lines.append(told.summary())
     if out is not None:
         with replaced_when_whole(out, given.force) as partial:
             partial.write_text(recalibrated(text, result.calibration), encoding="utf-8")
         lines.append(f"Written to {out}.")
-    console.result(calibration_json(result.calibration) | result_json(result) | {"rig": None if out is None else str(out)}, lines)
+    console.result(values | {"rig": None if out is None else str(out)}, lines)
     return 0
 
 

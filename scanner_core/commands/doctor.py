@@ -68,8 +68,8 @@ def run(given: argparse.Namespace, console: Console) -> int:
 
 def arguments(rig: str | None) -> argparse.Namespace:
     """What :func:`run` is given for one rig and nothing else; None finds devices."""
-    nothing: dict[str, object] = {"find": False, "port": [], "out": None, "thumbnails": None, "force": False, "fault": [], "without": []}
-    return argparse.Namespace(rig=rig, specimen=_SPECIMEN, speed="max", seed=0, **nothing)
+    lists: dict[str, list[str]] = {"port": [], "camera": [], "fault": [], "without": []}
+    return argparse.Namespace(rig=rig, specimen=_SPECIMEN, speed="max", seed=0, find=False, out=None, thumbnails=None, force=False, **lists)
 
 
 def _line(check: Check) -> str:
@@ -78,7 +78,7 @@ def _line(check: Check) -> str:
 
 def _find(given: argparse.Namespace, console: Console, report: _Report) -> FoundDevices:
     ports = [SerialPort(url, "") for url in given.port] or serial_ports()
-    found = find_devices(ScaledClock(), progress=_shown(console), cancelled=lambda: False, ports=ports)
+    found = find_devices(ScaledClock(), progress=_shown(console), cancelled=lambda: False, ports=ports, streams=given.camera)
 
     from scanner_core.commissioning.device_checks import found_values
     from scanner_core.commissioning.thumbnails import picture_name, write_picture

@@ -24,6 +24,7 @@ from scanner_core.commands.scanning import (
     finding_warnings,
     is_rendered,
     recording,
+    recording_warnings,
     run_scan,
     scan_json,
     scan_summary,
@@ -73,9 +74,8 @@ def run(given: argparse.Namespace, console: Console) -> int:
     if told is not None:
         values["recording"] = told.as_dict()
         lines.append(told.summary())
-        if told.error is not None and result.error is None:  # the last frames only: the scan itself is whole
-            console.say(f"Warning: {told.error}")
-            warnings.append(str(told.error))
+        if result.error is None:  # else it is what ended the scan
+            warnings += recording_warnings(console, told)
     values["warnings"] = warnings
     kept = f"Nothing was measured; {path} is as it was." if old and not begins(result) else f"Kept in {path}."
     if result.finish_reason is not FinishReason.COMPLETED and begins(result):

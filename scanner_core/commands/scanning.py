@@ -56,6 +56,14 @@ def recording(given: argparse.Namespace, rig: OpenRig, request: PlanRequest | No
     return nullcontext() if given.record is None else recorded(rig, Path(given.record).resolve(), request)
 
 
+def recording_warnings(console: Console, told: Recorded | None) -> list[str]:
+    """What is to be said of a recording after a measurement that came to its end; it is said."""
+    warnings = [] if told is None else told.warnings()
+    for warning in warnings:
+        console.say(f"Warning: {warning}")
+    return warnings
+
+
 def calibrated_rig(given: argparse.Namespace) -> tuple[RigConfig, StereoCalibration]:
     """The rig to measure with, as it was asked for, and its calibration.
 

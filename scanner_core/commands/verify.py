@@ -11,7 +11,16 @@ from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
 from scanner_core.commands.artefacts_by_hand import operator_at_terminal
 from scanner_core.commands.console import Console
-from scanner_core.commands.scanning import age_warnings, calibrated_rig, faults, is_rendered, recording, rig_path, specimen_on_table
+from scanner_core.commands.scanning import (
+    age_warnings,
+    calibrated_rig,
+    faults,
+    is_rendered,
+    recording,
+    recording_warnings,
+    rig_path,
+    specimen_on_table,
+)
 from scanner_core.commands.verifying import Bar, Conditions, Outcome, Session, part
 from scanner_core.devices.rig import RigConfig
 from scanner_core.metrology.acceptance import AcceptanceTest, planned_positions
@@ -44,6 +53,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
             console.clear()
     if told is not None:
         console.say(told.summary())
+        warnings += recording_warnings(console, told)
     if outcome.interrupted:
         session.keep_part(outcome)
         return 130

@@ -7,6 +7,7 @@ from scanner_core.devices.check import Check
 from scanner_core.devices.discovery import PortAnswer, PortState
 from scanner_core.devices.found_camera import CameraState, FoundCamera
 from scanner_core.errors import DeviceError
+from scanner_core.remedies import remedy_of
 
 _NO_PORT = "Plug the controller in and switch it on; a USB cable that only charges shows no port."
 _NO_CONTROLLER = "Plug the controller in, switch it on, and read the lines of the ports; a board without GRBL has to be given it first."
@@ -86,7 +87,7 @@ def _cameras(found: FoundDevices, missing: str) -> Check:
 
 
 def _told(error: DeviceError | None, otherwise: str) -> tuple[str, str]:
-    return (f"{otherwise}.", "") if error is None else (error.message, error.hint)
+    return (f"{otherwise}.", "") if error is None else (error.message, remedy_of(error))
 
 
 def _port_values(answer: PortAnswer) -> dict[str, object]:
@@ -104,4 +105,4 @@ def _camera_values(camera: FoundCamera) -> dict[str, object]:
 
 
 def _error_values(error: DeviceError | None) -> dict[str, object]:
-    return {} if error is None else {"code": error.code, "sentence": error.message, "remedy": error.hint}
+    return {} if error is None else {"code": error.code, "sentence": error.message, "remedy": remedy_of(error)}

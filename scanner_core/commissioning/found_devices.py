@@ -25,7 +25,7 @@ _PORT_S = 5.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FoundDevices:
-    """Every port and every camera with what became of it, each in the order of its name."""
+    """Every port and every camera with what became of it, each in the order of its name, streams as they were given."""
 
     ports: tuple[PortAnswer, ...]
     cameras: tuple[FoundCamera, ...]
@@ -48,6 +48,7 @@ def find_devices(
     on_port: Callable[[PortAnswer], None] = lambda answer: None,
     on_camera: Callable[[FoundCamera], None] = lambda camera: None,
     ports: Sequence[SerialPort] | None = None,
+    streams: Sequence[str] = (),
 ) -> FoundDevices:
     """Ask every port and look at every camera, side by side.
 
@@ -57,6 +58,7 @@ def find_devices(
     progress : also tells what is waited for
     on_port, on_camera : called in this thread as soon as an answer is there
     ports : to ask; None = those that the system lists
+    streams : network cameras to look at, by their URLs, instead of the cameras of this machine; the first two are left and right
 
     Raises
     ------
@@ -66,7 +68,7 @@ def find_devices(
     asked = serial_ports() if ports is None else list(ports)
     news: queue.SimpleQueue[PortAnswer | list[FoundCamera] | BaseException] = queue.SimpleQueue()
     jobs: list[tuple[str, Callable[[], PortAnswer | list[FoundCamera]]]] = [(f"ask-{port.url}", partial(_ask, port, clock)) for port in asked]
-    jobs.append(("find-cameras", find_cameras))
+    jobs.append(("find-cameras", partial(find_cameras, streams) if streams else find_cameras))
     threads = [threading.Thread(target=_tell, args=(job, news), name=name) for name, job in jobs]
     for thread in threads:
         thread.start()
@@ -89,7 +91,7 @@ def find_devices(
             answers.append(told)
             on_port(told)
         else:
-            cameras = sorted(told, key=lambda camera: (camera.driver, camera.id))
+            cameras = told if streams else sorted(told, key=lambda camera: (camera.driver, camera.id))
             for camera in cameras:
                 on_camera(camera)
     _join(threads)

@@ -10,6 +10,8 @@ from scanner_core.optics.spot import Spot, SpotMiss
 from scanner_core.optics.spot_detection import SpotDetector
 from scanner_core.optics.spot_quality import SpotGrade, judge_spot
 
+_AT_THE_CAMERA = "The program cannot set its exposure: set it in the camera's own settings, by hand and not automatic."
+
 
 def check_spot(rig: OpenRig) -> Check:
     """The laser as both cameras see it, and whether its spot can be measured well; left off."""
@@ -53,7 +55,8 @@ def judge_exposure(results: dict[str, ExposureResult]) -> Check:
         now, best = result.readings[0], result.readings[-1]
         shown.append(f"{name} peak {100 * now.peak_dn / FULL_SCALE_DN:.0f} %, background {100 * now.background_dn / FULL_SCALE_DN:.1f} %")
         if result.verdict is not ExposureVerdict.GOOD:
-            remedies.append(f"Camera {name}: {result.verdict.advice}")
+            fixed = not now.exposure_ms > 0 and result.verdict is not ExposureVerdict.BACKGROUND
+            remedies.append(f"Camera {name}: {_AT_THE_CAMERA if fixed else result.verdict.advice}")
         elif len(result.readings) > 1:
             remedies.append(f"In the rig file, [camera.{name}]: exposure_ms = {best.exposure_ms:.2f}, gain_db = {best.gain_db:.1f}.")
     wanted = f"{100 * LOWEST_PEAK:.0f} to {100 * HIGHEST_PEAK:.0f} % and below {100 * HIGHEST_BACKGROUND:.0f} % are wanted"

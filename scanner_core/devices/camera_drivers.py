@@ -6,6 +6,9 @@ Cameras of the virtual rig are made by :mod:`scanner_core.acquisition.rig_sessio
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+
 from scanner_core.clock import Clock
 from scanner_core.devices.camera import Camera
 from scanner_core.devices.camera_config import CameraConfig
@@ -41,9 +44,20 @@ def open_camera(config: CameraConfig, clock: Clock) -> Camera:
     raise UsageError("E-USE-01", what=f"There is no driver '{config.driver}' for cameras", do=f"write one of {', '.join(DRIVERS)} into the rig file")
 
 
-def find_cameras() -> list[FoundCamera]:
-    """Every camera of this machine, each opened for a moment; one that cannot be used is a value, not an error."""
+def find_cameras(streams: Sequence[str] = ()) -> list[FoundCamera]:
+    """Cameras, each opened for a moment; one that cannot be used is a value, not an error.
+
+    Parameters
+    ----------
+    streams : URLs of network cameras, which no system lists: these are looked at, side by side and in this order, and no others;
+        none = every camera of this machine
+    """
+    from scanner_core.devices.opencv_finding import find_opencv_cameras, look_at_stream
+
+    if streams:
+        with ThreadPoolExecutor(len(streams), "look-at-stream") as pool:
+            return list(pool.map(look_at_stream, streams))
+
     from scanner_core.devices.basler_finding import find_basler
-    from scanner_core.devices.opencv_finding import find_opencv_cameras
 
     return [*find_opencv_cameras(), *find_basler()]

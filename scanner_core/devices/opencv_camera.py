@@ -171,6 +171,7 @@ class OpenCvCamera:
             self._ensure_open()
             raise self._error(failure.failed) from None
         if answer is None:
+            self._ensure_open()
             raise self._silent(SILENCE_S)
         others = tuple(refused for refused in self._taken.refused if refused[0] != name)
         taken = replace(self._taken, refused=others + tuple((name, sentence) for sentence in answer.refused))
@@ -226,7 +227,7 @@ def open_opencv_camera(
 def camera_error(config: CameraConfig, failed: Failed) -> DeviceError:
     """The sentence for a camera that failed."""
     if failed.fault == "silent":
-        return DeviceTimeoutError("E-CAM-01", details=failed.details, camera=config.name, seconds=f"{failed.seconds:.0f}")
+        return DeviceTimeoutError("E-CAM-01", details=failed.details, camera=config.name, seconds=f"{failed.seconds:g}")
     if failed.fault == "format":
         return DeviceError("E-CAM-08", camera=config.name, reason=failed.details)
     if failed.fault == "closed":

@@ -43,6 +43,11 @@ def find_opencv_cameras(nodes: VideoNodes | None = None, open_capture: OpenCaptu
     return list(_numbered(open_capture) if nodes is None else _named(nodes, open_capture))
 
 
+def look_at_stream(url: str, open_capture: OpenCapture = open_with_opencv) -> FoundCamera:
+    """A camera that is a stream."""
+    return _look(_config("stream", url), Assignment(url, None, Wanted(), measure=True), open_capture)
+
+
 def is_black(images: Sequence[NDArray[np.uint8]]) -> bool:
     """Whether frames (H, W) uint8 show a closed shutter: one dark grey value all over, again and again, without any noise.
 
@@ -110,7 +115,8 @@ def _unusable(config: CameraConfig, error: DeviceError, report: CameraReport | N
 def _report(config: CameraConfig, link: CameraLink) -> CameraReport:
     taken = link.opened.taken
     height, width = link.shape
-    return CameraReport("opencv", config.id, config.name, (width, height), taken.rate_hz, taken.pixel_format, taken.exposure_ms, taken.gain_db)
+    rate_hz = taken.rate_hz or round(link.measured_hz, 1)
+    return CameraReport("opencv", config.id, config.name, (width, height), rate_hz, taken.pixel_format, taken.exposure_ms, taken.gain_db)
 
 
 def _thumbnail(image: NDArray[np.uint8]) -> NDArray[np.uint8]:

@@ -66,7 +66,7 @@ class ExposureReading:
 
     Attributes
     ----------
-    exposure_ms, gain_db : of the frames; an exposure of 0 is one that the camera does not tell
+    exposure_ms, gain_db : of the frames; 0 ms = the camera does not tell
     peak_dn : brightest pixel of the spot, 0 to 255; the background where no spot was seen
     saturated_px : clipped pixels
     background_dn : level of the dark pixels
@@ -107,7 +107,12 @@ def combine_readings(readings: Sequence[ExposureReading]) -> ExposureReading:
 
 
 def propose_exposure(reading: ExposureReading, limits: ExposureLimits) -> ExposureProposal:
-    """The next exposure and gain after a reading, or the verdict that ends the search."""
+    """The next exposure and gain after a reading, or the verdict that ends the search.
+
+    A camera that does not tell its exposure (0 ms: a stream) cannot be set either: its reading is judged as it is.
+    """
+    if not reading.exposure_ms > 0:
+        return _stay(reading, _judged_as_it_is(reading))
     signal = reading.peak_dn - reading.background_dn
     if reading.saturated_px or reading.peak_dn >= FULL_SCALE_DN - 1:
         factor = min(max(AIMED_PEAK * math.exp(-reading.saturated_px / _CLIPPED_PER_E), _LARGEST_CLIPPED_STEP), _SMALLEST_CLIPPED_STEP)
@@ -123,8 +128,6 @@ def propose_exposure(reading: ExposureReading, limits: ExposureLimits) -> Exposu
             factor = 1 / _LARGEST_STEP
     if signal < _SMALLEST_SIGNAL_DN and reading.background_dn > 0.5 * FULL_SCALE_DN:
         factor = 1 / _LARGEST_STEP  # the light that hides the spot is not the laser's
-    if reading.exposure_ms <= 0:  # it keeps its own exposure and does not tell it
-        return _stay(reading, at_the_limit(reading))
     light = factor * reading.exposure_ms * _amplification(reading.gain_db)
     exposure_ms = min(max(light / _amplification(limits.lowest_gain_db), limits.shortest_ms), limits.longest_ms)
     gain_db = min(max(20 * math.log10(light / exposure_ms), limits.lowest_gain_db), limits.highest_gain_db)
@@ -132,6 +135,11 @@ def propose_exposure(reading: ExposureReading, limits: ExposureLimits) -> Exposu
     if (reached > _UNCHANGED) if factor > 1 else (reached < 1 / _UNCHANGED):
         return ExposureProposal(ExposureVerdict.CHANGE, exposure_ms, gain_db)
     return _stay(reading, at_the_limit(reading))
+
+
+def _judged_as_it_is(reading: ExposureReading) -> ExposureVerdict:
+    within = LOWEST_PEAK * FULL_SCALE_DN <= reading.peak_dn <= HIGHEST_PEAK * FULL_SCALE_DN and not reading.saturated_px
+    return ExposureVerdict.GOOD if within and reading.background_dn <= HIGHEST_BACKGROUND * FULL_SCALE_DN else at_the_limit(reading)
 
 
 def gain_making_up(exposure_ms: float, gain_db: float, new_exposure_ms: float) -> float:

@@ -19,13 +19,13 @@ from app.controllers.assistant_snapshot import AssistantSnapshot, Job
 from app.controllers.emission import Emission
 from app.program import Program
 from app.theme import ACCENT
-from app.views import assistant_words
+from app.views import assistant_words, check_names
 from app.views.assistant_corrections import Corrections, corrections_of, only
 from app.views.assistant_page import CHECK, FIND, WRITE, AssistantPage
 from app.views.file_dialogs import FileDialog
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.clock import make_clock
-from scanner_core.commissioning import found_devices
+from scanner_core.commissioning import found_devices, rig_check
 from scanner_core.commissioning.rig_check import RigCheck
 from scanner_core.commissioning.rig_findings import AxisFinding, CameraFinding, RigFindings
 from scanner_core.devices.check import Check
@@ -94,6 +94,11 @@ def test_every_state_has_a_word_of_its_own() -> None:
     assert set(assistant_words._CAMERAS) == set(CameraState)
     assert len({word for _, word in assistant_words._PORTS.values()}) == len(PortState)
     assert len({word for _, word in assistant_words._CAMERAS.values()}) == len(CameraState)
+
+
+def test_every_check_and_every_step_has_a_name_to_translate() -> None:
+    assert set(check_names.NAMES) == {*rig_check.LINES, *rig_check.STEPS, "done"}
+    assert check_names.check_name("left and right") == "Left and right"
 
 
 # ------------------------------------------------------------------------------------------ correcting

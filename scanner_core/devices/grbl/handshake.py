@@ -7,10 +7,11 @@ from scanner_core.devices.grbl.lines import Banner, Line, Other, Report
 from scanner_core.devices.grbl.link import GrblLink
 from scanner_core.errors import DeviceError, DeviceLostError
 
-BANNER_S = 3.0
-"""Boards that are reset by the opening of the port greet within this time; the others are asked for it by a reset."""
+BANNER_S = 2.5
+"""Boards that are reset by the opening of the port greet within this time, the slowest boot loader's two seconds included; the others
+are asked for it by a reset.  Nothing is sent before: there are boot loaders that a byte keeps from ever starting the firmware."""
 
-_RESET_ANSWER_S = 1.0
+RESET_ANSWER_S = 1.0
 """A board that was not reset by the opening has long started: its processor is there at once."""
 _QUOTED = 60
 """Characters of what something else says that a sentence quotes."""
@@ -54,7 +55,7 @@ def _questions(link: GrblLink) -> tuple[list[Line], list[Line], Report]:
 
 def _banner(link: GrblLink) -> str:
     said = ""
-    for attempt, deadline_s in enumerate((BANNER_S, _RESET_ANSWER_S)):
+    for attempt, deadline_s in enumerate((BANNER_S, RESET_ANSWER_S)):
         end_s = link.clock.now_s() + deadline_s
         while (left_s := end_s - link.clock.now_s()) > 0.0:
             line = link.listen(left_s)

@@ -3,6 +3,7 @@
 ``basler``: a scan of a sphere on the virtual rig is recorded; its stereo pairs are then measured from arrays in memory and through
 two emulated cameras, by the same threads and engine: largest difference of the points, frames a second, and time of the processor.
 The whole scan is repeated too, the virtual controller with the two emulated cameras: its case must hold the same observations.
+``live_rig``: the whole job in real time on a board behind a socket and two network cameras (:mod:`tests.bench.cameras.live_rig`).
 ``pace``: what two cameras in real time cost, by rate, trigger and size, and the frames that they lose.
 """
 
@@ -28,6 +29,7 @@ from scanner_core.devices.basler_camera import open_basler
 from scanner_core.devices.camera_config import CameraConfig, TriggerSource
 from scanner_core.devices.rig import RigConfig, load_preset
 from scanner_core.virtual.specimens import load_specimen
+from tests.bench.cameras import live_rig
 from tests.bench.cameras.pairs import Measured, MemoryCamera, TimedCamera, difference_um, measure
 from tests.core.devices.basler_emulation import basler_config, open_emulated
 from tests.core.devices.recorded_runs import SIDES, RecordedRuns, ShowingCamera, record, scan_again
@@ -39,13 +41,21 @@ SPHERE = load_specimen("sphere")
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", choices=["basler", "pace"])
+    parser.add_argument("what", choices=["basler", "live_rig", "pace"])
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--frames", type=int, default=500, help="stereo pairs")
     parser.add_argument("--preset", nargs="+", choices=PRESETS, default=list(PRESETS))
     parser.add_argument("--rates", type=float, nargs="+", default=[30.0, 60.0, 85.0], help="of `pace`, frames a second")
     parser.add_argument("--seconds", type=float, default=10.0, help="of `pace`, each")
+    parser.add_argument("--views", type=int, default=4, help="of `live_rig`")
+    parser.add_argument("--points", type=int, default=600, help="of `live_rig`, wanted")
+    parser.add_argument("--rate", type=float, default=20.0, help="of `live_rig`, frames a second")
     given = parser.parse_args()
+    if given.what == "live_rig":
+        with tempfile.TemporaryDirectory(prefix="impronta-live-") as folder:
+            for line in live_rig.run(Path(folder), views=given.views, points=given.points, rate_hz=given.rate, seed=given.seed):
+                print(json.dumps(line), flush=True)
+        return
     os.environ["PYLON_CAMEMU"] = "2"  # read by the SDK whenever it looks for cameras
     for name in given.preset:
         with tempfile.TemporaryDirectory(prefix="impronta-cameras-") as folder:

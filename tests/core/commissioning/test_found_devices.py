@@ -97,7 +97,7 @@ _IN_USE = FoundCamera("opencv", "usb-9", "Webcam", CameraState.IN_USE, DeviceBus
     [
         ((), (), "controller found", "fail", "no serial port", "Plug the controller in"),
         ((), (), "cameras found", "fail", "no camera", "Plug both cameras in"),
-        ((_OTHER,), (), "controller found", "fail", "no GRBL controller (it said: 'hello')", "choose another port"),
+        ((_OTHER,), (), "controller found", "fail", "no GRBL controller (it said: 'hello')", "has to be given GRBL"),
         ((_OTHER, _OTHER), (), "controller found", "fail", "no controller answered on COM5, COM5", "Plug the controller in"),
         ((_OTHER, _BUSY), (), "controller found", "fail", "used by another program", "close the other program"),
         ((_CONTROLLER, _OTHER), (), "controller found", "pass", "COM3", ""),

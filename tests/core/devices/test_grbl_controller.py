@@ -91,12 +91,12 @@ def test_grblhal_with_a_fourth_axis_and_work_positions() -> None:
     assert port.written[-1] == b"\x18"
 
 
-def test_board_that_does_not_greet_is_asked_after_three_seconds() -> None:
+def test_board_that_does_not_greet_is_asked_when_every_boot_loader_has_ended() -> None:
     port, controller = scripted(GRBL_HAL)
     assert port.written[0] == b"\x18"
     first, second = controller.transcript()[:2]
     assert (first["direction"], first["line"]) == ("out", "<ctrl-x>")
-    assert 3.0 <= float(str(first["t_s"])) <= 3.2
+    assert 2.5 <= float(str(first["t_s"])) <= 2.7
     assert (second["direction"], second["line"]) == ("in", "GrblHAL 1.1f ['$' or '$HELP' for help]")
 
 
