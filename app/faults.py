@@ -13,6 +13,7 @@ from PySide6.QtCore import QCoreApplication
 
 from scanner_core.acquisition.finding import Finding
 from scanner_core.errors import ImprontaError
+from scanner_core.remedies import REMEDIES
 from scanner_core.sentences import SENTENCES
 
 _log = logging.getLogger("impronta")
@@ -56,6 +57,14 @@ def sentence_of(fault: BaseException) -> tuple[str, str]:
         QCoreApplication.translate("faults", "Something unexpected happened ({kind}).").format(kind=type(fault).__name__),
         QCoreApplication.translate("faults", "What was measured is kept; the details help us to mend it."),
     )
+
+
+def unmeasured_words(fault: BaseException) -> str:
+    """What happened and what to do while devices are looked for or checked, in the window's language."""
+    what, do = sentence_of(fault)
+    if isinstance(fault, ImprontaError) and fault.code in REMEDIES:
+        do = QCoreApplication.translate("remedies", REMEDIES[fault.code]).format(**fault.fields)
+    return f"{what} {do}"
 
 
 def finding_words(finding: Finding) -> str:

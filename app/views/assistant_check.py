@@ -6,14 +6,16 @@ from PySide6.QtWidgets import QCheckBox, QFrame, QHBoxLayout, QProgressBar, QVBo
 
 from app.controllers.assistant import AssistantController
 from app.controllers.assistant_snapshot import AssistantSnapshot, Job
-from app.faults import sentence_of
+from app.faults import unmeasured_words
 from app.views import format as fmt
 from app.views.assistant_check_line import CheckLine
 from app.views.assistant_corrections import Corrections
 from app.views.assistant_jog import JogPanel
 from app.views.assistant_pictures import AssistantPictures
-from app.views.assistant_words import check_name
+from app.views.check_names import check_name
 from app.views.parts import button, column, give_role, label, make_primary, row, scrolled, seam
+from app.views.spot_advice import show_look
+from scanner_core.acquisition.handover import Preview
 
 
 class CheckStep(QWidget):
@@ -95,7 +97,7 @@ class CheckStep(QWidget):
         self.cancel.setText(self.tr("Cancelling…") if snapshot.cancelling else self.tr("Cancel"))
         doing = check_name(snapshot.doing) if snapshot.doing else self.tr("Opening the devices")
         self._doing.setText(self.tr("{doing}  ·  {left} left").format(doing=doing, left=fmt.left_time(snapshot.left_s)))
-        self._failed.setText("" if snapshot.failed is None else " ".join(sentence_of(snapshot.failed)))
+        self._failed.setText("" if snapshot.failed is None else unmeasured_words(snapshot.failed))
         self._failed.setVisible(snapshot.failed is not None)
         self._show_checks(snapshot)
         self._show_summary(snapshot)
@@ -111,9 +113,11 @@ class CheckStep(QWidget):
     def tick(self) -> None:
         """For the pump: what the cameras see now."""
         for side, preview in self.pictures.live.items():
-            frame = self._assistant.frames[side].take()
-            if frame is not None:
-                preview.show_frame(frame)
+            look = self._assistant.looks[side].take()
+            if isinstance(look, Preview):
+                show_look(preview, look, self._assistant.snapshot.config)
+            elif look is not None:
+                preview.show_frame(look)
 
     def _show_checks(self, snapshot: AssistantSnapshot) -> None:
         if [line.made for line in self.lines] != list(snapshot.checks[: len(self.lines)]):

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
-from app.views.assistant_words import check_name, verdict_words
+from app.views.assistant_words import verdict_words
+from app.views.check_names import check_name
 from app.views.parts import Lamp, button, column, label, row
 
 if TYPE_CHECKING:

@@ -11,8 +11,9 @@ from PySide6.QtGui import QColor, QPainter, QPen
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from app.theme import ACCENT
-from app.views.assistant_words import check_name, picture_name
+from app.views.assistant_words import picture_name
 from app.views.camera_preview import CameraPreview
+from app.views.check_names import check_name
 from app.views.parts import button, column, label, row
 from scanner_core.devices.camera import Frame
 

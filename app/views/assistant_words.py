@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QCoreApplication
 
 from app.controllers.assistant_choice import VIRTUAL
-from app.faults import sentence_of
+from app.faults import unmeasured_words
 from app.translation import QT_TRANSLATE_NOOP
 from scanner_core.devices.check import Check
 from scanner_core.devices.discovery import PortAnswer, PortState
@@ -65,7 +65,7 @@ def port_details(answer: PortAnswer) -> str:
     """Who answered, or what to do."""
     if answer.identity is not None:
         return answer.identity.firmware
-    return "" if answer.error is None else " ".join(sentence_of(answer.error))
+    return "" if answer.error is None else unmeasured_words(answer.error)
 
 
 def camera_state(found: FoundCamera) -> tuple[str, str]:
@@ -77,7 +77,7 @@ def camera_state(found: FoundCamera) -> tuple[str, str]:
 def camera_details(found: FoundCamera) -> str:
     """How it is set, or what to do."""
     if found.error is not None:
-        return " ".join(sentence_of(found.error))
+        return unmeasured_words(found.error)
     if found.report is None:
         return ""
     width, height = found.report.size_px
@@ -98,12 +98,6 @@ def verdict_words(check: Check) -> tuple[str, str]:
     """Mood of a lamp, and a word."""
     mood, word = _VERDICTS[check.verdict]
     return mood, QCoreApplication.translate("assistant", word)
-
-
-def check_name(name: str) -> str:
-    """A check's name in the window's language; the core calls it in English."""
-    word = QCoreApplication.translate("checks", name)
-    return word[:1].upper() + word[1:]
 
 
 def picture_name(side: str, kind: str) -> str:

@@ -109,7 +109,8 @@ def propose_for_rig(rig: OpenRig) -> dict[str, ExposureResult]:
             rig.motion.laser(False)
         finally:
             for camera, exposure_ms, gain_db in before:
-                camera.exposure_ms, camera.gain_db = exposure_ms, gain_db
+                if (camera.exposure_ms, camera.gain_db) != (exposure_ms, gain_db):  # 0 ms of a camera that does not tell is no setting
+                    camera.exposure_ms, camera.gain_db = exposure_ms, gain_db
 
 
 def typical_places(rig: OpenRig, detector: SpotDetector) -> dict[str, Place]:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from scanner_core.clock import ScaledClock
 from scanner_core.commands.console import Console
-from scanner_core.commissioning.device_checks import check_devices, check_found_camera, check_port, found_values
+from scanner_core.commissioning.device_checks import check_devices, found_values
 from scanner_core.commissioning.found_devices import FoundDevices, find_devices
 from scanner_core.devices.check import Check
 from scanner_core.devices.discovery import SerialPort, serial_ports
@@ -60,7 +60,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
     from scanner_core.commissioning.machine import check_machine
 
     if found is not None:
-        report.tell(*check_devices(found, needed=only_find))  # its ports and cameras were told when they answered
+        report.tell(*check_devices(found, needed=only_find))
     report.tell(*check_machine())
     if found is not None and only_find:
         controller = found.controller()
@@ -82,15 +82,7 @@ def arguments(rig: str | None) -> argparse.Namespace:
 
 def _find(given: argparse.Namespace, console: Console, report: _Report) -> FoundDevices:
     ports = [SerialPort(url, "") for url in given.port] or serial_ports()
-    found = find_devices(
-        ScaledClock(),
-        progress=_shown(console),
-        cancelled=lambda: False,
-        on_port=lambda answer: report.tell(check_port(answer)),
-        on_camera=lambda camera: report.tell(check_found_camera(camera)),
-        ports=ports,
-        streams=given.camera,
-    )
+    found = find_devices(ScaledClock(), progress=_shown(console), cancelled=lambda: False, ports=ports, streams=given.camera)
 
     from scanner_core.commissioning.thumbnails import picture_name, write_picture
 

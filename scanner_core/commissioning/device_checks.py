@@ -1,4 +1,4 @@
-"""What was found, as lines: every port and camera with what became of it, and whether they are a controller and two cameras."""
+"""What was found, as lines: a controller, two cameras, and every port and camera with what became of it."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from scanner_core.devices.check import Check
 from scanner_core.devices.discovery import PortAnswer, PortState
 from scanner_core.devices.found_camera import CameraState, FoundCamera
 from scanner_core.errors import DeviceError
+from scanner_core.remedies import remedy_of
 
 _NO_PORT = "Plug the controller in and switch it on; a USB cable that only charges shows no port."
 _NO_CONTROLLER = "Plug the controller in, switch it on, and read the lines of the ports; a board without GRBL has to be given it first."
@@ -17,9 +18,14 @@ _MANY_CAMERAS = "Unplug what does not belong to the rig, or write the right ids 
 
 
 def check_devices(found: FoundDevices, *, needed: bool) -> list[Check]:
-    """One line for the controller and one for the cameras; `needed`: what is missing fails, else it warns."""
+    """One line for the controller, one for the cameras, then one a port and one a camera; `needed`: what is missing fails, else it warns.
+
+    What the first two say in the words of a port or of a camera is not said again.
+    """
     missing = "fail" if needed else "warn"
-    return [_controller(found, missing), _cameras(found, missing)]
+    first = [_controller(found, missing), _cameras(found, missing)]
+    each = [*(check_port(answer) for answer in found.ports), *(check_found_camera(camera) for camera in found.cameras)]
+    return [*first, *(check for check in each if not any(check.detail in said.detail for said in first))]
 
 
 def check_port(answer: PortAnswer) -> Check:
@@ -81,7 +87,7 @@ def _cameras(found: FoundDevices, missing: str) -> Check:
 
 
 def _told(error: DeviceError | None, otherwise: str) -> tuple[str, str]:
-    return (f"{otherwise}.", "") if error is None else (error.message, error.hint)
+    return (f"{otherwise}.", "") if error is None else (error.message, remedy_of(error))
 
 
 def _port_values(answer: PortAnswer) -> dict[str, object]:
@@ -99,4 +105,4 @@ def _camera_values(camera: FoundCamera) -> dict[str, object]:
 
 
 def _error_values(error: DeviceError | None) -> dict[str, object]:
-    return {} if error is None else {"code": error.code, "sentence": error.message, "remedy": error.hint}
+    return {} if error is None else {"code": error.code, "sentence": error.message, "remedy": remedy_of(error)}

@@ -34,7 +34,19 @@ from scanner_core.devices.check import Check
 from scanner_core.errors import DeviceError
 from scanner_core.jobs.progress import Cancelled, IsCancelled, OnProgress, Progress
 from scanner_core.optics.auto_exposure import ExposureVerdict
+from scanner_core.remedies import remedy_of
 
+STEPS = ("controller", "cameras", "frame rate", "laser seen", "beam axes", "left and right", "trigger skew", "laser spot", "exposure", "table")
+"""Phases of the progress in their order; ``done`` follows.  A step that fails gives a check of its name."""
+_REST = "rest of the rig"
+LINES = (
+    *("controller handshake", "controller move", "controller laser", "controller laser left off"),
+    *("camera left", "camera right", "frame rate left", "frame rate right"),
+    *("beam axis x", "beam axis y"),
+    *STEPS,
+    _REST,
+)
+"""Names of all the checks that can be told, for whoever translates them."""
 _GRID_DEG = (-1.8, -0.9, 0.0, 0.9, 1.8)
 
 
@@ -70,33 +82,22 @@ def check_rig(rig: OpenRig, *, progress: OnProgress, cancelled: IsCancelled, on_
         The laser is off.
     """
     run = _Run(rig, cancelled, on_check)
-    steps: tuple[tuple[str, Callable[[], None]], ...] = (
-        ("controller", run.controller),
-        ("cameras", run.cameras),
-        ("frame rate", run.rates),
-        ("laser seen", run.laser),
-        ("beam axes", run.beam),
-        ("left and right", run.sides),
-        ("trigger skew", run.skew),
-        ("laser spot", run.spot),
-        ("exposure", run.exposure),
-        ("table", run.table),
-    )
-    for number, (name, step) in enumerate(steps):
+    made = (run.controller, run.cameras, run.rates, run.laser, run.beam, run.sides, run.skew, run.spot, run.exposure, run.table)
+    for number, (name, step) in enumerate(zip(STEPS, made, strict=True)):
         if cancelled():
             raise Cancelled
-        progress(Progress(name, number / len(steps)))
+        progress(Progress(name, number / len(STEPS)))
         try:
             step()
         except DeviceError as error:
-            on_check(RigCheck(Check(name, "fail", error.message, error.hint)))
+            on_check(RigCheck(Check(name, "fail", error.message, remedy_of(error))))
             run.failed = True
         finally:
             _darken(rig)
         if run.failed:
-            rest = ", ".join(later for later, _ in steps[number + 1 :])
+            rest = ", ".join(STEPS[number + 1 :])
             if rest:
-                on_check(RigCheck(Check("rest of the rig", "warn", f"not checked: {rest}.", "Repair what failed, then check again.")))
+                on_check(RigCheck(Check(_REST, "warn", f"not checked: {rest}.", "Repair what failed, then check again.")))
             break
     progress(Progress("done", 1.0))
     return run.findings
@@ -130,7 +131,7 @@ class _Run:
             try:
                 check, values, image = check_camera(camera)
             except DeviceError as error:  # the other camera is looked at all the same
-                self._tell(RigCheck(Check(f"camera {camera.name}", "fail", error.message, error.hint), values={"name": camera.name}))
+                self._tell(RigCheck(Check(f"camera {camera.name}", "fail", error.message, remedy_of(error)), values={"name": camera.name}))
                 self.failed = True
                 continue
             self._tell(RigCheck(check, {camera.name: image}, values))

@@ -171,6 +171,7 @@ class OpenCvCamera:
             self._ensure_open()
             raise self._error(failure.failed) from None
         if answer is None:
+            self._ensure_open()
             raise self._silent(SILENCE_S)
         others = tuple(refused for refused in self._taken.refused if refused[0] != name)
         taken = replace(self._taken, refused=others + tuple((name, sentence) for sentence in answer.refused))

@@ -33,6 +33,7 @@ _FIRST_FRAME_S = 3.5
 """For the driver to open the camera, to set it, and to deliver its first frame, together."""
 _MEASURED_S = 8.0
 _ANSWER_S = 3.0
+_POLL_S = 0.05
 _END_S = 1.5
 """For the process to end by itself; after that it is killed."""
 
@@ -69,7 +70,10 @@ class CameraLink:
         context = multiprocessing.get_context("spawn")
         self._control, control = context.Pipe()
         self._frames, frames = context.Pipe()
-        self._lock = threading.Lock()
+        self._lock, self._control_lock, self._close_lock = threading.Lock(), threading.Lock(), threading.Lock()
+        self._closing = threading.Event()
+        self._owed = 0
+        """Answers of the process still to come: one that came too late is not the next one's."""
         self._failed: Failed | None = None
         self._ring: SharedMemory | None = None
         self._process = context.Process(target=read_camera, args=(control, frames, assignment, open_capture), name="camera-reader", daemon=True)
@@ -119,36 +123,46 @@ class CameraLink:
             pass
 
     def set(self, setting: Setting) -> Setting | None:
-        """Set exposure or gain; returns it as the driver has it, None when the driver does not answer.
+        """Set exposure or gain; returns it as the driver has it, None when the driver does not answer, or the link is closed meanwhile.
 
         Raises
         ------
         LinkError
         """
+        end_s = time.monotonic() + _ANSWER_S
         try:
-            self._control.send(setting)
-            if not self._control.poll(_ANSWER_S):
-                return None
-            answer: Setting = self._control.recv()
-            return answer
+            with self._control_lock:
+                self._control.send(setting)
+                self._owed += 1
+                while True:
+                    while not self._control.poll(_POLL_S):
+                        if self._closing.is_set() or time.monotonic() > end_s:
+                            return None
+                    answer: Setting = self._control.recv()
+                    self._owed -= 1
+                    if self._owed == 0:
+                        return answer
         except (EOFError, OSError):
             self.discard()  # ends at the word that the process has left
             raise LinkError(Failed("lost", "")) from None
 
     def close(self) -> None:
-        """End the process within about two seconds, whatever its driver does; may be called again."""
-        self._control.close()
-        if self._process.pid is not None:
-            self._process.join(_END_S)
-            if self._process.is_alive():
-                self._process.kill()
-                self._process.join(_END_S)  # a process that even the system cannot end goes when its driver returns
-        with self._lock:
-            self._frames.close()
-            if self._ring is not None:
-                self._ring.close()
-                self._ring.unlink()
-                self._ring = None
+        """End the process within about two seconds, whatever its driver does; may be called again, and from any thread."""
+        self._closing.set()
+        with self._close_lock:
+            with self._control_lock:  # its number may soon be another file's: nobody may be waiting on it
+                self._control.close()
+            if self._process.pid is not None:
+                self._process.join(_END_S)
+                if self._process.is_alive():
+                    self._process.kill()
+                    self._process.join(_END_S)  # a process that even the system cannot end goes when its driver returns
+            with self._lock:
+                self._frames.close()
+                if self._ring is not None:
+                    self._ring.close()
+                    self._ring.unlink()
+                    self._ring = None
 
     def _receive(self, timeout_s: float) -> Any:
         if self._failed is None:

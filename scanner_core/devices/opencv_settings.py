@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 _RATE_TOLERANCE = 0.05
 _EXPOSURE_TOLERANCE = 0.2
+_SHORTEST_MS = 0.01
 
 
 class Capture(Protocol):
@@ -102,6 +103,7 @@ def set_exposure(capture: Capture, exposure_ms: float | None) -> tuple[float, li
     V4L2 counts 100 us, DirectShow and Media Foundation powers of two of a second; AVFoundation and streams have no exposure.
     """
     backend = capture.getBackendName()
+    exposure_ms = None if exposure_ms is None else max(exposure_ms, _SHORTEST_MS)
     if exposure_ms is None:
         capture.set(cv2.CAP_PROP_AUTO_EXPOSURE, 3 if backend == "V4L2" else 1)
         return 0.0, []

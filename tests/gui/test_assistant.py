@@ -19,13 +19,13 @@ from app.controllers.assistant_snapshot import AssistantSnapshot, Job
 from app.controllers.emission import Emission
 from app.program import Program
 from app.theme import ACCENT
-from app.views import assistant_words
+from app.views import assistant_words, check_names
 from app.views.assistant_corrections import Corrections, corrections_of, only
 from app.views.assistant_page import CHECK, FIND, WRITE, AssistantPage
 from app.views.file_dialogs import FileDialog
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.clock import make_clock
-from scanner_core.commissioning import found_devices
+from scanner_core.commissioning import found_devices, rig_check
 from scanner_core.commissioning.rig_check import RigCheck
 from scanner_core.commissioning.rig_findings import AxisFinding, CameraFinding, RigFindings
 from scanner_core.devices.check import Check
@@ -94,6 +94,11 @@ def test_every_state_has_a_word_of_its_own() -> None:
     assert set(assistant_words._CAMERAS) == set(CameraState)
     assert len({word for _, word in assistant_words._PORTS.values()}) == len(PortState)
     assert len({word for _, word in assistant_words._CAMERAS.values()}) == len(CameraState)
+
+
+def test_every_check_and_every_step_has_a_name_to_translate() -> None:
+    assert set(check_names.NAMES) == {*rig_check.LINES, *rig_check.STEPS, "done"}
+    assert check_names.check_name("left and right") == "Left and right"
 
 
 # ------------------------------------------------------------------------------------------ correcting
@@ -352,8 +357,15 @@ def test_moving_by_hand_and_a_spot_that_escape_turns_off(shared_program: Program
     checking.jog.spot.click()
     until(lambda: assistant.emission is Emission.LIT, 20, "the spot")
     until(lambda: window._emission is Emission.LIT, 5, "the window says so")
+    views = checking.pictures.live.values()
+    until(lambda: all(view.spot is not None or view._miss for view in views), 10, "the spot's size to focus by, or that there is none")
+    rig.motion.laser(False)  # as it goes out by itself after a minute
+    until(lambda: not checking.jog.spot.isChecked(), 10, "the switch follows")
+    checking.jog.spot.click()
+    until(lambda: assistant.emission is Emission.LIT, 20, "the spot again")
     QTest.keyClick(window, Qt.Key.Key_Escape)
     until(lambda: assistant.emission is Emission.DARK, 10, "dark")
+    until(lambda: all(view.spot is None and not view._miss for view in views), 10, "nobody looks for it any more")
     assert not checking.jog.spot.isChecked()
     wait_ms(400)
     checking.jog.arrows["table", 1].click()

@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 
-from app.faults import details_of, sentence_of
+from app.faults import details_of, sentence_of, unmeasured_words
 from app.program import Program
 from app.views.banner import Banner
 from scanner_core.errors import CaseLockedError, ImprontaError
@@ -23,6 +23,15 @@ def test_every_code_makes_a_sentence_with_its_fields(code: str) -> None:
     assert all(f"<{name}>" in what + do for name in names)
     assert what.strip()
     assert do.strip()
+
+
+def test_while_nothing_is_measured_nothing_is_said_of_points_and_rig_files() -> None:
+    gone = ImprontaError("E-MOT-08", port="COM3")
+    assert "rig file" in " ".join(sentence_of(gone))
+    assert unmeasured_words(gone) == f"{gone.message} Nothing was moved; plug the controller in again, then try again."
+    taken = ImprontaError("E-MOT-03", port="COM3")
+    assert unmeasured_words(taken) == " ".join(sentence_of(taken))
+    assert "details help us" in unmeasured_words(ValueError())
 
 
 def test_the_newest_sentence_stands_and_the_details_of_the_one_before_stay(application: QApplication) -> None:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from scanner_core.devices.check import Check
 from scanner_core.devices.motion import MotionState
 from scanner_core.errors import DeviceError
+from scanner_core.remedies import remedy_of
 
 if TYPE_CHECKING:
     from scanner_core.devices.grbl.controller import GrblController
@@ -22,7 +23,7 @@ def controller_checks(controller: GrblController) -> list[Check]:
         try:
             checks.append(check(controller))
         except DeviceError as error:
-            checks.append(Check(name, "fail", error.message, error.hint))
+            checks.append(Check(name, "fail", error.message, remedy_of(error)))
     return checks
 
 

@@ -97,7 +97,7 @@ _IN_USE = FoundCamera("opencv", "usb-9", "Webcam", CameraState.IN_USE, DeviceBus
     [
         ((), (), "controller found", "fail", "no serial port", "Plug the controller in"),
         ((), (), "cameras found", "fail", "no camera", "Plug both cameras in"),
-        ((_OTHER,), (), "controller found", "fail", "no GRBL controller (it said: 'hello')", "choose another port"),
+        ((_OTHER,), (), "controller found", "fail", "no GRBL controller (it said: 'hello')", "has to be given GRBL"),
         ((_OTHER, _OTHER), (), "controller found", "fail", "no controller answered on COM5, COM5", "Plug the controller in"),
         ((_OTHER, _BUSY), (), "controller found", "fail", "used by another program", "close the other program"),
         ((_CONTROLLER, _OTHER), (), "controller found", "pass", "COM3", ""),
@@ -117,7 +117,9 @@ def test_lines(ports: tuple[PortAnswer, ...], cameras: tuple[FoundCamera, ...], 
     assert remedy in told.remedy
     assert bool(told.remedy) is (verdict != "pass")
     assert not any(check.verdict == "fail" for check in check_devices(found, needed=False))
-    assert len(checks) == 2
+    messages = [device.error.message for device in (*ports, *cameras) if device.error is not None]
+    for message in messages:
+        assert sum(message in check.detail for check in checks) == messages.count(message), "told, and not twice"
     assert set(found_values(found)) == {"ports", "cameras"}
 
 

@@ -9,7 +9,7 @@ import pytest
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.commissioning.frame_rates import check_rate, measure_rates
 from scanner_core.commissioning.laser_seen import see_laser
-from scanner_core.commissioning.rig_check import RigCheck, check_rig
+from scanner_core.commissioning.rig_check import LINES, RigCheck, check_rig
 from scanner_core.commissioning.rig_findings import RigFindings
 from scanner_core.errors import DeviceLostError
 from scanner_core.jobs.progress import Cancelled
@@ -24,6 +24,9 @@ class Told:
     made: list[RigCheck] = field(default_factory=list)
     findings: RigFindings = field(default_factory=RigFindings)
 
+    def names(self) -> set[str]:
+        return {made.check.name for made in self.made}
+
     def verdicts(self) -> dict[str, str]:
         return {made.check.name: made.check.verdict for made in self.made}
 
@@ -37,6 +40,7 @@ def _check(rig: OpenRig) -> Told:
 def test_a_sound_rig_before_its_calibration(bench: Opener) -> None:
     rig = bench(calibrated=False)
     told = _check(rig)
+    assert told.names() <= set(LINES)
     not_passed = {name for name, verdict in told.verdicts().items() if verdict != "pass"}
     assert not_passed <= {"table", "left and right"}  # an uncalibrated rig and a sphere do not tell
     for word in ("handshake", "move", "laser", "camera left", "frame rate right", "beam axis y", "trigger skew", "exposure"):
@@ -67,6 +71,7 @@ def test_a_camera_that_fails_is_one_line_and_the_rest_is_not_tried(bench: Opener
     assert [check.name for check in failed] == ["camera right"]
     assert words in failed[0].detail
     assert failed[0].remedy
+    assert told.names() <= set(LINES)
     assert told.verdicts()["camera left"] == "pass"
     assert "laser seen" in told.made[-1].check.detail
     assert rig.motion.status().laser_power == 0

@@ -100,6 +100,15 @@ class Hanging(DriverModel):
         time.sleep(FOREVER_S)
 
 
+class Sluggish(DriverModel):
+    """Once it delivers, another exposure takes it a second."""
+
+    def set(self, prop: int, value: float) -> bool:
+        if prop == cv2.CAP_PROP_EXPOSURE and self.frames > 10:
+            time.sleep(1.0)
+        return super().set(prop, value)
+
+
 class Mute(DriverModel):
     """It opens and never gives a frame; every read comes back after the driver's own deadline."""
 
@@ -173,7 +182,7 @@ def open_fake(source: Source) -> Capture:
     if node.name == "pulled":
         return Pulled(node)
     kinds: dict[str, type[DriverModel]] = {
-        kind.__name__.lower(): kind for kind in (DriverModel, Hanging, Mute, Deep, Resized, Flawed, Black, Throwing, Unopened)
+        kind.__name__.lower(): kind for kind in (DriverModel, Hanging, Sluggish, Mute, Deep, Resized, Flawed, Black, Throwing, Unopened)
     }
     return kinds[node.name]()
 

@@ -8,7 +8,8 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import NoReturn
 
@@ -195,6 +196,35 @@ def test_a_driver_that_hangs_is_ended_with_its_process(tmp_path: Path) -> None:
     camera.close()
     assert time.monotonic() - begin_s < 4.0
     # that no process is left is the concern of a fixture
+
+
+def test_an_answer_that_comes_too_late_is_not_the_next_ones(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with open_node(tmp_path, "sluggish") as camera:
+        monkeypatch.setattr(opencv_link, "_ANSWER_S", 0.1)
+        with pytest.raises(DeviceTimeoutError, match="E-CAM-01"):
+            camera.exposure_ms = 7.0
+        monkeypatch.undo()
+        camera.gain_db = 12.0
+        assert camera.gain_db == 12.0
+
+
+def test_whoever_waits_for_an_answer_while_the_camera_is_closed_is_told(tmp_path: Path) -> None:
+    camera = open_node(tmp_path, "sluggish")
+    told: list[BaseException] = []
+
+    def tell(call: Callable[[], object]) -> None:
+        try:
+            call()
+        except BaseException as fault:
+            told.append(fault)
+
+    threads = [threading.Thread(target=tell, args=(call,)) for call in (partial(setattr, camera, "exposure_ms", 7.0), camera.close, camera.close)]
+    for thread in threads:
+        thread.start()
+        time.sleep(0.1)
+    for thread in threads:
+        thread.join(10.0)
+    assert [str(fault)[-10:] for fault in told] == ["[E-CAM-03]"]
 
 
 def test_a_driver_that_hangs_while_it_opens(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

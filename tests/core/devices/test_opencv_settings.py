@@ -86,6 +86,11 @@ def test_direct_show_has_powers_of_two(asked_ms: float, value: float, has_ms: fl
     assert len(refused) == (asked_ms == 0.05)
 
 
+def test_no_exposure_is_the_shortest() -> None:
+    assert set_exposure(DirectShow(), 0.0)[0] == 1e3 * 2.0**-13
+    assert set_exposure(DriverModel(), 0.0)[0] == set_exposure(DriverModel(), 0.01)[0]
+
+
 def test_an_automatic_that_stays_on_is_told() -> None:
     assert set_exposure(Stubborn(), 5.0) == (5.0, ["The automatic exposure cannot be switched off; the spot's brightness will wander."])
 
