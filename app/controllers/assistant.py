@@ -25,7 +25,7 @@ from app.controllers.assistant_snapshot import AssistantSnapshot, Job
 from app.controllers.device_thread import DeviceThread
 from app.controllers.emission import Emission, emission_of
 from app.controllers.rig import RigController
-from scanner_core.acquisition.handover import LatestSlot
+from scanner_core.acquisition.handover import LatestSlot, Preview
 from scanner_core.devices.camera import Frame
 from scanner_core.devices.discovery import PortAnswer
 from scanner_core.devices.found_camera import FoundCamera
@@ -54,8 +54,8 @@ class AssistantController(QObject):
         self.snapshot = AssistantSnapshot()
         self.holds_devices = False
         """The rig of the program is closed meanwhile."""
-        self.frames: dict[str, LatestSlot[Frame]] = {"left": LatestSlot(), "right": LatestSlot()}
-        """The newest frames of the rig that is checked, while nothing is being checked."""
+        self.looks: dict[str, LatestSlot[Frame | Preview]] = {"left": LatestSlot(), "right": LatestSlot()}
+        """The newest frames of the rig that is checked, while nothing is being checked; with their spot while a person wants it lit."""
         self._devices = AssistantDevices()
         self.hand = HandMoves(self._devices, lambda work: self._device.call(work), background, tell)
         self._cancelled, self._closing = threading.Event(), threading.Event()
@@ -281,8 +281,9 @@ class AssistantController(QObject):
             return
         try:
             for camera in (rig.left, rig.right):
-                self.frames[camera.name].put(camera.grab())
-            rig.motion.status()
+                self.looks[camera.name].put(self.hand.looked_at(camera.grab(), rig.config))
+            if self.hand.went_dark(rig.motion.status()):
+                self._background.post(self.changed.emit)
         except ImprontaError as fault:
             try:
                 self._close()

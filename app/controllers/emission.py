@@ -13,6 +13,9 @@ from scanner_core.devices.motion import MotionStatus
 OLD_S = 1.0
 """A report that is older says nothing of now."""
 
+MAY_BE_LIT = ("E-MOT-01", "E-MOT-02", "E-MOT-11")
+"""How a controller was lost when nobody can say that the laser is off: a standing spot stays as it was when the cable is pulled."""
+
 
 class Emission(Enum):
     """What is known of the laser."""

@@ -21,7 +21,7 @@ from app.background import Background
 from app.controllers.calibration import ByHand, CalibrationRun
 from app.controllers.device_failure import CONTROLLER, RIG_FILE, DeviceFailure
 from app.controllers.device_thread import DeviceThread
-from app.controllers.emission import Emission, emission_of
+from app.controllers.emission import MAY_BE_LIT, Emission, emission_of
 from app.controllers.rig_devices import Answers, RigDevices, WantedRig
 from app.controllers.rig_files import RigFiles
 from app.controllers.rig_snapshot import PRESETS, RigSnapshot
@@ -118,8 +118,10 @@ class RigController(QObject):
 
     @property
     def emission(self) -> Emission:
-        """Of the laser, by the newest report that the controller has given to whoever owns it now."""
-        rig = self._devices.rig
+        """Of the laser, by the newest report that the controller has given to whoever owns it now; unknown after its line was lost."""
+        rig, failure = self._devices.rig, self.snapshot.failure
+        if rig is None and failure is not None and failure.fault.code in MAY_BE_LIT:
+            return Emission.UNKNOWN
         return emission_of(None if rig is None else rig.motion.newest)
 
     def laser_off(self) -> None:
@@ -344,6 +346,8 @@ class RigController(QObject):
         self._news(replace(self.snapshot, calibrating=None, calibration_left_s=None, cancelling=False, refused=refused))
 
     def _heard(self, status: MotionStatus, needs_homing: bool) -> None:
+        if not self.snapshot.connected:  # the device thread asked before it heard that the rig was let go
+            return
         if _shown_of(self.snapshot.motion) != _shown_of(status) or self.snapshot.needs_homing != needs_homing:
             self._news(replace(self.snapshot, motion=status, needs_homing=needs_homing))
 

@@ -14,6 +14,8 @@ from app.views.assistant_jog import JogPanel
 from app.views.assistant_pictures import AssistantPictures
 from app.views.check_names import check_name
 from app.views.parts import button, column, give_role, label, make_primary, row, scrolled, seam
+from app.views.spot_advice import show_look
+from scanner_core.acquisition.handover import Preview
 
 
 class CheckStep(QWidget):
@@ -111,9 +113,11 @@ class CheckStep(QWidget):
     def tick(self) -> None:
         """For the pump: what the cameras see now."""
         for side, preview in self.pictures.live.items():
-            frame = self._assistant.frames[side].take()
-            if frame is not None:
-                preview.show_frame(frame)
+            look = self._assistant.looks[side].take()
+            if isinstance(look, Preview):
+                show_look(preview, look, self._assistant.snapshot.config)
+            elif look is not None:
+                preview.show_frame(look)
 
     def _show_checks(self, snapshot: AssistantSnapshot) -> None:
         if [line.made for line in self.lines] != list(snapshot.checks[: len(self.lines)]):

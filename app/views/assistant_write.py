@@ -60,9 +60,13 @@ class WriteStep(QWidget):
         form.addWidget(self.name, 0, 1)
         form.addWidget(label(self.tr("File"), "muted"), 1, 0)
         form.addWidget(self._path, 1, 1)
+        to_know = self.tr(
+            "Limits, the laser's place and the volume are those of the shipped bench. Correct them for your mechanics before the first scan."
+        )
         left = column(
             label(self.tr("The rig's file"), "section"),
             form,
+            label(to_know, "muted", wrap=True),
             row(self.save, self.browse, 1),
             self._told,
             self._written,

@@ -152,18 +152,22 @@ class CameraPreview(QWidget):
         painter.drawRect(frame)
 
     def _caption(self, painter: QPainter) -> None:
-        painter.fillRect(0, 0, self.width(), 42 if self._advice else 24, QColor(16, 18, 20, 150))
-        painter.setPen(QColor(TEXT))
         font = painter.font()
         font.setPixelSize(12)
         painter.setFont(font)
-        area = self.rect().adjusted(8, 5, -8, -5)
-        painter.drawText(area, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, self._name)
+        area, sizes = self.rect().adjusted(8, 5, -8, -5), ""
         if self._spot is not None:
-            painter.setPen(QColor(MUTED))
-            sizes = self.tr("σ {x:.1f} × {y:.1f} px · peak {peak} %").format(
+            sizes = self.tr("σ {x:.2f} × {y:.2f} px · peak {peak} %").format(
                 x=self._spot.sigma_x_px, y=self._spot.sigma_y_px, peak=fmt.percent(self._spot.peak_dn / _FULL_SCALE_DN)
             )
+        words = painter.fontMetrics()
+        line = 18 if words.horizontalAdvance(self._name) + words.horizontalAdvance(sizes) + 12 > area.width() else 0
+        painter.fillRect(0, 0, self.width(), 24 + line + (18 if self._advice else 0), QColor(16, 18, 20, 150))
+        painter.setPen(QColor(TEXT))
+        painter.drawText(area, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, self._name)
+        area.translate(0, line)
+        if self._spot is not None:
+            painter.setPen(QColor(MUTED))
             painter.drawText(area, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop, sizes)
         elif self._miss:
             painter.setPen(QColor(WARNING))

@@ -80,7 +80,8 @@ class DeviceList(QWidget):
             Emission.LIT: ("laser", self.tr("emitting")),
         }
         self.rows["laser"].show_state(*words[emission])
-        self.rows["laser"].show_device("" if emission is Emission.NO_RIG else self.tr("as the controller reports it"))
+        told = {Emission.NO_RIG: "", Emission.UNKNOWN: self.tr("take it for lit: the controller reports nothing")}
+        self.rows["laser"].show_device(told.get(emission, self.tr("as the controller reports it")))
 
     # -------------------------------------------------------------------------------- inside
     def _try_again(self) -> QPushButton:

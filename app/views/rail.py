@@ -106,9 +106,9 @@ class Rail(QWidget):
         self._kind.setText(QCoreApplication.translate("draft", KINDS[values.kind]))
 
     def show_laser(self, emission: Emission) -> None:
-        """Filled red while the laser emits, outlined otherwise; it says so when nobody knows."""
+        """Filled red while the laser emits, outlined otherwise; it asks when nobody knows."""
         lit = emission is Emission.LIT
-        words = {Emission.LIT: self.tr("Laser on · stop"), Emission.UNKNOWN: self.tr("Laser unknown · stop")}
+        words = {Emission.LIT: self.tr("Laser on · stop"), Emission.UNKNOWN: self.tr("Stop · laser?")}
         self.stop_button.setProperty("lit", lit)
         self.stop_button.setText(words.get(emission, self.tr("Stop · laser off")))
         self.stop_button.setIcon(icon("laser", "#ffffff" if lit else "#ff8589"))

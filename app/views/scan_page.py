@@ -14,10 +14,9 @@ from app.views.camera_preview import CameraPreview
 from app.views.page import Page
 from app.views.parts import BigNumber, button, label, number_field, row, seam
 from app.views.reasons import reason_text
-from app.views.spot_advice import advice_text
+from app.views.spot_advice import show_look
 from scanner_core.acquisition.handover import Preview
 from scanner_core.acquisition.status import FinishReason, ScanState, ScanStatus
-from scanner_core.optics.spot import MissReason, Spot, SpotMiss
 
 SHOWN_REASONS = 5
 STATUS_PERIOD_S = 0.1
@@ -119,19 +118,7 @@ class ScanPage(Page):
         if widget is None or not self.isVisible() or now - self._shown_s[camera] < PREVIEW_PERIOD_S:
             return
         self._shown_s[camera] = now
-        if isinstance(preview.seen, SpotMiss):
-            widget.show_preview(preview, miss=self._miss_text(preview.seen))
-        else:
-            widget.show_preview(preview, advice=self._advice_text(preview.seen))
-
-    def _miss_text(self, miss: SpotMiss) -> str:
-        return self.tr("no spot") if miss.reason is MissReason.NO_SPOT else reason_text(miss.reason.value)
-
-    def _advice_text(self, spot: Spot) -> str:
-        from scanner_core.optics.spot_quality import judge_spot  # brings OpenCV: not before the window stands
-
-        config = self.services.rig.snapshot.config
-        return "" if config is None else advice_text(judge_spot(spot, config.spot).code)
+        show_look(widget, preview, self.services.rig.snapshot.config)
 
     def _tick(self) -> None:
         now = time.monotonic()
@@ -147,7 +134,7 @@ class ScanPage(Page):
             self._rate.show_number(fmt.NO_VALUE)
             self._left.show_number(fmt.NO_VALUE)
             self._bar.setValue(0)
-            self._step.setText(self.tr("Starting…") if self.services.acquisition.running else self.tr("Ready to scan"))
+            self._step.setText(self.tr("Starting…") if self.services.acquisition.running else self._readiness())
         else:
             self._points.show_number(fmt.count(status.counts.measured))
             self._rate.show_number(f"{status.rate_hz:.0f}" if status.state is ScanState.SCANNING else fmt.NO_VALUE)
@@ -207,6 +194,12 @@ class ScanPage(Page):
             parts[1].setText(fmt.count(number) if number else "")
         self._rejected_title.setToolTip("\n".join(f"{reason_text(name)}: {fmt.count(number)}" for name, number in rejected.items()))
 
+    def _readiness(self) -> str:
+        rig = self.services.rig.snapshot
+        if not rig.connected:
+            return self.tr("The rig is not ready; the Rig page says why.") if rig.failure is not None else self.tr("Opening the rig…")
+        return self.tr("Ready to scan") if rig.calibration is not None else self.tr("The rig has to be calibrated first.")
+
     def _show_buttons_if_seen(self) -> None:
         if self.isVisible():
             self._show_buttons()
@@ -219,7 +212,9 @@ class ScanPage(Page):
         self._start.setVisible(not running)
         self._start.setText(self.tr("Scan again") if done else self.tr("Start scan"))
         self._set_role(self._start, "" if done else "primary")
-        self._start.setEnabled(rig.connected and not rig.busy)
+        self._start.setEnabled(rig.connected and not rig.busy and rig.calibration is not None)
+        if self.services.acquisition.status is None and not running:
+            self._step.setText(self._readiness())
         self._pause.setEnabled(running)
         self._pause.setText(self.tr("Resume") if acquisition.paused else self.tr("Pause"))
         self._stop.setEnabled(running or rig.connected)

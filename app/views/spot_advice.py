@@ -2,9 +2,18 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import QCoreApplication
 
 from app.translation import QT_TRANSLATE_NOOP
+from app.views.reasons import reason_text
+from scanner_core.optics.spot import MissReason, SpotMiss
+
+if TYPE_CHECKING:
+    from app.views.camera_preview import CameraPreview
+    from scanner_core.acquisition.handover import Preview
+    from scanner_core.devices.rig import RigConfig
 
 _ADVICE = {
     "sharp": QT_TRANSLATE_NOOP("spot", "spot too sharp: defocus the lens"),
@@ -12,9 +21,22 @@ _ADVICE = {
     "clipped": QT_TRANSLATE_NOOP("spot", "spot clipped: shorten the exposure"),
     "dim": QT_TRANSLATE_NOOP("spot", "spot dim: lengthen the exposure"),
 }
+_NO_SPOT = QT_TRANSLATE_NOOP("spot", "no spot")
 
 
 def advice_text(code: str) -> str:
     """The words for the code of a :class:`~scanner_core.optics.spot_quality.SpotQuality`; nothing for a good spot."""
     text = _ADVICE.get(code)
     return QCoreApplication.translate("spot", text) if text else ""
+
+
+def show_look(widget: CameraPreview, preview: Preview, rig: RigConfig | None) -> None:
+    """A frame with its spot and what would make it a better one, or why there is none."""
+    seen = preview.seen
+    if isinstance(seen, SpotMiss):
+        none = QCoreApplication.translate("spot", _NO_SPOT)
+        widget.show_preview(preview, miss=none if seen.reason is MissReason.NO_SPOT else reason_text(seen.reason.value))
+        return
+    from scanner_core.optics.spot_quality import judge_spot  # brings OpenCV: not before the window stands
+
+    widget.show_preview(preview, advice="" if rig is None else advice_text(judge_spot(seen, rig.spot).code))

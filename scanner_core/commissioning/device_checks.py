@@ -18,14 +18,14 @@ _MANY_CAMERAS = "Unplug what does not belong to the rig, or write the right ids 
 
 
 def check_devices(found: FoundDevices, *, needed: bool) -> list[Check]:
-    """One line for the controller, one for the cameras, then one a port and one a camera; `needed`: what is missing fails, else it warns."""
+    """One line for the controller, one for the cameras, then one a port and one a camera; `needed`: what is missing fails, else it warns.
+
+    What the first two say in the words of a port or of a camera is not said again.
+    """
     missing = "fail" if needed else "warn"
-    return [
-        _controller(found, missing),
-        _cameras(found, missing),
-        *(check_port(answer) for answer in found.ports),
-        *(check_found_camera(camera) for camera in found.cameras),
-    ]
+    first = [_controller(found, missing), _cameras(found, missing)]
+    each = [*(check_port(answer) for answer in found.ports), *(check_found_camera(camera) for camera in found.cameras)]
+    return [*first, *(check for check in each if not any(check.detail in said.detail for said in first))]
 
 
 def check_port(answer: PortAnswer) -> Check:

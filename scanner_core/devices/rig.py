@@ -207,7 +207,8 @@ def _read(path: Path) -> str:
     try:
         return read_text(path)
     except FileNotFoundError as fault:
-        reason = f"there is no such file, and the presets are called {', '.join(PRESETS)}"
+        a_name = len(path.parts) == 1 and not path.suffix
+        reason = "there is no such file" + (f", and the presets are called {', '.join(PRESETS)}" if a_name else "")
         raise UsageError("E-RIG-01", path=path, reason=reason) from fault
     except (OSError, ValueError) as fault:
         raise UsageError("E-RIG-01", path=path, reason=one_line(getattr(fault, "strerror", None) or fault)) from fault

@@ -32,7 +32,9 @@ class BoardExposure:
         self._waits = [0 for _ in self._cameras]
 
     def adapt(self, index: int, image: NDArray[np.uint8]) -> None:
-        """After a frame (H, W) of a camera."""
+        """After a frame (H, W) of a camera; one that does not tell its exposure keeps it."""
+        if self._before_ms[index] <= 0:
+            return
         if self._waits[index] > 0:
             self._waits[index] -= 1
             return
@@ -47,4 +49,5 @@ class BoardExposure:
     def restore(self) -> None:
         """As the cameras were."""
         for camera, before_ms in zip(self._cameras, self._before_ms, strict=True):
-            camera.exposure_ms = before_ms
+            if before_ms > 0:
+                camera.exposure_ms = before_ms

@@ -11,6 +11,7 @@ from PySide6.QtGui import QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from app.controllers.emission import Emission
 from scanner_core.acquisition.recording import recorded, recorded_rig
 from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.devices.rig import dump_rig, load_preset
@@ -82,6 +83,9 @@ def test_what_was_pulled_is_told_and_comes_back_by_itself(window: RigWindow, lab
     lab.firmware.pull()
     until(lambda: controller.state == "not available", 20, "the controller's lamp")
     assert "E-MOT" in str(window.rig.snapshot.failure and window.rig.snapshot.failure.fault)
+    assert window.rig.emission is Emission.UNKNOWN, "a standing spot stays lit when the cable is pulled"
+    until(lambda: window.row("laser").state == "unknown", 5, "the laser's lamp")
+    assert window.rig.snapshot.motion is None, "nothing is known of the table"
     assert any("Grbl" in line.text for line in window.rig.transcript()), "the last words of the one that is gone"
     lab.firmware.plug_in()
     QTest.mouseClick(window.button("Try again"), Qt.MouseButton.LeftButton)

@@ -234,4 +234,7 @@ def test_a_controller_that_says_nothing_is_unknown(shared_program: Program, monk
         patch.setattr(services.rig._device, "_idle", lambda: None)  # nobody asks any more
         until(lambda: services.rig.emission is Emission.UNKNOWN, 5, "a second without a report")
         until(lambda: window.status_line.laser.text == "Laser unknown", 5)
+        stop = window.rail.stop_button
+        assert "?" in stop.text()
+        assert stop.sizeHint().width() <= stop.width(), "its words are not cut"
     until(lambda: window.status_line.laser.text == "Laser off", 5, "asked again")

@@ -44,3 +44,11 @@ def test_in_the_dark_it_ends_somewhere() -> None:
         exposure.adapt(0, lamp.image())
     assert lamp.exposure_ms == LONGEST_MS
     assert BRIGHT_DN > DIM_DN
+
+
+def test_a_camera_that_does_not_tell_its_exposure_keeps_it() -> None:
+    lamp = Lamp(20.0, 0.0)
+    exposure = BoardExposure([cast(Camera, lamp)])
+    exposure.adapt(0, np.full((40, 60), 255, np.uint8))
+    exposure.restore()
+    assert lamp.exposure_ms == 0.0

@@ -75,6 +75,20 @@ def test_what_cannot_be_reached_is_named(camera: Scene, verdict: ExposureVerdict
     assert word in result.verdict.advice
 
 
+@pytest.mark.parametrize(
+    ("peak_dn", "background_dn", "verdict"),
+    [
+        (200.0, 8.0, ExposureVerdict.GOOD),
+        (60.0, 8.0, ExposureVerdict.TOO_DARK),
+        (9.5, 9.5, ExposureVerdict.TOO_DARK),
+        (255.0, 8.0, ExposureVerdict.SATURATED),
+    ],
+)
+def test_a_camera_that_does_not_tell_its_exposure_is_judged_and_left_alone(peak_dn: float, background_dn: float, verdict: ExposureVerdict) -> None:
+    proposal = propose_exposure(ExposureReading(0.0, 0.0, peak_dn, int(peak_dn == 255), background_dn), LIMITS)
+    assert (proposal.verdict, proposal.exposure_ms, proposal.gain_db) == (verdict, 0.0, 0.0)
+
+
 @settings(max_examples=100, deadline=None)
 @given(st.floats(1.0, 4000.0), st.floats(0.06, 16.0), st.floats(0.0, 24.0))
 def test_rule_converges_from_anywhere_and_prefers_exposure_to_gain(spot_dn_per_ms: float, exposure_ms: float, gain_db: float) -> None:
