@@ -29,11 +29,8 @@ _COMMENTS = {
 }
 
 
-def propose_rig(template: RigConfig, controller: PortAnswer, left: FoundCamera, right: FoundCamera, findings: RigFindings | None = None) -> RigConfig:
-    """A rig of these devices with the limits and the nominal geometry of `template`; it has no calibration.
-
-    What `findings` measured under that rig corrects it: exchanged cameras, direction and scale of the axes, exposure and gain.
-    """
+def propose_rig(template: RigConfig, controller: PortAnswer, left: FoundCamera, right: FoundCamera) -> RigConfig:
+    """A rig of these devices with the limits and the nominal geometry of `template`; it has no calibration."""
     exposed = _equally_exposed(_camera(template.left, left), _camera(template.right, right))
     rate_hz = _streams_rate_hz(left, right)
     config = replace(
@@ -45,11 +42,14 @@ def propose_rig(template: RigConfig, controller: PortAnswer, left: FoundCamera, 
         image_model={},
         null_levels=(),
     )
-    return corrected_rig(config.with_calibration(None), findings)
+    return config.with_calibration(None)
 
 
 def corrected_rig(config: RigConfig, findings: RigFindings | None) -> RigConfig:
-    """The rig under which `findings` were measured, corrected by them; a calibration that no longer holds is dropped."""
+    """The rig under which `findings` were measured, corrected by them: exchanged cameras, direction and scale of the axes, exposure and gain.
+
+    A calibration that no longer holds is dropped.
+    """
     if findings is None:
         return config
     left, right = (_exposed(camera, findings.cameras.get(name)) for name, camera in (("left", config.left), ("right", config.right)))
