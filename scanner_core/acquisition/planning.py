@@ -81,13 +81,13 @@ def scan_plan(rig: RigConfig, request: PlanRequest, rate_hz: float, located: Sca
     return ScanPlan(tuple(views), step * rate_hz)
 
 
-def closing_plan(plan: ScanPlan, first_id: int) -> ScanPlan:
-    """The rows of the first view once more, a full turn later: whether the turn closes."""
+def closing_plan(plan: ScanPlan, first_id: int, table_deg: float) -> ScanPlan:
+    """The rows of the first view once more, at the same place of the table after the turn: whether the turn closes."""
     first, rows = plan.views[0], []
     for row in first.rows:
         rows.append(replace(row, first_id=first_id))
         first_id += row.count
-    return ScanPlan((ViewPlan(first.table_deg + 360.0, tuple(rows), CLOSING_POINTS),), plan.sweep_speed_deg_s)
+    return ScanPlan((ViewPlan(table_deg, tuple(rows), CLOSING_POINTS),), plan.sweep_speed_deg_s)
 
 
 # ------------------------------------------------------------------------------------------ inner

@@ -35,7 +35,7 @@ from scanner_core.acquisition.handover import LatestSlot, PointLog, Preview
 from scanner_core.acquisition.health import HealthMonitor, HealthReport, Phase
 from scanner_core.acquisition.known_points import KnownPoints, agreement, check_plan
 from scanner_core.acquisition.plan import PlanRequest, ScanPlan
-from scanner_core.acquisition.planning import closing_plan, locating_plan, scan_plan
+from scanner_core.acquisition.planning import closing_plan, locating_plan, scan_plan, table_angles_deg
 from scanner_core.acquisition.resuming import expect_same_rig, resumption
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.acquisition.status import FinishReason, ScanCounts, ScanState, ScanStatus
@@ -44,7 +44,7 @@ from scanner_core.acquisition.views import RegisteredViews, register_case
 from scanner_core.case.recovery import Interruption
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import dump_rig
-from scanner_core.errors import AcquisitionError, CalibrationError, DeviceError, ImprontaError, MotionStoppedError, StorageError
+from scanner_core.errors import AcquisitionError, CalibrationError, DeviceError, ImprontaError, MotionStoppedError, StorageError, UsageError
 from scanner_core.log_file import log_fault
 from scanner_core.optics.spot import MissReason
 from scanner_core.optics.spot_detection import SpotDetector
@@ -258,6 +258,9 @@ class ScanRunner:
         rates_hz = self._rig.left.rate_hz, self._rig.right.rate_hz
         if abs(rates_hz[0] - rates_hz[1]) > _SAME_RATE * rates_hz[0]:  # one trigger id would be two instants
             raise DeviceError("E-CAM-16", left_hz=f"{rates_hz[0]:g}", right_hz=f"{rates_hz[1]:g}")
+        interrupted = () if self._interruption is None else self._interruption.plan.views
+        for table_deg in [view.table_deg for view in interrupted] or table_angles_deg(self._request.views):
+            self._rig.motion.check_table(table_deg)  # not after most of the views
         # Whatever ended the scan before: dark, at rest, and where the rig's angles begin.
         self._rig.motion.recover()
         if self._rig.motion.needs_homing and not self._control.cancelled.is_set():
@@ -336,7 +339,12 @@ class ScanRunner:
 
     def _close_turn(self, plan: ScanPlan, left: CaptureThread, right: CaptureThread) -> None:
         """Measure some of the first view again, beside the counts of the scan."""
-        closing = self._begin("closure", closing_plan(plan, self._store.next_trigger_id()), None, PointLog())
+        table_deg = plan.views[0].table_deg + 360.0
+        try:
+            self._rig.motion.check_table(table_deg)
+        except UsageError:  # a table that may not turn on for ever turns back
+            table_deg -= 360.0
+        closing = self._begin("closure", closing_plan(plan, self._store.next_trigger_id(), table_deg), None, PointLog())
         self._follower.follow(closing, left, right)
         self._end_pass(closing)
         if not self._control.cancelled.is_set():

@@ -65,6 +65,16 @@ class MotionController(Protocol):
         """Turn the table, laser dark; returns when it is there."""
         ...
 
+    def check_table(self, table_deg: float) -> None:
+        """Whether :meth:`rotate_to` would go there; asks and moves nothing.
+
+        Raises
+        ------
+        UsageError
+            E-MOT-21 it lies outside of the limits.
+        """
+        ...
+
     def jog(self, *, x_deg: float = 0.0, y_deg: float = 0.0, table_deg: float = 0.0, speed_deg_s: float) -> bool:
         """Move by so many degrees, laser dark; False when :meth:`jog_cancel` ended it before."""
         ...

@@ -80,6 +80,10 @@ class GrblController:
         """Turn the table, laser dark; returns when it is there."""
         self._go({TABLE: table_deg})
 
+    def check_table(self, table_deg: float) -> None:
+        """Raises :class:`UsageError`, E-MOT-21, where :meth:`rotate_to` would not go."""
+        self._axes.check({TABLE: table_deg})
+
     def _go(self, target: Target) -> None:
         """Arrive from below where an axis has play: downwards it goes `approach_deg` too far first."""
         self._axes.check(target)

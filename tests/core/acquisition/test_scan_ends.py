@@ -128,3 +128,15 @@ def test_cameras_of_two_rates_are_told_before_anything_moves(tmp_path: Path, mon
         assert result.error is not None
         assert (result.finish_reason, result.error.code) == (FinishReason.FAILED, "E-CAM-16")
         assert (rig.motion.status().x_deg, rig.motion.status().y_deg, result.counts.planned) == (0.0, 0.0, 0)
+
+
+@pytest.mark.parametrize(("highest_deg", "code"), [(200.0, None), (100.0, "E-MOT-21")])
+def test_a_table_that_may_not_turn_round_closes_the_turn_by_turning_back(tmp_path: Path, highest_deg: float, code: str | None) -> None:
+    config = replace(BENCH, limits=replace(BENCH.limits, table_deg=(0.0, highest_deg)))
+    with CaseStore.create(tmp_path / "a.impronta") as store, open_rig(config, SPHERE) as rig:
+        result = scan(store, rig, 200, 10_000, lambda _: None)
+        assert (None if result.error is None else result.error.code) == code
+        if code is None:
+            assert result.health.closure is not None
+        else:
+            assert (result.exposures, store.scans()) == (0, [])  # before anything is measured
