@@ -6,9 +6,6 @@ import logging
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
-import numpy as np
-from numpy.typing import NDArray
-
 from app.controllers.assistant_choice import VIRTUAL, VIRTUAL_PORT, CameraKey, key_of
 from scanner_core.acquisition.handover import LatestSlot
 from scanner_core.devices.camera import Camera, Frame
@@ -21,7 +18,6 @@ if TYPE_CHECKING:
     from scanner_core.acquisition.rig_session import OpenRig
     from scanner_core.devices.rig import RigConfig
 
-_THUMBNAIL_PX = 320
 _MOST_CAMERAS = 4
 """That are looked through at a time: more of them overload a USB controller."""
 _EXPOSURE_MS = 10.0
@@ -62,13 +58,14 @@ class AssistantDevices:
         if self._virtual is not None:
             return self._virtual
         from scanner_core.acquisition.rig_session import open_rig
+        from scanner_core.devices.camera_thumbnail import camera_thumbnail
         from scanner_core.devices.rig import load_preset
 
         with open_rig(load_preset("bench")) as rig:
             assert rig.bench is not None
             rig.bench.lay_board_on_table()
             cameras = [
-                FoundCamera(VIRTUAL, f"virtual:{camera.name}", "", CameraState.READY, None, camera.report(), thumbnail(camera.grab().image))
+                FoundCamera(VIRTUAL, f"virtual:{camera.name}", "", CameraState.READY, None, camera.report(), camera_thumbnail(camera.grab().image))
                 for camera in (rig.left, rig.right)
             ]
         self._virtual = PortAnswer(SerialPort(VIRTUAL_PORT, ""), PortState.CONTROLLER), cameras
@@ -127,9 +124,3 @@ def _as_found(found: FoundCamera) -> CameraConfig:
     report = found.report
     exposure_ms = _EXPOSURE_MS if report is None or not report.exposure_ms > 0 else report.exposure_ms
     return CameraConfig("left", found.driver, found.id, exposure_ms, 0.0 if report is None else report.gain_db)
-
-
-def thumbnail(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """A pixel of every few, (h, w), at most 320 of them in a row."""
-    step = -(-image.shape[1] // _THUMBNAIL_PX)
-    return np.ascontiguousarray(image[::step, ::step])

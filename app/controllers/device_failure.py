@@ -12,7 +12,6 @@ if TYPE_CHECKING:
     from scanner_core.devices.rig import RigConfig
 
 LEFT, RIGHT, CONTROLLER, RIG_FILE = "left", "right", "controller", "rig"
-DEVICES = (LEFT, RIGHT, CONTROLLER)
 
 _GONE = {
     *("E-CAM-01", "E-CAM-02", "E-CAM-05", "E-CAM-07", "E-CAM-10"),

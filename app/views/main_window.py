@@ -388,7 +388,7 @@ class MainWindow(QMainWindow):
             text = self.tr("Comparing")
         elif services.rig.snapshot.calibrating is not None:
             text = self.tr("Calibrating")
-        elif services.assistant.snapshot.busy:
+        elif services.assistant.holds_devices:
             text = self.tr("Setting up a rig")
         elif services.case.computing:
             text = self.tr("Computing the points anew…")

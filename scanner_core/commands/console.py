@@ -47,12 +47,20 @@ class Console:
         self.clear()
         _tell(f"{line}\n")
 
+    def line(self, line: str) -> None:
+        """A line of the summary that is known before the rest of it; with `as_json` it is news, on standard error."""
+        self.clear()
+        if self.as_json:
+            _tell(f"{line}\n")
+        else:
+            print(line, flush=True)
+
     def result(self, values: Mapping[str, object], summary: Sequence[str]) -> None:
         """The command's result: the JSON object, or the lines of the summary."""
         self.clear()
         if self.as_json:
             print(json.dumps(values, indent=1, allow_nan=False), flush=True)
-        else:
+        elif summary:
             print("\n".join(summary), flush=True)
 
 

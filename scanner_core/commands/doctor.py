@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from scanner_core.clock import ScaledClock
 from scanner_core.commands.console import Console
+from scanner_core.commissioning.device_checks import check_devices, found_values
 from scanner_core.commissioning.found_devices import FoundDevices, find_devices
 from scanner_core.devices.check import Check
 from scanner_core.devices.discovery import SerialPort, serial_ports
@@ -25,6 +26,8 @@ if TYPE_CHECKING:  # what takes a second to import waits until the devices have 
     from scanner_core.commissioning.rig_check import RigCheck
     from scanner_core.commissioning.rig_findings import RigFindings
     from scanner_core.devices.rig import RigConfig
+    from scanner_core.virtual.fault import Fault
+    from scanner_core.virtual.specimens import Specimen
 
 _DEFAULT = "bench"
 _SPECIMEN = "sphere"
@@ -33,27 +36,32 @@ _MARKS = {"pass": "ok  ", "warn": "warn", "fail": "FAIL"}
 
 @dataclass(slots=True)
 class _Report:
-    """What is told in the end."""
+    """What is told in the end; a check is told as soon as it is made."""
 
+    console: Console
     checks: list[Check] = field(default_factory=list)
     controller: dict[str, object] = field(default_factory=dict)
     cameras: list[dict[str, object]] = field(default_factory=list)
     more: dict[str, object] = field(default_factory=dict)
+
+    def tell(self, *checks: Check) -> None:
+        for check in checks:
+            self.checks.append(check)
+            self.console.line(f"{_MARKS[check.verdict]}  {check.name}: {check.detail} {check.remedy}".rstrip())
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
     if given.out is not None:
         check_free(given.out, given.force)
     only_find = given.find or given.out is not None
-    report = _Report()
+    report = _Report(console)
     found = _find(given, console, report) if only_find or given.rig is None else None
 
-    from scanner_core.commissioning.device_checks import check_devices
     from scanner_core.commissioning.machine import check_machine
 
-    report.checks += check_machine()
     if found is not None:
-        report.checks += check_devices(found, needed=only_find)
+        report.tell(*check_devices(found, needed=only_find))
+    report.tell(*check_machine())
     if found is not None and only_find:
         controller = found.controller()
         report.controller = {"port": "" if controller is None else controller.port.url, "transcript": []}
@@ -62,7 +70,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
     else:
         _check_given(given, console, report)
     values = {"checks": [asdict(check) for check in report.checks], "controller": report.controller, "cameras": report.cameras, **report.more}
-    console.result(values, [_line(check) for check in report.checks])
+    console.result(values, [])
     return 1 if any(check.verdict == "fail" for check in report.checks) else 0
 
 
@@ -72,15 +80,10 @@ def arguments(rig: str | None) -> argparse.Namespace:
     return argparse.Namespace(rig=rig, specimen=_SPECIMEN, speed="max", seed=0, find=False, out=None, thumbnails=None, force=False, **lists)
 
 
-def _line(check: Check) -> str:
-    return f"{_MARKS[check.verdict]}  {check.name}: {check.detail} {check.remedy}".rstrip()
-
-
 def _find(given: argparse.Namespace, console: Console, report: _Report) -> FoundDevices:
     ports = [SerialPort(url, "") for url in given.port] or serial_ports()
     found = find_devices(ScaledClock(), progress=_shown(console), cancelled=lambda: False, ports=ports, streams=given.camera)
 
-    from scanner_core.commissioning.device_checks import found_values
     from scanner_core.commissioning.thumbnails import picture_name, write_picture
 
     report.more["found"] = found_values(found)
@@ -98,17 +101,15 @@ def _write(given: argparse.Namespace, console: Console, found: FoundDevices, rep
     controller, cameras = found.controller(), found.usable_cameras()
     if controller is None or len(cameras) < 2:
         error = DeviceError("E-RIG-03", controller="no controller" if controller is None else "a controller", cameras=len(cameras))
-        report.checks.append(Check("rig file", "fail", error.message, error.hint))
+        report.tell(Check("rig file", "fail", error.message, error.hint))
         return
     config = propose_rig(load_rig_or_preset(given.rig or _DEFAULT), controller, cameras[0], cameras[1])
     findings = _check(given, console, config, report)
     if findings is None:
-        report.checks.append(
-            Check("rig file", "fail", "none was written, because the rig could not be checked.", "Repair what failed, then try again.")
-        )
+        report.tell(Check("rig file", "fail", "none was written, because the rig could not be checked.", "Repair what failed, then try again."))
         return
     write_rig(Path(given.out), corrected_rig(config, findings), force=given.force)
-    report.checks.append(Check("rig file", "pass", f"{given.out} was written; correct its limits for your mechanics, then calibrate."))
+    report.tell(Check("rig file", "pass", f"{given.out} was written; correct its limits for your mechanics, then calibrate."))
     report.more["out"] = str(given.out)
 
 
@@ -120,36 +121,48 @@ def _check_given(given: argparse.Namespace, console: Console, report: _Report) -
     config = load_rig_or_preset(given.rig or _DEFAULT).without(given.without)
     report.more["rig"] = config.name
     report.controller = {"port": config.controller.port, "transcript": []}
-    report.checks.append(check_calibration(config))
+    report.tell(check_calibration(config))
     _check(given, console, config, report)
 
 
 def _check(given: argparse.Namespace, console: Console, config: RigConfig, report: _Report) -> RigFindings | None:
     """Open the rig and check it; a rig that does not open is a line."""
     from scanner_core.acquisition.rig_session import open_rig
-    from scanner_core.commissioning.rig_check import check_rig
-    from scanner_core.commissioning.thumbnails import picture_name, write_picture
-    from scanner_core.virtual.faults import parse_fault
-    from scanner_core.virtual.specimens import load_specimen
 
     def told(made: RigCheck) -> None:
-        report.checks.append(made.check)
+        report.tell(made.check)
         if made.check.name.startswith("camera "):
             report.cameras.append(dict(made.values))
         for name, image in made.pictures.items():
             if given.thumbnails is not None:
+                from scanner_core.commissioning.thumbnails import picture_name, write_picture
+
                 write_picture(Path(given.thumbnails) / picture_name(made.check.name, name), image, force=given.force)
 
-    faults = [parse_fault(text) for text in given.fault]
+    faults: list[Fault] = []
+    if given.fault:
+        from scanner_core.virtual.faults import parse_fault
+
+        faults = [parse_fault(text) for text in given.fault]
     try:
-        specimen = load_specimen(given.specimen) if config.virtual else None
-        with open_rig(config, specimen, given.speed, given.seed, faults) as rig:
+        with open_rig(config, _specimen(given, config), given.speed, given.seed, faults) as rig:
+            from scanner_core.commissioning.rig_check import check_rig
+
             findings = check_rig(rig, progress=_shown(console), cancelled=lambda: False, on_check=told)
             report.controller = rig.motion.description()
             return findings
     except ImprontaError as error:
-        report.checks.append(Check("controller handshake" if error.code.startswith("E-MOT") else "open the rig", "fail", error.message, error.hint))
+        report.tell(Check("controller handshake" if error.code.startswith("E-MOT") else "open the rig", "fail", error.message, error.hint))
         return None
+
+
+def _specimen(given: argparse.Namespace, config: RigConfig) -> Specimen | None:
+    """What stands on the virtual rig's table."""
+    if config.virtual is None:
+        return None
+    from scanner_core.virtual.specimens import load_specimen
+
+    return load_specimen(given.specimen)
 
 
 def _shown(console: Console) -> Callable[[Progress], None]:

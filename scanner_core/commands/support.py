@@ -55,6 +55,9 @@ class _Listener(Console):
     def say(self, line: str) -> None:
         self._console.say(line)
 
+    def line(self, line: str) -> None:
+        """It stands in the report."""
+
     def result(self, values: Mapping[str, object], summary: Sequence[str]) -> None:
         self.values = values
 

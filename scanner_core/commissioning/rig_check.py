@@ -216,8 +216,7 @@ class _Run:
     # ------------------------------------------------------------------------------------------ table
     def table(self) -> None:
         if board_in_sight(self._rig):
-            turn = measure_table(self._rig, self._cancelled)
-            finding, means = (None if turn is None else turn.finding), "the board on it"
+            finding, means = measure_table(self._rig, self._cancelled), "the board on it"
         elif self._seen is not None and self._seen.sighting.seen_by_both and self._rig.calibration is not None:
             finding, means = measure_table_by_object(self._rig, self._seen.sighting.place, self._cancelled), "the object on it"
         else:

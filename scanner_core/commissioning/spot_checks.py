@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from scanner_core.acquisition.exposing import ExposureResult, light, propose_for_rig, typical_places
+from scanner_core.acquisition.exposing import ExposureResult, light, typical_places
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.devices.check import Check
 from scanner_core.optics.auto_exposure import FULL_SCALE_DN, HIGHEST_BACKGROUND, HIGHEST_PEAK, LOWEST_PEAK, ExposureVerdict
@@ -43,13 +43,13 @@ def _spot_words(seen: Spot | SpotMiss) -> str:
     return f"sigma {seen.sigma_x_px:.2f} x {seen.sigma_y_px:.2f} px, peak {100 * seen.peak_dn / FULL_SCALE_DN:.0f} %"
 
 
-def check_exposure(rig: OpenRig) -> Check:
-    """Peak and background at the rig file's exposure and gain, and what they should be; cameras left as they were, laser off."""
-    return judge_exposure(propose_for_rig(rig))
-
-
 def judge_exposure(results: dict[str, ExposureResult]) -> Check:
-    """What :func:`~scanner_core.acquisition.exposing.propose_for_rig` found, by camera."""
+    """Peak and background at the rig file's exposure and gain, and what they should be.
+
+    Parameters
+    ----------
+    results : of :func:`~scanner_core.acquisition.exposing.propose_for_rig`, by camera
+    """
     shown, remedies = [], []
     for name, result in results.items():
         now, best = result.readings[0], result.readings[-1]

@@ -9,8 +9,6 @@ A lens's distortion disturbs the homography by some tenths of a degree; with a c
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import cv2
 import numpy as np
 from numpy.typing import NDArray
@@ -35,15 +33,6 @@ _MOST_STRETCH = 0.1
 """Of a motion that is a turn in its own plane."""
 
 
-@dataclass(frozen=True, slots=True)
-class TableTurn:
-    """The finding, and the angles: as commanded, and as seen by the camera that sees the board, deg, from where it stood."""
-
-    finding: AxisFinding
-    commanded_deg: tuple[float, ...]
-    seen_deg: tuple[float, ...]
-
-
 def board_in_sight(rig: OpenRig) -> bool:
     """Whether a camera sees the calibration board.
 
@@ -54,7 +43,7 @@ def board_in_sight(rig: OpenRig) -> bool:
     return any(_homography(rig, camera, DEFAULT_TARGET) is not None for camera in (rig.left, rig.right))
 
 
-def measure_table(rig: OpenRig, cancelled: IsCancelled, target: CharucoTarget = DEFAULT_TARGET) -> TableTurn | None:
+def measure_table(rig: OpenRig, cancelled: IsCancelled, target: CharucoTarget = DEFAULT_TARGET) -> AxisFinding | None:
     """Turn the table once round, with the board on it; None where the board was not seen to turn in its own plane.
 
     Raises
@@ -91,14 +80,13 @@ def measure_table(rig: OpenRig, cancelled: IsCancelled, target: CharucoTarget = 
         return None
     at, found = np.array(commanded), np.array(seen)
     if np.abs(found).max() < _LEAST_MOVED_DEG:
-        return TableTurn(AxisFinding("table", None), tuple(commanded), tuple(seen))
+        return AxisFinding("table", None)
     rest = found - ratio * at
     noise = _NOISE_DEG if rig.calibration is not None else _DISTORTED_DEG
     noise = max(noise, float(np.sqrt((rest**2).sum() / max(1, len(at) - 1))))
     uncertainty = noise / float(np.sqrt(at @ at))
     linearity = float(np.abs(rest).max() / np.abs(found).max())
-    finding = AxisFinding("table", 1 if ratio > 0 else -1, abs(ratio), uncertainty, linearity)
-    return TableTurn(finding, tuple(commanded), tuple(seen))
+    return AxisFinding("table", 1 if ratio > 0 else -1, abs(ratio), uncertainty, linearity)
 
 
 def turned_deg(before: Array, after: Array) -> float | None:

@@ -2,27 +2,17 @@
 
 from __future__ import annotations
 
-import cv2
-import numpy as np
-from numpy.typing import NDArray
-
 from scanner_core.clock import ScaledClock
 from scanner_core.devices.basler_camera import open_basler
 from scanner_core.devices.basler_sdk import DRIVER, load_sdk, reason_of, unreadable_usb_cameras
 from scanner_core.devices.camera_config import CameraConfig
+from scanner_core.devices.camera_thumbnail import camera_thumbnail
 from scanner_core.devices.found_camera import CameraState, FoundCamera
 from scanner_core.errors import DeviceError
 
-_THUMBNAIL_PX = 320
 _BLACK_DN = 2
 """A frame without a pixel above this shows nothing; the pedestal of a sensor is 0 to 1 at 8 bits."""
 _EXPOSURE_MS = 10.0
-_STATES = {
-    "E-CAM-05": CameraState.IN_USE,
-    "E-CAM-06": CameraState.NOT_PERMITTED,
-    "E-CAM-08": CameraState.WRONG_FORMAT,
-    "E-CAM-01": CameraState.SILENT,
-}
 
 
 def find_basler() -> list[FoundCamera]:
@@ -48,14 +38,9 @@ def _look_at(serial: str, description: str) -> FoundCamera:
         return _unusable(serial, description, error)
     if int(image.max()) <= _BLACK_DN:
         black = DeviceError("E-CAM-09", camera=description)
-        return FoundCamera(DRIVER, serial, description, CameraState.BLACK, black, report, _thumbnail(image))
-    return FoundCamera(DRIVER, serial, description, CameraState.READY, None, report, _thumbnail(image))
+        return FoundCamera(DRIVER, serial, description, CameraState.BLACK, black, report, camera_thumbnail(image))
+    return FoundCamera(DRIVER, serial, description, CameraState.READY, None, report, camera_thumbnail(image))
 
 
 def _unusable(serial: str, description: str, error: DeviceError) -> FoundCamera:
-    return FoundCamera(DRIVER, serial, description, _STATES.get(error.code, CameraState.GONE), error)
-
-
-def _thumbnail(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    scale = min(1.0, _THUMBNAIL_PX / image.shape[1])
-    return np.asarray(cv2.resize(image, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA), np.uint8)
+    return FoundCamera(DRIVER, serial, description, CameraState.of_error(error), error)

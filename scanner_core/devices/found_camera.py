@@ -23,6 +23,20 @@ class CameraState(Enum):
     SILENT = "it opens, but delivers no frame"
     GONE = "it cannot be opened"
 
+    @classmethod
+    def of_error(cls, error: DeviceError) -> CameraState:
+        """What a camera is that answered with this when it was looked at."""
+        return _STATES.get(error.code, cls.GONE)
+
+
+_STATES = {
+    "E-CAM-01": CameraState.SILENT,
+    "E-CAM-05": CameraState.IN_USE,
+    "E-CAM-06": CameraState.NOT_PERMITTED,
+    "E-CAM-08": CameraState.WRONG_FORMAT,
+    "E-CAM-09": CameraState.BLACK,
+}
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FoundCamera:

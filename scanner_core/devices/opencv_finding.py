@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.devices.camera import CameraReport
 from scanner_core.devices.camera_config import CameraConfig
+from scanner_core.devices.camera_thumbnail import camera_thumbnail
 from scanner_core.devices.found_camera import CameraState, FoundCamera
 from scanner_core.devices.opencv_camera import GRAB_S, access_error, camera_error
 from scanner_core.devices.opencv_link import CameraLink, LinkError
@@ -21,15 +21,7 @@ from scanner_core.errors import DeviceError, DeviceTimeoutError
 _LOOKED_AT = 8
 """Frames: enough for an automatic exposure to begin, and for noise to show."""
 _DARK_DN = 32
-_THUMBNAIL_PX = 320
 _MOST_NUMBERS = 8
-_STATES = {
-    "E-CAM-01": CameraState.SILENT,
-    "E-CAM-05": CameraState.IN_USE,
-    "E-CAM-06": CameraState.NOT_PERMITTED,
-    "E-CAM-08": CameraState.WRONG_FORMAT,
-    "E-CAM-09": CameraState.BLACK,
-}
 
 
 def find_opencv_cameras(nodes: VideoNodes | None = None, open_capture: OpenCapture = open_with_opencv) -> list[FoundCamera]:
@@ -97,7 +89,7 @@ def _look(config: CameraConfig, assignment: Assignment, open_capture: OpenCaptur
         return _unusable(config, camera_error(config, failure.failed), report)
     finally:
         link.close()
-    thumbnail = _thumbnail(images[-1])
+    thumbnail = camera_thumbnail(images[-1])
     if is_black(images):
         return FoundCamera("opencv", config.id, config.name, CameraState.BLACK, DeviceError("E-CAM-09", camera=config.name), report, thumbnail)
     return FoundCamera("opencv", config.id, config.name, CameraState.READY, None, report, thumbnail)
@@ -109,7 +101,7 @@ def _config(description: str, identity: str) -> CameraConfig:
 
 
 def _unusable(config: CameraConfig, error: DeviceError, report: CameraReport | None = None) -> FoundCamera:
-    return FoundCamera("opencv", config.id, config.name, _STATES.get(error.code, CameraState.GONE), error, report)
+    return FoundCamera("opencv", config.id, config.name, CameraState.of_error(error), error, report)
 
 
 def _report(config: CameraConfig, link: CameraLink) -> CameraReport:
@@ -117,11 +109,3 @@ def _report(config: CameraConfig, link: CameraLink) -> CameraReport:
     height, width = link.shape
     rate_hz = taken.rate_hz or round(link.measured_hz, 1)
     return CameraReport("opencv", config.id, config.name, (width, height), rate_hz, taken.pixel_format, taken.exposure_ms, taken.gain_db)
-
-
-def _thumbnail(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    height, width = image.shape
-    if width <= _THUMBNAIL_PX:
-        return image
-    size = _THUMBNAIL_PX, max(1, round(height * _THUMBNAIL_PX / width))
-    return np.asarray(cv2.resize(image, size, interpolation=cv2.INTER_AREA), np.uint8)

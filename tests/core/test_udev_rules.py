@@ -16,6 +16,10 @@ KEY = re.compile(r'(ACTION|SUBSYSTEMS?|ATTRS?\{\w+\}|ENV\{\w+\}|GROUP|MODE|TAG|G
 MATCHES = ("==", "!=")
 
 
+def _verifies() -> bool:
+    return shutil.which("udevadm") is not None and subprocess.run(["udevadm", "verify", "--help"], capture_output=True, check=False).returncode == 0
+
+
 def _lines() -> list[list[tuple[str, str, str]]]:
     """Every rule as (key, operator, value)."""
     rules = []
@@ -85,9 +89,7 @@ def test_the_sentences_lead_to_it() -> None:
     assert all("packaging/udev" in SENTENCES[code].do for code in ("E-MOT-12", "E-CAM-06"))
 
 
-@pytest.mark.skipif(shutil.which("udevadm") is None, reason="no udev on this machine")
+@pytest.mark.skipif(not _verifies(), reason="no udev that verifies rules")
 def test_udev_itself_accepts_it() -> None:
     answer = subprocess.run(["udevadm", "verify", str(RULES)], capture_output=True, text=True, check=False, timeout=20)
-    if "Unknown" in answer.stderr or "unrecognized" in answer.stderr.lower():
-        pytest.skip("this udev has no 'verify'")
     assert answer.returncode == 0, answer.stderr + answer.stdout

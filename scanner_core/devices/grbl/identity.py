@@ -88,11 +88,6 @@ class ControllerIdentity:
         """``$20``: it refuses targets outside of its travel."""
         return self._flag(20)
 
-    @property
-    def hard_limits(self) -> bool | None:
-        """``$21``: limit switches stop it."""
-        return self._flag(21)
-
     def steps_per_unit(self, axis: int) -> float | None:
         """``$100..`` of an axis by its place in `axes`."""
         return self._positive(100 + axis)

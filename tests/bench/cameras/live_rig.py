@@ -12,6 +12,7 @@ import os
 import re
 import signal
 import subprocess
+import sys
 import time
 from collections.abc import Iterator
 from dataclasses import fields
@@ -28,7 +29,7 @@ from tests.core.devices.live_bench import LiveBench, live_bench
 from tests.system.impronta import command, environment, impronta
 
 BAR_MM = 150.0
-_ASKED = re.compile(r"(Hold the board|Hold the length bar|Lay the board|Take the board)(?:.*\((\d+) of (\d+)\))?")
+_ASKED = re.compile(r"(Hold the board into|Hold the length bar into|Lay the board flat|Take the board away)(?:.*\((\d+) of (\d+)\))?")
 _INTERRUPTED_AT = 0.4
 """Of the planned measurements."""
 
@@ -45,11 +46,11 @@ class ScriptedHand:
         if asked is None:
             return
         what, index, count = asked.groups()
-        if what == "Hold the board":
+        if what == "Hold the board into":
             self._operator.show(int(index) - 1, int(count))
-        elif what == "Hold the length bar":
+        elif what == "Hold the length bar into":
             self._operator.show_bar(int(index) - 1, int(count))
-        elif what == "Lay the board":
+        elif what == "Lay the board flat":
             self._operator.lay_on_table()
         else:
             self._operator.remove()
@@ -57,13 +58,14 @@ class ScriptedHand:
 
 def calibrate(live: LiveBench, rig: Path, out: Path) -> dict[str, object]:
     """Run ``impronta calibrate`` to its end; its JSON."""
-    hand, said = ScriptedHand(live), []
+    hand, said, began_s = ScriptedHand(live), [], time.monotonic()
     words = command("calibrate", "--rig", rig, "--out", out, "--length-mm", BAR_MM, "--json")
     with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment()) as process:
         assert process.stderr is not None
         assert process.stdout is not None
         for line in process.stderr:
             said.append(line)
+            print(f"{time.monotonic() - began_s:6.1f} s  {line.rstrip()}", file=sys.stderr, flush=True)
             hand.obey(line)
         told = process.stdout.read()
     if process.returncode:

@@ -92,10 +92,10 @@ def test_the_table_by_the_board_without_a_calibration_and_the_rig_file_corrected
     rig.bench.lay_board_on_table()
     turn = measure_table(rig, lambda: False)
     assert turn is not None
-    assert turn.finding.direction == -1
-    assert turn.finding.ratio == pytest.approx(0.9, abs=0.0005)
-    assert check_table(turn.finding, "the board on it").verdict == "fail"
-    assert corrected_rig(rig.config, RigFindings(axes={"table": turn.finding})).controller.units_per_deg[2] == pytest.approx(1.0, abs=0.0006)
+    assert turn.direction == -1
+    assert turn.ratio == pytest.approx(0.9, abs=0.0005)
+    assert check_table(turn, "the board on it").verdict == "fail"
+    assert corrected_rig(rig.config, RigFindings(axes={"table": turn})).controller.units_per_deg[2] == pytest.approx(1.0, abs=0.0006)
     assert rig.motion.status().table_deg == pytest.approx(0.0, abs=0.01)
 
 

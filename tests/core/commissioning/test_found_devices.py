@@ -5,8 +5,6 @@ from __future__ import annotations
 import os
 import threading
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 
 import pytest
 import serial
@@ -22,29 +20,9 @@ from scanner_core.devices.found_camera import CameraState, FoundCamera
 from scanner_core.devices.grbl.identity import ControllerIdentity
 from scanner_core.errors import DeviceBusyError, DeviceError
 from scanner_core.jobs.progress import Cancelled
+from tests.core.devices.terminals import terminal
 
-pty = pytest.importorskip("pty")
-
-
-@contextmanager
-def talking(text: bytes) -> Iterator[str]:
-    """A port on which something says this again and again."""
-    ours, theirs = pty.openpty()
-    over = threading.Event()
-
-    def talk() -> None:
-        while not over.wait(0.2):
-            os.write(ours, text)
-
-    thread = threading.Thread(target=talk)
-    thread.start()
-    try:
-        yield os.ttyname(theirs)
-    finally:
-        over.set()
-        thread.join()
-        os.close(ours)
-        os.close(theirs)
+pytestmark = pytest.mark.skipif(not hasattr(os, "openpty"), reason="terminals")
 
 
 def _ready(number: int) -> FoundCamera:
@@ -55,7 +33,7 @@ def _ready(number: int) -> FoundCamera:
 def test_what_answers_on_ports_is_told_as_it_comes(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(found_devices, "find_cameras", lambda: [_ready(2), _ready(1)])
     told: list[str] = []
-    with talking(b"AT+OK modem 7\r\n") as modem, talking(b"") as silent, talking(b"") as taken, serial.Serial(taken, exclusive=True):
+    with terminal(b"AT+OK modem 7\r\n", again_s=0.2) as modem, terminal() as silent, terminal() as taken, serial.Serial(taken, exclusive=True):
         ports = [SerialPort(url, "") for url in (modem, silent, taken, "/dev/none")]
         found = find_devices(
             ScaledClock(),
@@ -76,7 +54,7 @@ def test_what_answers_on_ports_is_told_as_it_comes(monkeypatch: pytest.MonkeyPat
 
 def test_cancelling_does_not_wait_for_a_silent_port(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(found_devices, "find_cameras", list)
-    with talking(b"") as silent:
+    with terminal() as silent:
         began_s = time.monotonic()
         with pytest.raises(Cancelled):
             find_devices(ScaledClock(), progress=lambda at: None, cancelled=lambda: time.monotonic() > began_s + 0.2, ports=[SerialPort(silent, "")])

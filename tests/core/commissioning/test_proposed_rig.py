@@ -27,8 +27,8 @@ def _controller(axes: str = "XYZ") -> PortAnswer:
     return PortAnswer(SerialPort("COM7", "Arduino"), PortState.CONTROLLER, ControllerIdentity("Grbl 1.1h", "1.1h.20190830", axes, {32: 1.0}))
 
 
-def _rig(findings: RigFindings | None = None, axes: str = "XYZ") -> RigConfig:
-    return propose_rig(load_preset("bench"), _controller(axes), _camera(1), _camera(2), findings)
+def _rig(axes: str = "XYZ") -> RigConfig:
+    return propose_rig(load_preset("bench"), _controller(axes), _camera(1), _camera(2))
 
 
 def test_what_was_found_stands_in_the_file_and_nothing_of_the_virtual_rig(tmp_path: Path) -> None:
@@ -50,7 +50,7 @@ def test_a_table_that_is_not_on_z_is_taken_from_the_last_axis() -> None:
 def test_findings_correct_direction_scale_exposure_and_exchanged_cameras() -> None:
     axes = {"x": AxisFinding("x", -1, 1.02, 0.03), "y": AxisFinding("y", 1), "table": AxisFinding("table", -1, 2.0, 0.001)}
     cameras = {"left": CameraFinding(exposure_ms=4.0, gain_db=0.0), "right": CameraFinding()}
-    rig = _rig(RigFindings(cameras, axes, exchanged=True))
+    rig = corrected_rig(_rig(), RigFindings(cameras, axes, exchanged=True))
     assert rig.controller.units_per_deg == (-1.0, 1.0, -0.5)
     assert (rig.left.id, rig.right.id) == ("usb-2", "usb-1")
     assert (rig.left.name, rig.right.name) == ("left", "right")
@@ -64,6 +64,17 @@ def test_cameras_that_were_found_exposing_differently_are_to_expose_equally_long
     assert (rig.left.exposure_ms, rig.left.gain_db) == (8.0, 1.5)
     assert rig.right.exposure_ms == 8.0
     assert rig.right.gain_db == pytest.approx(1.5 + 6.02, abs=0.01)
+
+
+def test_streams_get_one_rate_for_both_and_cameras_whose_driver_tells_theirs_none() -> None:
+    def stream(name: str, rate_hz: float) -> FoundCamera:
+        url = f"http://{name}/video.mjpg"
+        report = CameraReport("opencv", url, "stream", (640, 480), rate_hz, "MJPG", 0.0, 0.0)
+        return FoundCamera("opencv", url, "stream", CameraState.READY, report=report)
+
+    rig = propose_rig(load_preset("bench"), _controller(), stream("left", 20.8), stream("right", 19.9))
+    assert (rig.left.rate_hz, rig.right.rate_hz) == (20.0, 20.0)
+    assert (_rig().left.rate_hz, _rig().right.rate_hz) == (None, None)
 
 
 def test_what_was_not_exposed_anew_is_left_alone() -> None:

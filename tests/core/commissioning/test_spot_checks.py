@@ -8,7 +8,7 @@ import pytest
 
 from scanner_core.acquisition.exposing import propose_for_rig
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
-from scanner_core.commissioning.spot_checks import check_exposure, check_spot
+from scanner_core.commissioning.spot_checks import check_spot, judge_exposure
 from scanner_core.devices.rig import load_preset
 from scanner_core.errors import DeviceError
 from scanner_core.optics.auto_exposure import ExposureVerdict
@@ -44,7 +44,7 @@ def test_size_and_peak_of_the_spot_are_told_and_a_bright_one_gets_its_advice(rig
 def test_what_the_rule_proposes_is_what_passes(rig: OpenRig) -> None:
     _set(rig, 3.0, 0.0)
     before = _settings(rig)
-    dark = check_exposure(rig)
+    dark = judge_exposure(propose_for_rig(rig))
     assert dark.verdict == "warn"
     assert _settings(rig) == before
     assert rig.motion.status().laser_power == 0
@@ -52,7 +52,7 @@ def test_what_the_rule_proposes_is_what_passes(rig: OpenRig) -> None:
         _, _, told = dark.remedy.partition(f"[camera.{camera.name}]: exposure_ms = ")
         exposure_ms, _, gain_db = told.split("].")[0].partition(", gain_db = ")
         camera.exposure_ms, camera.gain_db = float(exposure_ms), float(gain_db.split(" ")[0].rstrip("."))
-    assert check_exposure(rig).verdict == "pass"
+    assert judge_exposure(propose_for_rig(rig)).verdict == "pass"
 
 
 @pytest.mark.parametrize("left_ms", [1.0, 5.6], ids=["too dark", "bright enough by itself"])
@@ -71,7 +71,7 @@ def test_no_object_is_told_for_both_cameras() -> None:
         assert check.detail.count("no spot") == 2
         assert check.verdict == "warn"
         assert check.remedy.startswith("Camera left and right: No spot is seen")
-        assert check_exposure(empty).verdict == "warn"
+        assert judge_exposure(propose_for_rig(empty)).verdict == "warn"
 
 
 def test_a_camera_that_fails_leaves_the_laser_off_and_the_settings_as_they_were(rig: OpenRig, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -82,6 +82,6 @@ def test_a_camera_that_fails_leaves_the_laser_off_and_the_settings_as_they_were(
     before = _settings(rig)
     monkeypatch.setattr(rig.right, "grab", lost)
     with pytest.raises(DeviceError):
-        check_exposure(rig)
+        judge_exposure(propose_for_rig(rig))
     assert rig.motion.status().laser_power == 0
     assert _settings(rig) == before

@@ -7,8 +7,6 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 
 import pytest
 
@@ -17,43 +15,13 @@ from scanner_core.devices.controller_config import ControllerConfig
 from scanner_core.devices.grbl import open_controller
 from scanner_core.errors import DeviceError
 from tests.core.devices.boards import remote_board
+from tests.core.devices.terminals import terminal
 from tests.core.devices.test_guardian import repeat
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "openpty"), reason="terminals")
 
 NMEA = b"$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\r\n"
 MARLIN = b"start\r\necho:Marlin 2.1.2\r\necho: Last Updated: 2023-01-01\r\n"
-
-
-@contextmanager
-def terminal(greeting: bytes = b"", *, again_s: float = 0.0, echo: bool = False) -> Iterator[str]:
-    """The name of a port on which a device says `greeting`, perhaps again and again, and perhaps all that it hears."""
-    master, slave = os.openpty()
-    os.set_blocking(master, False)
-    ended = threading.Event()
-
-    def live() -> None:
-        said_s = 0.0
-        while not ended.wait(0.002):
-            try:
-                if greeting and (said_s == 0.0 or (again_s > 0.0 and time.monotonic() - said_s >= again_s)):
-                    os.write(master, greeting)
-                    said_s = time.monotonic()
-                heard = os.read(master, 1000)
-                if echo and heard:
-                    os.write(master, heard)
-            except OSError:
-                continue
-
-    device = threading.Thread(target=live, name="device")
-    device.start()
-    try:
-        yield os.ttyname(slave)
-    finally:
-        ended.set()
-        device.join()
-        os.close(master)
-        os.close(slave)
 
 
 def refusal(url: str) -> tuple[DeviceError, float]:

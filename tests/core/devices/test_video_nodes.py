@@ -18,6 +18,9 @@ CAPTURE, META, STREAMING, OF_NODE = 0x1, 0x00800000, 0x04000000, 0x80000000
 QUERYCAP, REQBUFS = 0x80685600, 0xC0145608
 
 
+pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="nodes of Linux; the fake kernel finds them by /proc")
+
+
 class Machine:
     """`capabilities` by node name, and the faults that a node answers with: to QUERYCAP and to REQBUFS."""
 
@@ -58,8 +61,6 @@ class Machine:
 
 @pytest.fixture
 def machine(tmp_path: Path) -> Machine:
-    if not sys.platform.startswith("linux"):
-        pytest.skip("the fake kernel finds the node by /proc")
     return Machine(tmp_path)
 
 
