@@ -18,7 +18,7 @@ def activity_words(services: Services) -> str:
         return translate("activity", "Comparing")
     if services.rig.snapshot.calibrating is not None:
         return translate("activity", "Calibrating")
-    if services.assistant.snapshot.busy:
+    if services.assistant.holds_devices:
         return translate("activity", "Setting up a rig")
     if services.case.computing:
         return translate("activity", "Computing the points anew…")

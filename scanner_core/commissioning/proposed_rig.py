@@ -31,11 +31,12 @@ _COMMENTS = {
 
 def propose_rig(template: RigConfig, controller: PortAnswer, left: FoundCamera, right: FoundCamera) -> RigConfig:
     """A rig of these devices with the limits and the nominal geometry of `template`; it has no calibration."""
-    exposed_left, exposed_right = _equally_exposed(_camera(template.left, left), _camera(template.right, right))
+    exposed = _equally_exposed(_camera(template.left, left), _camera(template.right, right))
+    rate_hz = _streams_rate_hz(left, right)
     config = replace(
         template,
-        left=exposed_left,
-        right=exposed_right,
+        left=replace(exposed[0], rate_hz=rate_hz),
+        right=replace(exposed[1], rate_hz=rate_hz),
         controller=_controller(template.controller, controller),
         virtual=None,
         image_model={},
@@ -93,6 +94,13 @@ def _camera(template: CameraConfig, found: FoundCamera) -> CameraConfig:
     exposure_ms = template.exposure_ms if report is None or not report.exposure_ms > 0 else report.exposure_ms
     gain_db = template.gain_db if report is None else report.gain_db
     return CameraConfig(template.name, found.driver, found.id, exposure_ms, gain_db)
+
+
+def _streams_rate_hz(left: FoundCamera, right: FoundCamera) -> float | None:
+    """Of two network cameras, which tell no rate: what both were measured to keep, whole.  Measured anew at every opening it would
+    differ by a frame a second now and then, and cameras of two rates are refused."""
+    rates = [camera.report.rate_hz for camera in (left, right) if "://" in camera.id and camera.report is not None]
+    return float(round(min(rates))) if len(rates) == 2 and min(rates) >= 1.0 else None
 
 
 def _exposed(camera: CameraConfig, seen: CameraFinding | None) -> CameraConfig:

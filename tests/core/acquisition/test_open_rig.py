@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any, cast
@@ -195,3 +196,43 @@ def test_what_the_file_says_wrongly_is_told_before_any_device_is_touched(
 def test_a_driver_that_nobody_knows_is_told_with_those_that_there_are() -> None:
     with pytest.raises(UsageError, match=r"no driver 'webcam'.*opencv, basler, replay"):
         open_rig(rig_of("webcam", "replay"))
+
+
+def test_cameras_of_processes_of_their_own_are_opened_side_by_side_and_while_the_controller_is(monkeypatch: pytest.MonkeyPatch) -> None:
+    closed: list[str] = []
+    all_at_it = threading.Barrier(3, timeout=20.0)
+    open_controller = rig_session.open_controller
+
+    def open_camera(config: CameraConfig, clock: Clock) -> Camera:
+        all_at_it.wait()
+        return cast(Camera, Device(closed, config.name, None))
+
+    def shake_hands(*given: Any) -> GrblController:
+        all_at_it.wait()
+        return open_controller(*given)
+
+    monkeypatch.setattr(rig_session, "open_camera", open_camera)
+    monkeypatch.setattr(rig_session, "open_controller", shake_hands)
+    with open_rig(rig_of("opencv", "opencv")):
+        assert closed == []
+    assert closed == ["left", "right"]
+
+
+@pytest.mark.parametrize("missing", ["controller", "left", "right"])
+def test_what_was_opened_beside_a_device_that_fails_is_closed(monkeypatch: pytest.MonkeyPatch, missing: str) -> None:
+    closed: list[str] = []
+
+    def open_camera(config: CameraConfig, clock: Clock) -> Camera:
+        if config.name == missing:
+            raise NOT_FOUND
+        return cast(Camera, Device(closed, config.name, None))
+
+    def refuses(*_: Any) -> GrblController:
+        raise DeviceLostError("E-MOT-08", port="COM3")
+
+    monkeypatch.setattr(rig_session, "open_camera", open_camera)
+    if missing == "controller":
+        monkeypatch.setattr(rig_session, "open_controller", refuses)
+    with pytest.raises(DeviceError, match="E-MOT-08" if missing == "controller" else "E-CAM-07"):
+        open_rig(rig_of("opencv", "opencv"))
+    assert set(closed) == {"left", "right"} - {missing}

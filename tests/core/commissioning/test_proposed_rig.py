@@ -66,6 +66,17 @@ def test_cameras_that_were_found_exposing_differently_are_to_expose_equally_long
     assert rig.right.gain_db == pytest.approx(1.5 + 6.02, abs=0.01)
 
 
+def test_streams_get_one_rate_for_both_and_cameras_whose_driver_tells_theirs_none() -> None:
+    def stream(name: str, rate_hz: float) -> FoundCamera:
+        url = f"http://{name}/video.mjpg"
+        report = CameraReport("opencv", url, "stream", (640, 480), rate_hz, "MJPG", 0.0, 0.0)
+        return FoundCamera("opencv", url, "stream", CameraState.READY, report=report)
+
+    rig = propose_rig(load_preset("bench"), _controller(), stream("left", 20.8), stream("right", 19.9))
+    assert (rig.left.rate_hz, rig.right.rate_hz) == (20.0, 20.0)
+    assert (_rig().left.rate_hz, _rig().right.rate_hz) == (None, None)
+
+
 def test_what_was_not_exposed_anew_is_left_alone() -> None:
     rig = _rig()
     own = replace(rig, left=replace(rig.left, exposure_ms=3.0))

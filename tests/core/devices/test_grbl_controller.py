@@ -125,8 +125,11 @@ def test_something_else_is_quoted() -> None:
     assert "<ctrl-x>" in error.details, "the transcript of the handshake is kept for the log"
 
 
-def test_silence_is_said() -> None:
-    assert refused({}).code == "E-MOT-24"
+def test_silence_is_said_soon_enough_for_a_sentence_within_five_seconds() -> None:
+    clock = SteppedClock()
+    with pytest.raises(DeviceError, match="E-MOT-24"):
+        GrblController(ScriptedPort(clock, {}), ControllerConfig("grbl", "COM3"), clock)
+    assert clock.now_s() < 3.8, "starting the program and its guardian takes the rest"
 
 
 @pytest.mark.parametrize(("line", "value"), [(b"$32=0\r\n", "0"), (b"", "missing")])

@@ -119,3 +119,17 @@ def test_camera_of_the_virtual_rig_is_exposed_for_its_specimen() -> None:
             assert result.verdict is ExposureVerdict.GOOD
             assert len(result.readings) <= 4
             assert camera.exposure_ms > 0.5
+
+
+@pytest.mark.parametrize(
+    ("peak_dn", "background_dn", "verdict"),
+    [
+        (200.0, 3.0, ExposureVerdict.GOOD),
+        (60.0, 3.0, ExposureVerdict.TOO_DARK),
+        (240.0, 3.0, ExposureVerdict.SATURATED),
+        (200.0, 40.0, ExposureVerdict.BACKGROUND),
+    ],
+)
+def test_a_camera_that_does_not_tell_its_exposure_is_judged_and_not_set(peak_dn: float, background_dn: float, verdict: ExposureVerdict) -> None:
+    proposal = propose_exposure(ExposureReading(0.0, 0.0, peak_dn, 0, background_dn), LIMITS)
+    assert (proposal.verdict, proposal.exposure_ms, proposal.gain_db) == (verdict, 0.0, 0.0)
