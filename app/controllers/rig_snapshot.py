@@ -75,6 +75,11 @@ class RigSnapshot:
         return None if self.config is None else self.config.calibration
 
     @property
+    def unreadable(self) -> bool:
+        """There is no rig, only a file that cannot be used: nothing is known of devices and calibration."""
+        return self.config is None and self.failure is not None
+
+    @property
     def own(self) -> bool:
         """A rig file of somebody, no preset."""
         return self.preset not in PRESETS

@@ -102,7 +102,9 @@ class CameraCard(QWidget):
         self._name.setStyleSheet("font-weight: 600;")
         details = camera_details(found)
         self._details = label(details, "muted", wrap=True, selectable=True)
-        self._id = label(found.id, "faint", selectable=True)
+        self._id = label("", "faint", selectable=True)
+        self._id.ensurePolished()
+        self._id.setText(self._id.fontMetrics().elidedText(found.id, Qt.TextElideMode.ElideMiddle, WIDTH))  # what tells two alike is at the end
         self._id.setToolTip(found.id)
         self.sides: dict[str, QPushButton] = {}
         words = {"left": self.tr("Left"), "right": self.tr("Right")}

@@ -110,7 +110,7 @@ class CalibrationPanel(QWidget):
         self._calibrate.setEnabled(snapshot.connected and snapshot.failure is None and not snapshot.busy and snapshot.calibrating is None)
         self._show_target()
         days = "" if snapshot.calibration is None else age_text(age_of(snapshot.calibration))
-        shown = (snapshot.calibration, snapshot.found, snapshot.refused, snapshot.sphere, days)
+        shown = (snapshot.calibration, snapshot.found, snapshot.refused, snapshot.sphere, days, snapshot.unreadable)
         if shown == self._shown:
             return
         self._shown = shown
@@ -130,7 +130,7 @@ class CalibrationPanel(QWidget):
                 stays = self.tr("The calibration of {date} stays in use.").format(date=fmt.day(calibration.date))
             text = "\n".join(part for part in (sentence_of(refused)[0], f"{stays} {text}".strip()) if part)
         elif calibration is None:
-            self._state.show_state("warn", self.tr("Not calibrated"))
+            self._state.show_state(*(("idle", self.tr("not known")) if snapshot.unreadable else ("warn", self.tr("Not calibrated"))))
         elif snapshot.found is not None:
             mood, words = age_text(age)
             self._state.show_state(mood, self.tr("Accepted  ·  {age}").format(age=words))
@@ -143,7 +143,8 @@ class CalibrationPanel(QWidget):
         calibration = self._rig.snapshot.calibration
         if calibration is None:
             self._accuracy.show_number(fmt.NO_VALUE)
-            self._calibrated.setText(self.tr("Not calibrated yet: show the board to both cameras before the first scan."))
+            first = self.tr("Not calibrated yet: show the board to both cameras before the first scan.")
+            self._calibrated.setText(self.tr("Its calibration stands in the rig file.") if self._rig.snapshot.unreadable else first)
             self.numbers.show_facts(())
             return
         self._accuracy.show_number(fmt.micrometres(calibration.held_out_rms_um))

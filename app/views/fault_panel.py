@@ -62,7 +62,7 @@ class FaultPanel(QWidget):
     def show_rig(self) -> None:
         """Whether there is a virtual rig, and what was let happen on it."""
         snapshot = self._rig.snapshot
-        self.setVisible(snapshot.config is None or snapshot.config.virtual is not None)
+        self.setVisible(not snapshot.own if snapshot.config is None else snapshot.config.virtual is not None)
         self.do.setEnabled(snapshot.connected)
         newest = [self._words(*entry) for entry in self._rig.faults[: -_SHOWN - 1 : -1]]
         more = len(self._rig.faults) - len(newest)

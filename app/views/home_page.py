@@ -209,8 +209,10 @@ class HomePage(Page):
         calibration = self.services.rig.snapshot.calibration
         if calibration is None:
             self._accuracy.show_number(fmt.NO_VALUE)
-            self._accuracy.show_unit(self.tr("not calibrated"))
-            self._accuracy_note.setText(self.tr("The Rig page calibrates it in a few minutes."))
+            unreadable = self.services.rig.snapshot.unreadable
+            self._accuracy.show_unit("" if unreadable else self.tr("not calibrated"))
+            to_do = self.tr("The Rig page calibrates it in a few minutes.")
+            self._accuracy_note.setText(self.tr("The Rig page says what is wrong with the rig file.") if unreadable else to_do)
         else:
             self._accuracy.show_number(fmt.micrometres(calibration.held_out_rms_um))
             self._accuracy.show_unit(self.tr("µm rms error of the calibration"))

@@ -127,10 +127,11 @@ class RigChoice(QWidget):
 
 
 def _own_words(path: str) -> str:
-    words = f"{Path(path).stem}  ·  {fmt.short_path(str(Path(path).parent))}"
+    stem, folder = Path(path).stem, fmt.short_path(str(Path(path).parent))
     if Path(path).is_file():
-        return words
-    return QCoreApplication.translate("rig", QT_TRANSLATE_NOOP("rig", "{rig}  (the file is missing)")).format(rig=words)
+        return f"{stem}  ·  {folder}"
+    missing = QCoreApplication.translate("rig", QT_TRANSLATE_NOOP("rig", "{rig}  (the file is missing)")).format(rig=stem)
+    return f"{missing}  ·  {folder}"  # the folder is what may be cut
 
 
 def _line(caption: str, line: QHBoxLayout) -> QWidget:

@@ -45,7 +45,9 @@ class StatusLine(QFrame):
             mood = "warn" if rig.needs_homing else "good"
             self.turntable.show_state(mood, self.tr("Turntable {angle:.1f}°").format(angle=rig.motion.table_deg))
         calibration = rig.calibration
-        if calibration is None:
+        if rig.unreadable:
+            self.calibration.show_state("idle", self.tr("Calibration"))
+        elif calibration is None:
             self.calibration.show_state("warn", self.tr("Not calibrated"))
         else:
             age = age_of(calibration)

@@ -252,7 +252,7 @@ def _in_process(config: RigConfig) -> bool:
 def _witness(config: RigConfig) -> RemoteTimeline:
     """The side channel of a firmware model in a process of its own; it tells where the beam is."""
     host, _, port = config.controller.witness.rpartition(":")
-    if not host or not port.isdigit():
+    if not host or not (port.isascii() and port.isdigit()):
         raise UsageError("E-RIG-01", path=config.name, reason="'witness' must be the \"host:port\" of a firmware process")
     return RemoteTimeline(host, int(port))
 

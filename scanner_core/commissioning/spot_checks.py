@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import time
+
 from scanner_core.acquisition.exposing import ExposureResult, light, typical_places
 from scanner_core.acquisition.rig_session import OpenRig
+from scanner_core.devices.camera import Camera
 from scanner_core.devices.check import Check
 from scanner_core.optics.auto_exposure import FULL_SCALE_DN, HIGHEST_BACKGROUND, HIGHEST_PEAK, LOWEST_PEAK, ExposureVerdict
 from scanner_core.optics.spot import Spot, SpotMiss
 from scanner_core.optics.spot_detection import SpotDetector
 from scanner_core.optics.spot_quality import SpotGrade, judge_spot
 
+_LATEST_PICTURE_S = 1.5
+"""A camera on a network shows what was so long ago."""
 _AT_THE_CAMERA = "The program cannot set its exposure: set it in the camera's own settings, by hand and not automatic."
 
 
@@ -24,8 +29,7 @@ def check_spot(rig: OpenRig) -> Check:
             seen[camera.name] = detector.detect(camera.grab().image)
     finally:
         rig.motion.laser(False)
-    after = [detector.detect(camera.grab().image) for camera in (rig.left, rig.right)]
-    if any(isinstance(spot, Spot) for spot in after):
+    if any(_stays(camera, detector) for camera in (rig.left, rig.right)):
         return Check("laser spot", "fail", "a spot stays after the laser was switched off.", "Disconnect the laser and check its driver.")
     shown = "; ".join(f"{name} {_spot_words(spot)}" for name, spot in seen.items())
     judged = {name: judge_spot(spot, detector.parameters) for name, spot in seen.items()}
@@ -35,6 +39,15 @@ def check_spot(rig: OpenRig) -> Check:
             advised.setdefault(quality.advice, []).append(name)
     remedy = " ".join(f"Camera {' and '.join(names)}: {advice}" for advice, names in advised.items())
     return Check("laser spot", "warn" if remedy else "pass", f"{shown}; dark after switching off.", remedy)
+
+
+def _stays(camera: Camera, detector: SpotDetector) -> bool:
+    """Whether a spot is still seen when the last picture of the lit laser must have come through."""
+    until_s = time.monotonic() + _LATEST_PICTURE_S
+    while isinstance(detector.detect(camera.grab().image), Spot):
+        if time.monotonic() > until_s:
+            return True
+    return False
 
 
 def _spot_words(seen: Spot | SpotMiss) -> str:

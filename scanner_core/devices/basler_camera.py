@@ -234,7 +234,7 @@ class BaslerCamera:
         self._dropped += commands.unanswered
 
     def _counted_frames(self, run: _Run, stop: threading.Event) -> Iterator[Frame]:
-        slots = FrameSlots(run.origin, run.trigger.start_s, self.rate_hz)
+        slots = FrameSlots(run.origin, run.trigger.start_s, self.rate_hz, free=self._config.trigger is TriggerSource.FREE)
         last: tuple[int, float] | None = None
         heard_s = time.monotonic()
         number: int | None = None

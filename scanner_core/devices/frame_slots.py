@@ -42,10 +42,15 @@ class RunOrigin:
 
 
 class FrameSlots:
-    """One camera's frames of one run of `rate_hz` planned exposures a second, the first no earlier than `start_s`."""
+    """One camera's frames of one run of `rate_hz` planned exposures a second, the first no earlier than `start_s`.
 
-    def __init__(self, origin: RunOrigin, start_s: float, rate_hz: float) -> None:
-        self._origin, self._start_s, self._rate_hz = origin, start_s, rate_hz
+    Cameras on one edge (not `free`) settle the origin by the first frame that counts.  Of cameras that run freely that would be
+    too late: the other one's frame of the same slot may be half a period older, and gone.  So their first frame only settles
+    that the run begins half a period after it; no frame of either is missing then.
+    """
+
+    def __init__(self, origin: RunOrigin, start_s: float, rate_hz: float, *, free: bool = False) -> None:
+        self._origin, self._start_s, self._rate_hz, self._free = origin, start_s, rate_hz, free
         self._first: tuple[float, int] | None = None
         self._last: tuple[float, int] | None = None
         """Position and slot of the last frame."""
@@ -60,9 +65,10 @@ class FrameSlots:
         """
         if self._first is None:
             # A frame in the middle of its slot: slots that begin no earlier than start_s hold no frame that was earlier.
-            if time_s < self._start_s + 0.5 / self._rate_hz:
+            half_s = 0.5 / self._rate_hz
+            if time_s < self._start_s + (0.0 if self._free else half_s):
                 return None
-            slot = slot_of(time_s, self._origin.settle(time_s - 0.5 / self._rate_hz), self._rate_hz)
+            slot = slot_of(time_s, self._origin.settle(time_s + (half_s if self._free else -half_s)), self._rate_hz)
             if slot < 0:
                 return None
             self._first = (time_s, slot)

@@ -87,7 +87,7 @@ class OpenCvCamera:
         except LinkError as failure:
             raise self._error(failure.failed) from None
         with self._lock:
-            self._run = trigger, FrameSlots(RunOrigin(self._clock, trigger, self.name), trigger.start_s, self._rate_hz)
+            self._run = trigger, FrameSlots(RunOrigin(self._clock, trigger, self.name), trigger.start_s, self._rate_hz, free=True)
 
     def frames(self, stop: threading.Event) -> Iterator[Frame]:
         self._ensure_open()

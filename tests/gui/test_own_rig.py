@@ -146,7 +146,9 @@ def test_a_rig_file_is_dropped_and_one_that_is_gone_is_taken_off_the_list(window
     until(lambda: not window.rig.snapshot.opening, 10, "an answer")
     devices, combo = window.page.devices, window.page.choice.preset
     assert "gone.toml cannot be used" in devices._file_fault.text()
-    assert "the file is missing" in combo.currentText()
+    assert combo.currentText().startswith("gone  (the file is missing)")
+    assert not window.page.faults.isVisible(), "nothing is known of a file that cannot be read, also not that its rig is virtual"
+    assert window.page.calibration._state.text == "not known"
     QTest.mouseClick(window.button("Take it off the list"), Qt.MouseButton.LeftButton)
     until(lambda: window.rig.snapshot.connected, 30, "the bench")
     assert window.rig.files.known == []

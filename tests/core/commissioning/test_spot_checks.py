@@ -8,10 +8,13 @@ import pytest
 
 from scanner_core.acquisition.exposing import propose_for_rig
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
+from scanner_core.commissioning import spot_checks
 from scanner_core.commissioning.spot_checks import check_spot, judge_exposure
+from scanner_core.devices.camera import Frame
 from scanner_core.devices.rig import load_preset
 from scanner_core.errors import DeviceError
 from scanner_core.optics.auto_exposure import ExposureVerdict
+from scanner_core.virtual.camera import VirtualCamera
 from scanner_core.virtual.specimens import load_specimen
 
 
@@ -85,3 +88,29 @@ def test_a_camera_that_fails_leaves_the_laser_off_and_the_settings_as_they_were(
         judge_exposure(propose_for_rig(rig))
     assert rig.motion.status().laser_power == 0
     assert _settings(rig) == before
+
+
+@pytest.mark.parametrize(("late", "verdict"), [(4, "pass"), (10**9, "fail")], ids=["a picture that comes late", "a laser that stays on"])
+def test_a_late_picture_is_not_taken_for_a_laser_that_stays_on(rig: OpenRig, monkeypatch: pytest.MonkeyPatch, late: int, verdict: str) -> None:
+    switch, grab, left = rig.motion.laser, type(rig.left).grab, [0]
+
+    def laser(on: bool) -> None:
+        left[0] = 0 if on else late
+        if on:
+            switch(True)
+
+    def late_grab(camera: VirtualCamera) -> Frame:
+        if left[0] > 0:
+            left[0] -= 1
+            if left[0] == 0:
+                switch(False)
+        return grab(camera)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(spot_checks, "_LATEST_PICTURE_S", 0.3)
+        patch.setattr(type(rig.motion), "laser", staticmethod(laser))
+        patch.setattr(type(rig.left), "grab", late_grab)
+        check = check_spot(rig)
+    rig.motion.laser(False)
+    assert ("a spot stays" in check.detail) is (verdict == "fail")
+    assert (check.verdict == "fail") is (verdict == "fail")
