@@ -23,7 +23,8 @@ from scanner_core.geometry.view_directions import seen_from
 
 if TYPE_CHECKING:
     from scanner_core.acquisition.rig_session import OpenRig
-    from scanner_core.acquisition.runner import ScanResult, ScanRunner
+    from scanner_core.acquisition.runner import ScanRunner
+    from scanner_core.acquisition.scan_result import ScanResult
     from scanner_core.acquisition.views import RegisteredViews
     from scanner_core.case.store import CaseStore
 

@@ -12,14 +12,15 @@ from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
 from app.actions import fill_menus, make_actions
-from app.controllers.emission import Emission, emission_words
 from app.controllers.support import SupportController
 from app.draft import next_order
 from app.services import Services
 from app.undo import UndoHistory
 from app.views import format as fmt
+from app.views.activity import activity_words
 from app.views.banner import Banner
 from app.views.file_dialogs import choose_file
+from app.views.laser_lamps import LaserLamps
 from app.views.page import Page
 from app.views.pages import ASIDE, PAGES
 from app.views.parts import seam
@@ -35,8 +36,6 @@ if TYPE_CHECKING:
     from app.views.scene_view import SceneView
 
 SIZE = (1280, 800)
-LASER_HOLD_S = 0.8
-_LASER_LAMPS = {Emission.NO_RIG: "idle", Emission.UNKNOWN: "warn", Emission.DARK: "idle", Emission.LIT: "laser"}
 
 
 class MainWindow(QMainWindow):
@@ -51,8 +50,6 @@ class MainWindow(QMainWindow):
         self._undo = undo
         self.scene: SceneView | None = None
         self._told_s = 0.0
-        self._lit_s = -LASER_HOLD_S
-        self._emission: Emission | None = None
         self._support: SupportDialog | None = None
         self.setWindowTitle("Impronta")
         self.actions_by_id = make_actions(self)
@@ -85,6 +82,7 @@ class MainWindow(QMainWindow):
         upper.addWidget(seam(upright=True))
         upper.addLayout(right, 1)
         self.status_line = StatusLine()
+        self.laser = LaserLamps(services, self.rail, self.status_line)
         whole = QWidget()
         box = QVBoxLayout(whole)
         box.setContentsMargins(0, 0, 0, 0)
@@ -109,7 +107,7 @@ class MainWindow(QMainWindow):
 
     def paint_scene(self) -> float:
         """For the pump."""
-        self._show_laser()
+        self.laser.show()
         return 0.0 if self.scene is None else self.scene.paint()
 
     # -------------------------------------------------------------------------------- slots of the action table
@@ -378,41 +376,11 @@ class MainWindow(QMainWindow):
             self.actions_by_id[name].setEnabled(case.surface is not None)
 
     def _show_activity(self) -> None:
-        services = self.services
-        text = ""
-        if services.acquisition.running:
-            text = self.tr("Scanning")
-        elif services.reconstruction.running:
-            text = self.tr("Reconstructing")
-        elif services.comparing.answers.running:
-            text = self.tr("Comparing")
-        elif services.rig.snapshot.calibrating is not None:
-            text = self.tr("Calibrating")
-        elif services.assistant.holds_devices:
-            text = self.tr("Setting up a rig")
-        elif services.case.computing:
-            text = self.tr("Computing the points anew…")
-        elif services.case.opening:
-            text = self.tr("Opening the case…")
-        self.status_line.show_activity(text)
+        self.status_line.show_activity(activity_words(self.services))
 
     def _show_rig(self) -> None:
         self.status_line.show_rig(self.services.rig.snapshot)
         self._show_activity()
-
-    def _show_laser(self) -> None:
-        """Lit while the controller reports emission, and a moment longer: between two rows it is dark too briefly to be told."""
-        now = time.monotonic()
-        services = self.services
-        emission = services.assistant.emission if services.assistant.holds_devices else services.rig.emission
-        if emission is Emission.LIT:
-            self._lit_s = now
-        elif emission is Emission.DARK and now - self._lit_s < LASER_HOLD_S:
-            emission = Emission.LIT
-        if emission is not self._emission:
-            self._emission = emission
-            self.rail.show_laser(emission)
-            self.status_line.laser.show_state(_LASER_LAMPS[emission], emission_words(emission))
 
     def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802 - Qt's name
         self.services.settings.window = [self.width(), self.height()]

@@ -22,7 +22,7 @@ import time
 import traceback
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from functools import partial
 
 import numpy as np
@@ -32,12 +32,13 @@ from scanner_core.acquisition.control import ScanControl
 from scanner_core.acquisition.engine import StereoEngine
 from scanner_core.acquisition.following import Pass, PlanFollower
 from scanner_core.acquisition.handover import LatestSlot, PointLog, Preview
-from scanner_core.acquisition.health import HealthMonitor, HealthReport, Phase
+from scanner_core.acquisition.health import HealthMonitor, Phase
 from scanner_core.acquisition.known_points import KnownPoints, agreement, check_plan
 from scanner_core.acquisition.plan import PlanRequest, ScanPlan
 from scanner_core.acquisition.planning import closing_plan, locating_plan, scan_plan, table_angles_deg
 from scanner_core.acquisition.resuming import expect_same_rig, resumption
 from scanner_core.acquisition.rig_session import OpenRig
+from scanner_core.acquisition.scan_result import ScanResult
 from scanner_core.acquisition.status import FinishReason, ScanCounts, ScanState, ScanStatus
 from scanner_core.acquisition.tally import Tally
 from scanner_core.acquisition.views import RegisteredViews, register_case
@@ -53,34 +54,6 @@ _SAME_RATE = 0.01
 """How far apart the frame rates of the two cameras may be, of the rate."""
 
 _log = logging.getLogger("impronta")
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class ScanResult:
-    """What a scan gave.
-
-    Attributes
-    ----------
-    counts : over the plan, of a resumed scan with what was there before; `located` over the coarse pass before it
-    exposures : trigger ids that were exposed this time, of all passes
-    wall_s, rig_s : duration on the wall and on the rig's clock, all passes, without the registration
-    resumed : points that were there before; None when nothing was resumed
-    views : the registered cloud and its residuals, None when there was nothing to register
-    health : what was noticed on the way
-    """
-
-    finish_reason: FinishReason
-    counts: ScanCounts
-    located: ScanCounts
-    views_planned: int
-    exposures: int
-    wall_s: float
-    rig_s: float
-    scan_id: int | None
-    views: RegisteredViews | None
-    health: HealthReport
-    resumed: int | None
-    error: ImprontaError | None
 
 
 class ScanRunner:

@@ -12,7 +12,8 @@ from pathlib import Path
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.recording import RIG, Recorded, recorded, recorded_rig
 from scanner_core.acquisition.rig_session import OpenRig
-from scanner_core.acquisition.runner import ScanResult, ScanRunner
+from scanner_core.acquisition.runner import ScanRunner
+from scanner_core.acquisition.scan_result import ScanResult
 from scanner_core.acquisition.status import ScanState
 from scanner_core.case.recovery import Interruption
 from scanner_core.case.store import CaseStore

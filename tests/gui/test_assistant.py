@@ -356,7 +356,7 @@ def test_moving_by_hand_and_a_spot_that_escape_turns_off(shared_program: Program
     assert abs(rig.motion.newest.x_deg - 5.0) < 0.1
     checking.jog.spot.click()
     until(lambda: assistant.emission is Emission.LIT, 20, "the spot")
-    until(lambda: window._emission is Emission.LIT, 5, "the window says so")
+    until(lambda: window.laser.emission is Emission.LIT, 5, "the window says so")
     views = checking.pictures.live.values()
     until(lambda: all(view.spot is not None or view._miss for view in views), 10, "the spot's size to focus by, or that there is none")
     rig.motion.laser(False)  # as it goes out by itself after a minute

@@ -19,7 +19,8 @@ import psutil
 
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
-from scanner_core.acquisition.runner import ScanResult, ScanRunner
+from scanner_core.acquisition.runner import ScanRunner
+from scanner_core.acquisition.scan_result import ScanResult
 from scanner_core.acquisition.status import FinishReason
 from scanner_core.case.observation import StereoObservation
 from scanner_core.case.store import CaseStore

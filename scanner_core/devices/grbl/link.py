@@ -205,6 +205,8 @@ class GrblLink:
                 self._port.write(_HOLD)
             try:
                 self._see_it_rest(deadline_s, lit_s)
+            except DeviceClosedError:
+                return  # whoever closed it meanwhile has reset the board
             finally:
                 self.stop()
 

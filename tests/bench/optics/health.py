@@ -23,7 +23,8 @@ from scanner_core.acquisition.epipolar_watch import EpipolarWatch
 from scanner_core.acquisition.jump import locate_jump
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import open_rig
-from scanner_core.acquisition.runner import ScanResult, ScanRunner
+from scanner_core.acquisition.runner import ScanRunner
+from scanner_core.acquisition.scan_result import ScanResult
 from scanner_core.acquisition.view_watch import ViewWatch
 from scanner_core.case.observation import ObservationTable
 from scanner_core.case.store import CaseStore

@@ -10,7 +10,8 @@ import pytest
 
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import open_rig
-from scanner_core.acquisition.runner import ScanResult, ScanRunner
+from scanner_core.acquisition.runner import ScanRunner
+from scanner_core.acquisition.scan_result import ScanResult
 from scanner_core.acquisition.status import FinishReason
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import load_preset

@@ -15,7 +15,8 @@ from scanner_core.acquisition import calibrating
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.recording import PLAN, RIG, recorded, recorded_plan, recorded_rig
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
-from scanner_core.acquisition.runner import ScanResult, ScanRunner
+from scanner_core.acquisition.runner import ScanRunner
+from scanner_core.acquisition.scan_result import ScanResult
 from scanner_core.acquisition.status import FinishReason
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.recording import INDEX

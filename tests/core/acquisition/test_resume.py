@@ -12,7 +12,8 @@ import pytest
 
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import open_rig
-from scanner_core.acquisition.runner import ScanResult, ScanRunner
+from scanner_core.acquisition.runner import ScanRunner
+from scanner_core.acquisition.scan_result import ScanResult
 from scanner_core.acquisition.status import FinishReason, ScanState
 from scanner_core.case.processing import case_cloud
 from scanner_core.case.recovery import describe, discard, find_interrupted, interruption, keep

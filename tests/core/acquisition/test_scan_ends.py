@@ -11,7 +11,8 @@ import pytest
 from scanner_core.acquisition import runner as runner_module
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
-from scanner_core.acquisition.runner import ScanResult, ScanRunner
+from scanner_core.acquisition.runner import ScanRunner
+from scanner_core.acquisition.scan_result import ScanResult
 from scanner_core.acquisition.status import FinishReason, ScanState
 from scanner_core.case.recovery import interruption
 from scanner_core.case.store import CaseStore

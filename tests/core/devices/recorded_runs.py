@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from scanner_core.acquisition.plan import PlanRequest, Row
 from scanner_core.acquisition.rig_session import OpenRig, open_rig
-from scanner_core.acquisition.runner import ScanResult, ScanRunner
+from scanner_core.acquisition.runner import ScanRunner
+from scanner_core.acquisition.scan_result import ScanResult
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.basler_camera import BaslerCamera, open_basler
 from scanner_core.devices.camera import Camera, Frame, Trigger

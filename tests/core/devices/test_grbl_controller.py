@@ -358,3 +358,16 @@ def test_closed_while_somebody_waits() -> None:
         with pytest.raises(DeviceClosedError):
             controller.wait_idle(1.0)
         here.open().close()
+
+
+def test_a_hold_that_is_overtaken_by_close_has_nothing_left_to_stop(monkeypatch: pytest.MonkeyPatch) -> None:
+    with board() as virtual:
+        controller = virtual.open()
+        see_it_rest = controller._link._see_it_rest
+
+        def closed_first(deadline_s: float, lit_s: float | None) -> None:
+            controller.close()
+            see_it_rest(deadline_s, lit_s)
+
+        monkeypatch.setattr(controller._link, "_see_it_rest", closed_first)
+        controller.hold()

@@ -1,0 +1,27 @@
+"""What the program is doing, in a word or two."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QCoreApplication
+
+from app.services import Services
+
+
+def activity_words(services: Services) -> str:
+    """What a person waits for; empty when that is nothing."""
+    translate = QCoreApplication.translate
+    if services.acquisition.running:
+        return translate("activity", "Scanning")
+    if services.reconstruction.running:
+        return translate("activity", "Reconstructing")
+    if services.comparing.answers.running:
+        return translate("activity", "Comparing")
+    if services.rig.snapshot.calibrating is not None:
+        return translate("activity", "Calibrating")
+    if services.assistant.holds_devices:
+        return translate("activity", "Setting up a rig")
+    if services.case.computing:
+        return translate("activity", "Computing the points anew…")
+    if services.case.opening:
+        return translate("activity", "Opening the case…")
+    return ""

@@ -1,0 +1,38 @@
+"""How a scan ended, and what it gave."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from scanner_core.acquisition.health import HealthReport
+from scanner_core.acquisition.status import FinishReason, ScanCounts
+from scanner_core.acquisition.views import RegisteredViews
+from scanner_core.errors import ImprontaError
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ScanResult:
+    """What a scan gave.
+
+    Attributes
+    ----------
+    counts : over the plan, of a resumed scan with what was there before; `located` over the coarse pass before it
+    exposures : trigger ids that were exposed this time, of all passes
+    wall_s, rig_s : duration on the wall and on the rig's clock, all passes, without the registration
+    resumed : points that were there before; None when nothing was resumed
+    views : the registered cloud and its residuals, None when there was nothing to register
+    health : what was noticed on the way
+    """
+
+    finish_reason: FinishReason
+    counts: ScanCounts
+    located: ScanCounts
+    views_planned: int
+    exposures: int
+    wall_s: float
+    rig_s: float
+    scan_id: int | None
+    views: RegisteredViews | None
+    health: HealthReport
+    resumed: int | None
+    error: ImprontaError | None
