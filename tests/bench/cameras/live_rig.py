@@ -122,13 +122,18 @@ def run(folder: Path, *, views: int, points: int, rate_hz: float, seed: int) -> 
         result = calibrate(live, folder / "rig.toml", rig)
         yield {"calibrate": {key: result[key] for key in sorted(result) if not isinstance(result[key], list | dict)}, **_took(began_s)}
         yield _checked("doctor_calibrated", "--rig", rig)
-        yield _scan("scan", folder, "--rig", rig, "--plan", plan, "--record", folder / "recording", case=folder / "live.impronta")
-        case = folder / "interrupted.impronta"
-        code = interrupt(command("scan", "--rig", rig, "--plan", plan, "--out", case), case, round(_INTERRUPTED_AT * points))
-        yield {"interrupted": code, "points": _observations(case)}
-        yield _scan("resumed", folder, "--rig", rig, "--resume", case=case)
-        yield _scan("replayed", folder, "--replay", folder / "recording", case=folder / "replayed.impronta")
-        yield {"replay_equals": _tables_equal(folder / "live.impronta", folder / "replayed.impronta")}
+        yield from scans(rig, plan, folder, points)
+
+
+def scans(rig: Path, plan: Path, folder: Path, points: int) -> Iterator[dict[str, object]]:
+    """A whole scan, recorded and replayed, and one that is interrupted and resumed."""
+    yield _scan("scan", folder, "--rig", rig, "--plan", plan, "--record", folder / "recording", case=folder / "live.impronta")
+    yield _scan("replayed", folder, "--replay", folder / "recording", case=folder / "replayed.impronta")
+    yield {"replay_equals": _tables_equal(folder / "live.impronta", folder / "replayed.impronta")}
+    case = folder / "interrupted.impronta"
+    code = interrupt(command("scan", "--rig", rig, "--plan", plan, "--out", case), case, round(_INTERRUPTED_AT * points))
+    yield {"interrupted": code, "points": _observations(case)}
+    yield _scan("resumed", folder, "--rig", rig, "--resume", case=case)
 
 
 def _commission(live: LiveBench, folder: Path) -> Iterator[dict[str, object]]:
