@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import json
 from collections.abc import Callable
 from dataclasses import replace
@@ -63,8 +64,8 @@ def said(monkeypatch: pytest.MonkeyPatch) -> list[str]:
         plain(console, sentence)
         hands[0].hear(sentence)
 
-    def few(given: object, rig: OpenRig) -> CalibrationSettings:
-        return replace(wanted(given, rig), views=VIEWS, bar_views=BARS, table_angles=ANGLES)  # type: ignore[arg-type]
+    def few(given: argparse.Namespace, rig: OpenRig) -> CalibrationSettings:
+        return replace(wanted(given, rig), views=VIEWS, bar_views=BARS, table_angles=ANGLES)
 
     monkeypatch.setattr(calibrate, "open_rig", real)
     monkeypatch.setattr(Console, "say", say)
