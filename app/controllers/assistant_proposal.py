@@ -25,8 +25,7 @@ def config_of(snapshot: AssistantSnapshot) -> RigConfig:
         port = next(answer for answer in snapshot.ports if answer.port.url == choice.port)
         assert choice.left is not None
         assert choice.right is not None
-        config = propose_rig(template, port, cameras[choice.left], cameras[choice.right])
-    wanted: dict[str, Any] = {"size_px": choice.size_px, "rate_hz": choice.rate_hz, "trigger": choice.trigger}
-    if choice.exposure_ms is not None:
-        wanted["exposure_ms"] = choice.exposure_ms
+        config = propose_rig(template, port, cameras[choice.left], cameras[choice.right], choice.exposure_ms)
+    wanted: dict[str, Any] = {"size_px": choice.size_px, "rate_hz": choice.rate_hz, "exposure_ms": choice.exposure_ms, "trigger": choice.trigger}
+    wanted = {name: value for name, value in wanted.items() if value is not None}
     return replace(config, left=replace(config.left, **wanted), right=replace(config.right, **wanted))

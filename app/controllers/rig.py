@@ -78,6 +78,7 @@ class RigController(QObject):
         self.calibration = CalibrationRun()
         self.target = TargetController(background, tell, self)
         self._closing = threading.Event()
+        self._may_be_lit = False
         self._told: list[ImprontaError] = []
         """Of the rig that is not open."""
         self._device = DeviceThread("rig", self._idle, _STATUS_PERIOD_S, tell)
@@ -119,8 +120,8 @@ class RigController(QObject):
     @property
     def emission(self) -> Emission:
         """Of the laser, by the newest report that the controller has given to whoever owns it now; unknown after its line was lost."""
-        rig, failure = self._devices.rig, self.snapshot.failure
-        if rig is None and failure is not None and failure.fault.code in MAY_BE_LIT:
+        rig = self._devices.rig
+        if rig is None and self._may_be_lit:
             return Emission.UNKNOWN
         return emission_of(None if rig is None else rig.motion.newest)
 
@@ -302,6 +303,7 @@ class RigController(QObject):
 
     # -------------------------------------------------------------------------------- back in the GUI thread
     def _opened(self, wanted: WantedRig, answers: Answers, sphere: SphereTrend | None) -> None:
+        self._may_be_lit = False
         self.faults.clear()
         for fault in self._told:
             self.mended.emit(fault)
@@ -372,6 +374,7 @@ class RigController(QObject):
 
     def _failed(self, failure: DeviceFailure | None, wanted: WantedRig, known: bool = False) -> None:
         """The rig is not open, or no longer."""
+        self._may_be_lit |= failure is not None and failure.fault.code in MAY_BE_LIT  # until a controller answers again
         self.files.remember(wanted.preset)
         lost = replace(self.snapshot, config=wanted.config, connected=False, opening=False, failure=failure)
         self._news(replace(lost, motion=None, needs_homing=False, acting="", cameras={}, controller={}))

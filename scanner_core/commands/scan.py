@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
 
 from scanner_core.acquisition.plan import PlanRequest, read_plan
@@ -44,6 +45,12 @@ def run(given: argparse.Namespace, console: Console) -> int:
     request = known or PlanRequest()
     if given.plan is not None:
         request = read_plan(Path(given.plan))
+        if known is not None:  # what a plan leaves open, the recording knows: the specimen's size
+            request = replace(
+                request,
+                object_radius_mm=request.object_radius_mm or known.object_radius_mm,
+                object_height_mm=request.object_height_mm or known.object_height_mm,
+            )
         if known not in (None, request):  # frames of other table angles would pass for those that are asked for
             raise UsageError("E-USE-01", what="The recording was made with another plan", do="leave --plan away")
     specimen = specimen_on_table(given, config) if is_rendered(config) else None

@@ -29,9 +29,16 @@ _COMMENTS = {
 }
 
 
-def propose_rig(template: RigConfig, controller: PortAnswer, left: FoundCamera, right: FoundCamera) -> RigConfig:
-    """A rig of these devices with the limits and the nominal geometry of `template`; it has no calibration."""
-    exposed = _equally_exposed(_camera(template.left, left), _camera(template.right, right))
+def propose_rig(template: RigConfig, controller: PortAnswer, left: FoundCamera, right: FoundCamera, exposure_ms: float | None = None) -> RigConfig:
+    """A rig of these devices with the limits and the nominal geometry of `template`; it has no calibration.
+
+    Both cameras expose for `exposure_ms` at the gain that each had; when it is None as long as the one that was exposing shorter.
+    """
+    exposed = _camera(template.left, left), _camera(template.right, right)
+    if exposure_ms is None:
+        exposed = _equally_exposed(*exposed)
+    else:
+        exposed = replace(exposed[0], exposure_ms=exposure_ms), replace(exposed[1], exposure_ms=exposure_ms)
     rate_hz = _streams_rate_hz(left, right)
     config = replace(
         template,

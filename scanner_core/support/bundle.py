@@ -21,7 +21,7 @@ from scanner_core.jobs.progress import Cancelled, IsCancelled, OnProgress, Progr
 from scanner_core.log_file import log_files
 from scanner_core.support.case_sizes import case_list, case_names, cases_of
 from scanner_core.support.machine import machine_facts
-from scanner_core.support.private_names import Mark, PrivateName, file_names, folder_names, machine_names, order_names
+from scanner_core.support.private_names import Mark, PrivateName, file_names, folder_names, machine_names, order_names, rig_names
 from scanner_core.support.redaction import Redactor
 from scanner_core.user_folders import log_folder
 
@@ -136,6 +136,7 @@ def collect(sources: SupportSources, *, progress: OnProgress, cancelled: IsCance
     names = [*sources.names, *_settings_names(sources.settings or {}), *machine_names(), *case_names(cases, cancelled=cancelled)]
     if sources.rig_source:
         names += file_names([sources.rig_source])
+    names += rig_names(sources.rig_text)
     redact = Redactor(names)
     step("rig", 0.15)
     report = _report(sources.examine)

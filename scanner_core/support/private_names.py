@@ -11,6 +11,8 @@ from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path, PurePath, PurePosixPath, PureWindowsPath
 
+from scanner_core.toml_text import parse_toml
+
 _LEAST = 3
 """Shorter names are as good as any letter of the text, and identify nobody."""
 _LEAST_PART = 4
@@ -26,6 +28,7 @@ _OURS = {"bench", "workshop", "paper-2003", "ear", "arch", "heart", "sphere", "s
 class Mark(StrEnum):
     """What stands in the place of a name."""
 
+    RIG = "[rig]"
     ORDER = "[order]"
     PATIENT = "[patient]"
     NOTES = "[notes]"
@@ -68,6 +71,14 @@ def file_names(paths: Iterable[str | PurePath]) -> list[PrivateName]:
         if len(pure.parts) > 1:
             names.append(PrivateName(path, Mark.FILE))
     return _worth(names)
+
+
+def rig_names(rig_text: str) -> list[PrivateName]:
+    """Of a rig file's text: what a laboratory calls its rig may be its own name."""
+    with suppress(ValueError):
+        name = parse_toml(rig_text).get("name")
+        return _worth([PrivateName(name, Mark.RIG)] if isinstance(name, str) and name not in _OURS else [])
+    return []
 
 
 def folder_names(paths: Iterable[str | PurePath]) -> list[PrivateName]:

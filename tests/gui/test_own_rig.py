@@ -87,9 +87,13 @@ def test_what_was_pulled_is_told_and_comes_back_by_itself(window: RigWindow, lab
     until(lambda: window.row("laser").state == "unknown", 5, "the laser's lamp")
     assert window.rig.snapshot.motion is None, "nothing is known of the table"
     assert any("Grbl" in line.text for line in window.rig.transcript()), "the last words of the one that is gone"
+    QTest.mouseClick(window.button("Try again"), Qt.MouseButton.LeftButton)
+    until(lambda: "E-MOT-08" in str(window.rig.snapshot.failure and window.rig.snapshot.failure.fault), 20, "the port is not there")
+    assert window.rig.emission is Emission.UNKNOWN, "and nobody has seen to the laser"
     lab.firmware.plug_in()
     QTest.mouseClick(window.button("Try again"), Qt.MouseButton.LeftButton)
     until(lambda: controller.state == "idle", 30, "the controller is back")
+    until(lambda: window.rig.emission is Emission.DARK, 10, "and reports")
     assert window.told == [], "the page has said it"
 
 

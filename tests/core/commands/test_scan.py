@@ -57,7 +57,7 @@ def test_a_recording_alone_suffices_to_scan_again(tmp_path: Path, capsys: pytest
     assert main(["scan", *replay, "--fault", "frames_dropped"]) == 2
     assert not (tmp_path / "b.impronta").exists()
     capsys.readouterr()
-    assert main(["scan", *replay]) == 0
+    assert main(["scan", *replay, "--plan", str(plan)]) == 0
     again = json.loads(capsys.readouterr().out)
     assert "recording" not in again
     for key in ("planned", "measured", "rejected", "skipped", "locating"):

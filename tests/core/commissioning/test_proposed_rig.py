@@ -64,6 +64,8 @@ def test_cameras_that_were_found_exposing_differently_are_to_expose_equally_long
     assert (rig.left.exposure_ms, rig.left.gain_db) == (8.0, 1.5)
     assert rig.right.exposure_ms == 8.0
     assert rig.right.gain_db == pytest.approx(1.5 + 6.02, abs=0.01)
+    wished = propose_rig(load_preset("bench"), _controller(), _camera(1), _camera(2, exposure_ms=16.0), 4.0)
+    assert [(camera.exposure_ms, camera.gain_db) for camera in (wished.left, wished.right)] == [(4.0, 1.5), (4.0, 1.5)]
 
 
 def test_streams_get_one_rate_for_both_and_cameras_whose_driver_tells_theirs_none() -> None:

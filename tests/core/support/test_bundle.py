@@ -19,8 +19,8 @@ from scanner_core.support import bundle as bundles
 from scanner_core.support.bundle import SupportBundle, SupportSources, collect, write_bundle
 from scanner_core.support.private_names import Mark, PrivateName, file_names, order_names
 
-SECRETS = ("QX-7731", "Zwölfender", "Ottilie", "schläft schlecht", "Xanten-1962", "kxuser9", "host-kx77.example")
-"""Order, patient (two words), remarks, a folder and file, the user, the machine."""
+SECRETS = ("Praxis Huber", "QX-7731", "Zwölfender", "Ottilie", "schläft schlecht", "Xanten-1962", "kxuser9", "host-kx77.example")
+"""Order, patient (two words), remarks, a folder and file, the user, the machine; before them the rig."""
 
 
 @pytest.fixture
@@ -45,7 +45,7 @@ def sources(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> SupportSources:
     }
     return SupportSources(
         examine=lambda: report,
-        rig_text=f'# of {everything}\nid = "{home}/recordings/Ottilie"\n',
+        rig_text=f'# of {everything}\nname = "Praxis Huber"\nid = "{home}/recordings/Ottilie"\n',
         rig_source=str(home / "Xanten-1962.toml"),
         settings={
             "case_folder": str(cases),
