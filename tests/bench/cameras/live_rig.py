@@ -22,7 +22,6 @@ import numpy as np
 
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import load_rig
-from scanner_core.errors import ImprontaError
 from scanner_core.geometry.fitting import fit_sphere
 from scanner_core.virtual.specimens import load_specimen
 from tests.core.devices.live_bench import LiveBench, live_bench
@@ -30,8 +29,8 @@ from tests.system.impronta import command, environment, impronta
 
 BAR_MM = 150.0
 _ASKED = re.compile(r"(Hold the board into|Hold the length bar into|Lay the board flat|Take the board away)(?:.*\((\d+) of (\d+)\))?")
-_INTERRUPTED_AT = 0.4
-"""Of the planned measurements."""
+_INTERRUPTED_AT = 0.5
+"""Of the time that the whole scan took, its start included."""
 
 
 class ScriptedHand:
@@ -92,24 +91,18 @@ def sphere_of(case: Path, folder: Path) -> dict[str, object]:
     return {"radius_mm": round(fit.radius_mm, 4), "rms_um": round(1e3 * float(np.sqrt((fit.residuals_mm**2).mean())), 1)}
 
 
-def interrupt(words: list[str], case: Path, points: int) -> int:
-    """Start a scan and press Ctrl-C when the case holds so many points; its exit code."""
+def interrupt(words: list[str], after_s: float) -> int:
+    """Start a scan and press Ctrl-C; its exit code."""
     with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=environment()) as process:
-        while process.poll() is None and _observations(case) < points:
-            time.sleep(0.2)
+        time.sleep(after_s)
         process.send_signal(signal.SIGINT)
         process.communicate(timeout=60)
     return process.returncode
 
 
 def _observations(case: Path) -> int:
-    if not case.exists():
-        return 0
-    try:
-        with CaseStore.open(case, read_only=True) as store:
-            return sum(len(store.observations(scan.id)) for scan in store.scans() if scan.kind == "scan")
-    except ImprontaError:  # it is just being made
-        return 0
+    with CaseStore.open(case, read_only=True) as store:
+        return sum(len(store.observations(scan.id)) for scan in store.scans() if scan.kind == "scan")
 
 
 def run(folder: Path, *, views: int, points: int, rate_hz: float, seed: int) -> Iterator[dict[str, object]]:
@@ -122,16 +115,18 @@ def run(folder: Path, *, views: int, points: int, rate_hz: float, seed: int) -> 
         result = calibrate(live, folder / "rig.toml", rig)
         yield {"calibrate": {key: result[key] for key in sorted(result) if not isinstance(result[key], list | dict)}, **_took(began_s)}
         yield _checked("doctor_calibrated", "--rig", rig)
-        yield from scans(rig, plan, folder, points)
+        yield from scans(rig, plan, folder)
 
 
-def scans(rig: Path, plan: Path, folder: Path, points: int) -> Iterator[dict[str, object]]:
+def scans(rig: Path, plan: Path, folder: Path) -> Iterator[dict[str, object]]:
     """A whole scan, recorded and replayed, and one that is interrupted and resumed."""
+    began_s = time.monotonic()
     yield _scan("scan", folder, "--rig", rig, "--plan", plan, "--record", folder / "recording", case=folder / "live.impronta")
+    took_s = time.monotonic() - began_s
     yield _scan("replayed", folder, "--replay", folder / "recording", case=folder / "replayed.impronta")
     yield {"replay_equals": _tables_equal(folder / "live.impronta", folder / "replayed.impronta")}
     case = folder / "interrupted.impronta"
-    code = interrupt(command("scan", "--rig", rig, "--plan", plan, "--out", case), case, round(_INTERRUPTED_AT * points))
+    code = interrupt(command("scan", "--rig", rig, "--plan", plan, "--out", case), _INTERRUPTED_AT * took_s)
     yield {"interrupted": code, "points": _observations(case)}
     yield _scan("resumed", folder, "--rig", rig, "--resume", case=case)
 

@@ -14,7 +14,7 @@ from scanner_core.acquisition.rig_session import OpenRig, open_rig
 from scanner_core.clock import Clock, ScaledClock, SteppedClock
 from scanner_core.devices.camera import Camera
 from scanner_core.devices.camera_config import CameraConfig
-from scanner_core.devices.grbl import GrblController
+from scanner_core.devices.grbl import GrblController, open_controller
 from scanner_core.devices.rig import RigConfig, load_preset
 from scanner_core.errors import DeviceError, DeviceLostError, UsageError
 from tests.core.devices.boards import remote_board
@@ -41,8 +41,8 @@ UNEXPECTED = RuntimeError("a driver's own")
 )
 def test_everything_is_closed_and_the_danger_is_said(motion: Exception | None, left: Exception | None, said: Exception | None) -> None:
     closed: list[str] = []
-    devices = [cast(Any, Device(closed, *given)) for given in (("left", left), ("right", None), ("motion", motion))]
-    rig = OpenRig(cast(Any, None), *devices, cast(Any, None), None, release=lambda: closed.append("the rest"))
+    first, second, third = (cast(Any, Device(closed, *given)) for given in (("left", left), ("right", None), ("motion", motion)))
+    rig = OpenRig(cast(Any, None), first, second, third, cast(Any, None), None, release=lambda: closed.append("the rest"))
     caught: Exception | None = None
     try:
         rig.close()
@@ -201,7 +201,6 @@ def test_a_driver_that_nobody_knows_is_told_with_those_that_there_are() -> None:
 def test_cameras_of_processes_of_their_own_are_opened_side_by_side_and_while_the_controller_is(monkeypatch: pytest.MonkeyPatch) -> None:
     closed: list[str] = []
     all_at_it = threading.Barrier(3, timeout=20.0)
-    open_controller = rig_session.open_controller
 
     def open_camera(config: CameraConfig, clock: Clock) -> Camera:
         all_at_it.wait()
