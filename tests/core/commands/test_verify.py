@@ -187,7 +187,9 @@ def test_a_specimen_that_is_none_is_found_before_anything_is_made(rig: Path, tmp
 @pytest.mark.parametrize("asked", [("--fault", "lamp_on"), ("--without", "speckle")])
 def test_hardware_has_neither_faults_nor_terms(asked: tuple[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "real.toml"
-    path.write_text(dump_rig(replace(load_preset("bench"), virtual=None)), encoding="utf-8")
+    bench = load_preset("bench")
+    left, right = (replace(camera, driver="opencv", id=f"http://127.0.0.1/{camera.name}") for camera in (bench.left, bench.right))
+    path.write_text(dump_rig(replace(bench, virtual=None, left=left, right=right)), encoding="utf-8")
     for command in (("verify", "static"), ("scan",)):
         assert main([*command, "--rig", str(path), "--out", str(tmp_path / "out"), *asked]) == 2
         assert "virtual rig" in capsys.readouterr().err
