@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from datetime import date
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, Qt
@@ -16,6 +15,7 @@ from app.views import format as fmt
 from app.views.file_dialogs import choose_new_file
 from app.views.parts import button, column, give_role, label, row
 from app.views.support_preview import SupportPreview
+from scanner_core import wall_clock
 
 KINDS = {
     "log": QT_TRANSLATE_NOOP("support", "Log"),
@@ -143,7 +143,7 @@ class SupportDialog(QDialog):
             self.said.setText(words)
 
     def _choose(self) -> None:
-        start = Path.home() / f"impronta-support-{date.today().isoformat()}.zip"
+        start = Path.home() / f"impronta-support-{wall_clock.today().isoformat()}.zip"
         choose_new_file(self, self.tr("Save the support bundle"), str(start), self.tr("Archives (*.zip)"), "zip", self._save)
 
     def _save(self, path: Path) -> None:

@@ -7,10 +7,10 @@ import shutil
 import sys
 import tempfile
 import time
-from datetime import datetime
 from importlib import metadata
 from pathlib import Path
 
+from scanner_core import wall_clock
 from scanner_core.devices.check import Check
 
 _LIBRARIES = ("numpy", "scipy", "opencv-contrib-python-headless", "vtk", "pyserial", "pyvista", "pyvistaqt", "PySide6_Essentials")
@@ -94,7 +94,7 @@ def _processors() -> Check:
 
 
 def _clock() -> Check:
-    now = datetime.now().astimezone()
+    now = wall_clock.now()
     resolution_s = time.get_clock_info("monotonic").resolution
     detail = f"{now:%Y-%m-%d %H:%M}, steps of {1e6 * resolution_s:.3g} us."
     if now.year < _RELEASED:

@@ -10,11 +10,10 @@ import traceback
 import zipfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
-from scanner_core import __version__
+from scanner_core import __version__, wall_clock
 from scanner_core.errors import ImprontaError, UsageError
 from scanner_core.files import replaced_when_whole
 from scanner_core.jobs.progress import Cancelled, IsCancelled, OnProgress, Progress
@@ -167,7 +166,7 @@ def write_bundle(bundle: SupportBundle, path: Path, *, force: bool = False) -> N
 def readme(bundle: SupportBundle) -> str:
     """What is in the archive and what was taken out of it."""
     lines = [
-        f"Support bundle of Impronta {__version__}, {datetime.now(UTC):%Y-%m-%d %H:%M} UTC.",
+        f"Support bundle of Impronta {__version__}, {wall_clock.now():%Y-%m-%d %H:%M %Z}.",
         "It was saved by a person on this machine; the program sends nothing by itself.",
         "",
         *(f"{entry.name:<18} {entry.about}" for entry in bundle.entries),

@@ -123,11 +123,11 @@ def scan_with(faults: Sequence[Fault], folder: Path, seed: int = 5, points: int 
     return Ended(result, seconds, reached, problems)
 
 
-def ball() -> PointCloud:
+def ball(count: int = 4000) -> PointCloud:
     """Points that make a mesh in some seconds: a sphere of 11 mm, 20 um of noise."""
     draw = np.random.default_rng(5)
-    directions = draw.normal(size=(4000, 3))
-    return PointCloud(directions / np.linalg.norm(directions, axis=1)[:, None] * draw.normal(11.0, 0.02, (4000, 1)))
+    directions = draw.normal(size=(count, 3))
+    return PointCloud(directions / np.linalg.norm(directions, axis=1)[:, None] * draw.normal(11.0, 0.02, (count, 1)))
 
 
 def unexpected(ended: Ended, name: str) -> list[str]:

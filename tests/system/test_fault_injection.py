@@ -68,7 +68,7 @@ ON_LINUX = pytest.mark.skipif(sys.platform != "linux", reason="RLIMIT_AS")
 def test_a_worker_that_dies_is_said(name: str) -> None:
     fault = parse_fault(f"{name}@0.3")
     assert isinstance(fault, WorkerFault)
-    request = ReconstructionRequest(ball(), ReconstructionParameters())
+    request = ReconstructionRequest(ball(100_000), ReconstructionParameters())  # more than fits into what the worker has at its start
     host = Host(SteppedClock())
     host.let_happen_to_worker(fault)
     try:

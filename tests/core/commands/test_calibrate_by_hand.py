@@ -73,6 +73,7 @@ def said(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return told
 
 
+@pytest.mark.long
 def test_a_person_is_led_through_it(said: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "rig.toml"
     path.write_text(dump_rig(load_preset("bench")), encoding="utf-8")

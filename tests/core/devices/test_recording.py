@@ -18,7 +18,7 @@ from scanner_core.clock import SteppedClock
 from scanner_core.devices import frame_writer
 from scanner_core.devices.camera import Camera, Trigger
 from scanner_core.devices.camera_config import CameraConfig
-from scanner_core.devices.frame_writer import FrameWriter
+from scanner_core.devices.frame_writer import QUEUE_BYTES, FrameWriter
 from scanner_core.devices.recording import INDEX, read_grey, read_recording
 from scanner_core.devices.recording_camera import RecordingCamera
 from scanner_core.errors import DeviceError
@@ -45,8 +45,8 @@ def camera() -> Iterator[Camera]:
         yield virtual
 
 
-def writer(folder: Path, hurry: bool = False) -> FrameWriter:
-    return FrameWriter(folder, "left", 600, hurry=hurry)
+def writer(folder: Path, hurry: bool = False, frame_bytes: int = 600) -> FrameWriter:
+    return FrameWriter(folder, "left", frame_bytes, hurry=hurry)
 
 
 def test_runs_single_frames_and_settings_are_read_back_as_they_were(camera: Camera, tmp_path: Path) -> None:
@@ -135,7 +135,7 @@ def test_a_full_disk_stops_the_recording_with_one_sentence_and_leaves_no_half_im
         raise OSError(errno.ENOSPC, "No space left on device", str(path))
 
     monkeypatch.setattr(Path, "write_bytes", write_bytes)
-    recorder = writer(tmp_path)
+    recorder = writer(tmp_path, frame_bytes=QUEUE_BYTES)  # few frames may wait, so that the run does not end before the disk is full
     recording = RecordingCamera(camera, CONFIG, recorder)
     recording.start(Trigger(0, 500, 0.0))
     with pytest.raises(DeviceError, match=r"cannot be recorded into .*: the disk is full.*E-CAM-22"):
