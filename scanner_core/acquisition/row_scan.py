@@ -15,7 +15,7 @@ from scanner_core.errors import DeviceTimeoutError
 from scanner_core.optics.spot import MissReason, SpotMiss
 
 MICRO_BATCH = 16
-_SILENCE_S = 5.0
+_SILENCE_S = 4.0
 """A camera that says nothing for so long in real time has failed."""
 
 

@@ -56,7 +56,7 @@ lit against the rules         0.7 s     :func:`breach` in the next report: E-MOT
 status lost                   2.2 s     the question's deadline (:data:`LIT_ANSWER_S` after at most 0.2 s; ``ANSWER_S`` while
                                         waiting in a move), then reset; a sweep is dark at its end anyway
 camera lost                   0.2 s     its fault stops the rig before anything is tidied up; a camera that only falls silent
-                                        counts as lost after 5 s, when the sweep has ended
+                                        counts as lost after 4 s, when the sweep has ended
 port lost                     row end   nobody can send any more: a sweep ends dark by ``M4``; a standing spot may stay lit,
                                         and E-MOT-02 says so
 ============================  ========  =============================================================================

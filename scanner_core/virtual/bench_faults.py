@@ -79,7 +79,7 @@ class CameraStalled(CameraFault):
 
     title: ClassVar[str] = "Camera stalled"
     happens: ClassVar[str] = "a camera hangs: no frame and no error comes any more"
-    expected: ClassVar[str] = "ends with E-CAM-01 after 5 s; laser off, points kept"
+    expected: ClassVar[str] = "ends with E-CAM-01 after 4 s; laser off, points kept"
 
 
 @dataclass(frozen=True, slots=True)

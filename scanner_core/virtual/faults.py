@@ -12,7 +12,7 @@ acknowledged stands in the case, the case opens, an error is one sentence with c
 name                  what happens                                    what the program does
 ====================  ==============================================  ==================================================
 camera_unplugged      a camera's cable comes off                      ends, E-CAM-02
-camera_stalled        no frame and no error comes any more            ends, E-CAM-01, after 5 s
+camera_stalled        no frame and no error comes any more            ends, E-CAM-01, after 4 s
 frames_dropped        a fifth of a camera's frames is lost            goes on, ``dropped_frame``, H-CAM-01
 frames_late           frames arrive 0.4 s late                        goes on, waits for each
 frames_torn           a tenth is half another exposure, or garbage    goes on, ``torn``, H-CAM-03

@@ -11,7 +11,7 @@ BANNER_S = 2.5
 """Boards that are reset by the opening of the port greet within this time, the slowest boot loader's two seconds included; the others
 are asked for it by a reset.  Nothing is sent before: there are boot loaders that a byte keeps from ever starting the firmware."""
 
-RESET_ANSWER_S = 1.0
+RESET_ANSWER_S = 0.7
 """A board that was not reset by the opening has long started: its processor is there at once."""
 _QUOTED = 60
 """Characters of what something else says that a sentence quotes."""
