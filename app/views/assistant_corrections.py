@@ -53,7 +53,7 @@ def corrections_of(config: RigConfig, findings: RigFindings) -> dict[str, str]:
         told[_EXPOSURE] = _tr(
             QT_TRANSLATE_NOOP(
                 "assistant",
-                "Expose both cameras for {ms} ms, the left one at {left} dB, the right one at {right} dB: that suits what stands on the table.",
+                "Expose both cameras for {ms} ms (left {left} dB, right {right} dB): it suits what stands there.",
             )
         ).format(ms=f"{exposed.left.exposure_ms:.3g}", left=f"{exposed.left.gain_db:.2g}", right=f"{exposed.right.gain_db:.2g}")
     return told

@@ -174,6 +174,7 @@ def set_up(program: Program, folder: Path) -> None:
     next(line for line in page.checking.lines if line.made.check.name == "laser seen").pictures.click()
     shoot(program, folder / "assistant-check.png")
     page.checking.corrections.do.click()
+    until(lambda: assistant.snapshot.busy, 20, "the begin of the second check")
     until(lambda: not assistant.snapshot.busy, 240, "the second check")
     page.next.click()
     until(lambda: page.writing.text.toPlainText(), 20, "the text")
