@@ -113,7 +113,7 @@ def test_what_is_to_be_corrected_is_said_and_nothing_else() -> None:
     assert set(told) == {"x", "table", "exposure"}
     assert "other way" in told["x"]
     assert "50 %" in told["table"]
-    assert "both cameras for 7.5 ms, the left one at 2 dB, the right one at 4.1 dB" in told["exposure"]
+    assert "both cameras for 7.5 ms (left 2 dB, right 4.1 dB)" in told["exposure"]
     assert corrections_of(load_preset("bench"), only(TURNED, set())) == {}
 
 
