@@ -10,6 +10,7 @@ rotate it, on Windows too.  A folder that cannot be written is said once on stan
 
 from __future__ import annotations
 
+import errno
 import logging
 import os
 import platform
@@ -127,6 +128,10 @@ def versions() -> dict[str, str]:
     return found
 
 
+_FULL = (errno.ENOSPC, errno.EFBIG, getattr(errno, "EDQUOT", errno.ENOSPC))
+"""A full disk: whoever writes what was measured says so, and one sentence is enough."""
+
+
 class LogFile(logging.Handler):
     """Appends to :data:`NAME` in a folder; OSError when nothing can be written there."""
 
@@ -148,8 +153,8 @@ class LogFile(logging.Handler):
             with self._path.open("ab", buffering=0) as file:
                 file.write(line)
         except Exception as fault:  # a full disk, a folder that went away: the program is more important than its log
-            if not self._failed:
-                self._failed = True
+            told, self._failed = self._failed, True
+            if not told and getattr(fault, "errno", None) not in _FULL:
                 with suppress(OSError):
                     print(f"The log could not be written ({fault}). Everything else goes on.", file=sys.stderr)
 

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import errno
 import logging
 import multiprocessing
 import os
@@ -127,3 +128,16 @@ def test_a_log_that_goes_away_meanwhile_is_said_once(tmp_path: Path, capsys: pyt
         LOG.warning("one")
         LOG.warning("two")
     assert capsys.readouterr().err.count("The log could not be written") == 1
+
+
+def test_a_full_disk_is_told_by_what_was_measured_not_by_the_log(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    log = LogFile(tmp_path)
+
+    def full(*_: object, **__: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(Path, "open", full)
+    log.emit(logging.LogRecord("impronta", logging.INFO, __file__, 1, "a line", None, None))
+    assert capsys.readouterr().err == ""
