@@ -1,6 +1,6 @@
 """Pairs of two cameras that run freely, brought to one instant.
 
-A camera without a trigger line exposes when its own clock says so: at the same trigger id the right camera is up to a frame
+A camera without a trigger line exposes when its own clock says so: at the same trigger id the right camera is up to half a period
 later or earlier than the left one, and a spot that moves is then seen in two places.  At 30 mm/s and 8 ms of skew that is a quarter
 of a millimetre along the sweep, and two thirds of it in depth.
 
@@ -12,8 +12,9 @@ changes).  A pair without a neighbour, or whose spot jumps to the next frame bec
 sphere of 11 mm with points 0.7 mm apart the chord costs at most 5 um, where 8 ms of skew cost 140 um of its radius.
 
 Cameras that a line triggers (also when one of them triggers the other) expose together by construction: their stamps, which come
-from two clocks, are not believed to a fraction of a frame.  But their frames are counted into the plan by those stamps, and an edge
-that falls between two slots may be counted into either: a row that is a whole frame apart is put right.  Frames that are made by
+from two clocks, are not believed to a fraction of a frame.  Their frames are counted from one origin
+(:mod:`scanner_core.devices.frame_slots`), so that an edge has one number unless the clocks disagree by more than half a period;
+a row that is a whole frame apart by its stamps is put right.  Frames that are made by
 a command each carry the command's number, and need nothing of all this.
 """
 
