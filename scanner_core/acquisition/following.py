@@ -89,7 +89,7 @@ class PlanFollower:
             if self._control.cancelled.is_set() or (wanted is not None and measured >= wanted):
                 break
             self._rig.motion.aim(row.x_from_deg, row.y_deg)
-            self._rig.motion.sweep(row.x_to_deg, row.y_deg, run.plan.sweep_speed_deg_s)
+            self._rig.motion.sweep(row.x_to_deg, row.y_deg, view.sweep_speed_deg_s or run.plan.sweep_speed_deg_s)
             at_rest = partial(self._rig.motion.wait_idle, _MOVE_DEADLINE_S)
             scan = RowScan(left, right, row, self._rig.clock.now_s(), self._control.cancelled, self._poll, at_rest)
             try:

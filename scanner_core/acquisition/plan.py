@@ -8,7 +8,7 @@ early and a view that has reached its quota of points is thinned evenly instead 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -41,11 +41,15 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class ViewPlan:
-    """One position of the table, its rows in the order of the scan, and the points after which it is complete."""
+    """One position of the table, its rows in the order of the scan, and the points after which it is complete.
+
+    `sweep_speed_deg_s` is that of its rows where it differs from the plan's.
+    """
 
     table_deg: float
     rows: tuple[Row, ...]
     quota: int | None = None
+    sweep_speed_deg_s: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +70,10 @@ class ScanPlan:
         """Number of trigger ids."""
         return sum(row.count for view in self.views for row in view.rows)
 
+    def extended(self, views: tuple[ViewPlan, ...]) -> ScanPlan:
+        """The same plan with more views after its own; their rows count the views and the trigger ids on."""
+        return replace(self, views=self.views + views)
+
     def as_dict(self) -> dict[str, object]:
         """For the case file and JSON."""
         return asdict(self)
@@ -84,6 +92,7 @@ class ScanPlan:
                 float(view["table_deg"]),
                 tuple(Row(*(int(row[k]) for k in _COUNTS), *(float(row[k]) for k in _ANGLES)) for row in view["rows"]),
                 None if view["quota"] is None else int(view["quota"]),
+                None if view.get("sweep_speed_deg_s") is None else float(view["sweep_speed_deg_s"]),
             )
             for view in record["views"]
         )
@@ -104,6 +113,8 @@ class PlanRequest:
     object_radius_mm, object_height_mm : a cylinder on the table that holds the object; None = the rig's whole volume
     smallest_part_mm : a part of this size that stands by itself in the cylinder is not missed by the coarse pass; None = the
         object is one body
+    until_um : scan on where the surface's standard uncertainty is larger, until it is below this everywhere that light can
+        reach or `points` are spent; None = `points` spread evenly
     """
 
     views: int = 16
@@ -111,6 +122,7 @@ class PlanRequest:
     object_radius_mm: float | None = None
     object_height_mm: float | None = None
     smallest_part_mm: float | None = None
+    until_um: float | None = None
 
     def __post_init__(self) -> None:
         if not 1 <= self.views <= 360:
@@ -121,6 +133,8 @@ class PlanRequest:
             value = getattr(self, name)
             if value is not None and not 0.01 <= value <= 10_000:
                 raise UsageError("E-USE-01", what=f"'{name}' is {value}, which makes no plan", do="ask for 0.01 to 10,000 mm")
+        if self.until_um is not None and not 1 <= self.until_um <= 10_000:
+            raise UsageError("E-USE-01", what=f"An uncertainty of {self.until_um} um makes no plan", do="ask for 1 to 10,000 um")
 
 
 def read_plan(path: Path) -> PlanRequest:

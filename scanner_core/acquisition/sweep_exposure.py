@@ -37,7 +37,8 @@ def exposed_for(rig: OpenRig, plan: ScanPlan) -> Iterator[None]:
     DeviceError
         When a camera refuses.
     """
-    longest_ms = longest_exposure_ms(rig.config.laser, plan.sweep_speed_deg_s)
+    fastest = max([plan.sweep_speed_deg_s, *(view.sweep_speed_deg_s or 0.0 for view in plan.views)])
+    longest_ms = longest_exposure_ms(rig.config.laser, fastest)
     with ExitStack() as restoring:
         for camera in (rig.left, rig.right):
             exposure_ms, gain_db = camera.exposure_ms, camera.gain_db

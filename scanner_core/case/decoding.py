@@ -102,6 +102,8 @@ def plan(value: object, kind: str = "") -> dict[str, Any]:
     total = 0
     for number, view in enumerate(views):
         _within(view, "table_deg", -_MOST_PLANNED_TURN_DEG, _MOST_PLANNED_TURN_DEG)
+        if view.get("sweep_speed_deg_s") is not None:
+            _within(view, "sweep_speed_deg_s", 1e-9, _FASTEST_DEG_S)
         if view.get("quota") is not None:
             _whole(view, "quota", -MOST_PLANNED, MOST_PLANNED)
         for row in view["rows"]:

@@ -157,7 +157,6 @@ class ProcessedCase:
             "noise": [asdict(noise) for noise in self.noise],
         }
 
-
     def provenance(self) -> dict[str, object]:
         """Scans, calibration and processing, for the provenance of a mesh of these points."""
         told = self.as_dict()
@@ -260,9 +259,7 @@ def _planned(plan: Mapping[str, Any]) -> int:
     return sum(int(row["count"]) for view in plan["views"] for row in view["rows"])
 
 
-def _rig(
-    store: CaseStore, scan: ScanRecord, calibration_id: str | None, other: StereoCalibration | None
-) -> tuple[RigConfig, StereoCalibration]:
+def _rig(store: CaseStore, scan: ScanRecord, calibration_id: str | None, other: StereoCalibration | None) -> tuple[RigConfig, StereoCalibration]:
     """The rig as it was used, with the calibration that is asked for."""
     rig, used = case_rig(store, scan)
     if calibration_id is None or calibration_id == scan.calibration_id:

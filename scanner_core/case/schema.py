@@ -6,7 +6,9 @@ A case is one SQLite database with ``application_id`` 0x494D5052 ("IMPR") and it
 info                 who wrote the file, and when
 order_entry          the order: number, patient code, side, type, remarks
 calibration          every calibration that was used, whole, by its identity
-scan                 one run of the runner: the rig as it was used, the calibration's identity, the plan, the end
+scan                 one run of the runner: the rig as it was used, the calibration's identity, the plan, the end, and the
+                     mount: how the object stood on the table (0, 1, ...: a person has turned or tilted it in between)
+mount_pose           where the object frame of a mount lies in that of mount 0, with the report of the registration
 view                 a position of the table, and the correction that the registration gave it
 verdict              the words of the verdicts: ``measured``, or the reason of the rejection
 observation          what was measured: one row a trigger id that was exposed, with both 2D centroids, their sizes,
@@ -91,6 +93,14 @@ MIGRATIONS: tuple[str, ...] = (
     INSERT INTO current_value
         SELECT 'order', json_object('number', number, 'patient_code', patient_code, 'side', side, 'type', type, 'remarks', remarks)
         FROM order_entry;
+    """,
+    # ---- version 3
+    """
+    ALTER TABLE scan ADD COLUMN mount INTEGER NOT NULL DEFAULT 0;
+    CREATE TABLE mount_pose (               -- how a mount lies in the frame of mount 0, every time it was found; the newest counts
+        id INTEGER PRIMARY KEY, mount INTEGER NOT NULL, created TEXT NOT NULL,
+        transform_json TEXT,                -- (4, 4), mm, object frame of the mount to that of mount 0; NULL: not accepted
+        report_json TEXT NOT NULL);
     """,
 )
 
