@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +25,7 @@ _OPENING = 0.1
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Specimen:
-    """A specimen in the object frame: it stands on the table, centred on the axis by its bounding box.
+    """A specimen in the object frame: it stands on the table, as it was made centred on the axis by its bounding box.
 
     Attributes
     ----------
@@ -34,6 +34,7 @@ class Specimen:
     albedo : share of the light that it scatters back
     true_radius_mm : of the sphere, else None
     analytic_distance : unsigned distance of points (n, 3) to the true surface where it has a formula, else None
+    pose : how it was put down: from the object frame as it was made to the object frame now
     """
 
     name: str
@@ -41,6 +42,7 @@ class Specimen:
     albedo: float = 1.0
     true_radius_mm: float | None = None
     analytic_distance: Callable[[Array], Array] | None = None
+    pose: RigidTransform = field(default_factory=RigidTransform.identity)
 
     @property
     def radius_mm(self) -> float:
