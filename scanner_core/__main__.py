@@ -129,6 +129,8 @@ def _parser() -> argparse.ArgumentParser:
     scan.add_argument("--out", required=True, metavar="CASE.impronta")
     scan.add_argument("--specimen", default="ear", metavar="NAME or FILE", help=f"virtual rig only: {_SPECIMENS}")
     scan.add_argument("--treated", action="store_true", help="virtual rig only: the arch after treatment")
+    pose = "virtual rig only: how the specimen was put down, turns in degrees about the table's x, then y, then z (--pose=-90,0,20), or random:SEED"
+    scan.add_argument("--pose", metavar="RX,RY,RZ", help=pose)
     scan.add_argument("--resume", action="store_true", help="go on with the interrupted scan of CASE: known points first, then what is missing")
     scan.add_argument("--force", action="store_true", help="overwrite a case that is there")
     _virtual(scan)

@@ -26,7 +26,7 @@ from scanner_core.virtual.fault import Fault
 from scanner_core.virtual.faults import parse_fault
 from scanner_core.virtual.host_faults import CaseLocked
 from scanner_core.virtual.presets import GEOMETRIC_TERMS, PRESETS
-from scanner_core.virtual.specimens import Specimen, check_fits, load_specimen
+from scanner_core.virtual.specimens import Specimen, check_fits, load_specimen, remounted
 
 
 def rig_given(given: argparse.Namespace) -> RigConfig:
@@ -110,6 +110,8 @@ def without_terms(config: RigConfig, terms: Sequence[str]) -> RigConfig:
 def specimen_on_table(given: argparse.Namespace, rig: RigConfig) -> Specimen:
     """The specimen that was asked for; refused when it is larger than what both cameras see."""
     specimen = load_specimen(given.specimen, treated=getattr(given, "treated", False))
+    if (pose := getattr(given, "pose", None)) is not None:
+        specimen = remounted(specimen, pose)
     check_fits(specimen, rig.volume)
     return specimen
 

@@ -16,12 +16,13 @@ from numpy.typing import NDArray
 from vtkmodules.vtkCommonCore import reference
 from vtkmodules.vtkCommonDataModel import vtkGenericCell, vtkStaticCellLocator
 
+from scanner_core.geometry.poly_data import poly_data
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.virtual.bench_faults import ShinyPatch
 from scanner_core.virtual.motion_state import MotionInstant
 from scanner_core.virtual.presets import VirtualPreset
 from scanner_core.virtual.rim_balls import BALL_ALBEDO, RimBalls
-from scanner_core.virtual.specimens.specimen import Specimen, poly_data
+from scanner_core.virtual.specimens.specimen import Specimen
 
 Array = NDArray[np.float64]
 
