@@ -204,6 +204,10 @@ SENTENCES: dict[str, Sentence] = {
         "The {part} of the rig is not the one with which the scan in {path} was begun.",
         "What was measured is kept; use the rig file of that scan to resume it, or keep what is there and scan anew.",
     ),
+    "E-MARK-01": Sentence(
+        "The interrupted scan cannot go on: the marks on the table's rim are seen {shift_um} um beside where they were ({cause}).",
+        "The laser is off and what was measured before is kept; put table and cameras back as they were and resume, or scan anew.",
+    ),
     "E-SCAN-04": Sentence("{path} holds no interrupted scan.", "It was not touched; scan into a new case."),
     # ------------------------------------------------------------------------------------------ findings while scanning
     "H-EPI-01": Sentence(
@@ -237,6 +241,34 @@ SENTENCES: dict[str, Sentence] = {
     "H-TAB-02": Sentence(
         "Whether the table lost steps cannot be judged on this object: {reason}.",
         "Its points may be right; a shape without rotational symmetry would tell.",
+    ),
+    "H-MARK-01": Sentence(
+        "The table lost steps: by the marks on its rim it stands {turn_deg} deg beside its reading, since the view at {table_deg} deg.",
+        "The views from there on are turned; see that the table moves freely, and scan again.",
+    ),
+    "H-MARK-02": Sentence(
+        "A camera moved by about {shift_px} px: since the view at {table_deg} deg the marks on the table's rim are seen {shift_um} um beside.",
+        "The points from there on are off; fix the cameras, calibrate, and scan again.",
+    ),
+    "H-MARK-03": Sentence(
+        "The scale changed by {percent} %: since the view at {table_deg} deg the marks on the table's rim have other distances.",
+        "Lengths from there on are off by as much; let the cameras warm up, calibrate, and scan again.",
+    ),
+    "H-MARK-04": Sentence(
+        "Table and cameras moved: since the view at {table_deg} deg the marks on the table's rim are seen up to {shift_um} um beside.",
+        "The points from there on are off; fix cameras and table, calibrate, and scan again.",
+    ),
+    "H-MARK-05": Sentence(
+        "Mark {number} on the table's rim was not found at {table_deg} deg, where nothing should hide it.",
+        "The points are kept and the other marks go on watching; see whether it is covered or was knocked off.",
+    ),
+    "H-MARK-06": Sentence(
+        "The scale is off by {percent} % against the calibrated distances of the marks on the table's rim.",
+        "All lengths are off by as much; calibrate, or check 'distances_mm' in the table [marks] of the rig file.",
+    ),
+    "H-MARK-07": Sentence(
+        "Mark {number} on the table's rim was moved by {shift_um} um before the view at {table_deg} deg.",
+        "The points are kept and the other marks go on watching; fix it, and see that nothing touches it.",
     ),
     "H-CAM-01": Sentence(
         "Camera {camera} did not deliver {count} of {exposures} frames ({share} % of the last ones).",

@@ -34,6 +34,7 @@ from scanner_core.acquisition.following import Pass, PlanFollower
 from scanner_core.acquisition.handover import LatestSlot, PointLog, Preview
 from scanner_core.acquisition.health import HealthMonitor, Phase
 from scanner_core.acquisition.known_points import KnownPoints, agreement, check_plan
+from scanner_core.acquisition.mark_visitor import MarkVisitor
 from scanner_core.acquisition.plan import PlanRequest, ScanPlan
 from scanner_core.acquisition.planning import closing_plan, locating_plan, scan_plan, table_angles_deg
 from scanner_core.acquisition.resuming import expect_same_rig, resumption
@@ -105,6 +106,9 @@ class ScanRunner:
         self._health = HealthMonitor(rig.calibration, rig.left.rate_hz)
         engine = StereoEngine(rig.calibration, rig.config.volume, rig.config.spot.floor_px)
         self._follower = PlanFollower(rig, engine, store, self._health, self._control)
+        marks = rig.config.marks
+        self._marks = None if marks is None else MarkVisitor(rig, marks, rig.calibration, store, self._control)
+        self._follower.marks = self._marks
         self._ended = threading.Event()
         self._thread = threading.Thread(target=self._run, name="scan")
 
@@ -304,6 +308,8 @@ class ScanRunner:
     def _finish_plan(self, run: Pass, plan: ScanPlan, left: CaptureThread, right: CaptureThread) -> None:
         """Follow `run`, the whole of `plan` or the rest of it, and close the turn."""
         self._control.enter(ScanState.SCANNING)
+        if self._marks is not None:
+            self._marks.begin(run.scan_id, self.live_cloud)
         self._follower.follow(run, left, right)
         if not self._tally.measured and not self._control.cancelled.is_set():
             raise _nothing_seen(self._tally.counts())
