@@ -5,10 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.coverage.placing import places_of
+from scanner_core.acquisition.engine import TABLE_MM
+from scanner_core.coverage.exposures import Exposures
+from scanner_core.coverage.placing import places_of, vertex_areas
 from scanner_core.coverage.reach import reach
 from scanner_core.coverage.reason import REASONS, Reason
-from scanner_core.coverage.rejections import Rejections
+from scanner_core.coverage.rejections import corrected_by
 from scanner_core.coverage.report import CoverageReport
 from scanner_core.coverage.sightlines import Sightlines
 from scanner_core.devices.rig import RigConfig
@@ -27,7 +29,7 @@ def cover(
     rig: RigConfig,
     calibration: StereoCalibration,
     wanted_um: float,
-    observed: Rejections | None = None,
+    observed: Exposures | None = None,
     *,
     cancelled: IsCancelled = lambda: False,
 ) -> CoverageReport:
@@ -36,7 +38,7 @@ def cover(
     Parameters
     ----------
     surface : object frame, mm, with the vertex attributes ``standard_uncertainty_um`` and ``supported``
-    observed : what the scan was aimed at and did not get; without it nothing is called too dark or saturated
+    observed : what the scan was aimed at, and what became of it; without it nothing is called too dark or saturated
 
     Raises
     ------
@@ -49,9 +51,12 @@ def cover(
     lines = Sightlines(rig, calibration, surface)
     others = np.flatnonzero(~within)
     if len(others):
-        reasons[others] = hindrances(lines.of(others), cancelled)
+        hindered = hindrances(lines.of(others), cancelled)
+        # What has points can have more: the sight lines are cast from the surface as it is known, and that is not exact.
+        hindered[supported[others] & (surface.vertices[others, 2] >= TABLE_MM)] = _FEW
+        reasons[others] = hindered
     if observed is not None:
-        reasons = observed.corrected(reasons, supported)
+        reasons = corrected_by(observed, reasons, surface, lines, rig.laser)
     area = vertex_areas(surface)
     reachable = np.isin(reasons, [k for k, reason in enumerate(REASONS) if reason.reachable])
     return CoverageReport(
@@ -66,11 +71,6 @@ def cover(
 def hindrances(lines: Sightlines, cancelled: IsCancelled = lambda: False) -> Reasons:
     """Index into :data:`REASONS` for places: ``FEW_POINTS`` where beam and cameras get there at some angle, else what hinders them, (v,)."""
     return reach(lines, cancelled=cancelled).reasons(lines)
-
-
-def vertex_areas(surface: TriangleMesh) -> Array:
-    """A third of the triangles round each vertex, (v,) mm^2."""
-    return np.asarray(np.bincount(surface.triangles.ravel(), np.repeat(surface.areas() / 3, 3), len(surface.vertices)), np.float64)
 
 
 def _share(area: Array, part: NDArray[np.bool_], whole: NDArray[np.bool_]) -> float:

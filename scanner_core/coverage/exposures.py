@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.acquisition.aiming import beam_angles
-from scanner_core.case.processing import case_cloud
+from scanner_core.acquisition.plan import ScanPlan
 from scanner_core.case.records import ScanRecord
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import LaserConfig
-from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.geometry.point_cloud import PointCloud
 
 Array = NDArray[np.float64]
 
@@ -32,36 +32,44 @@ class Exposures:
     beam_deg: Array
     verdict: NDArray[np.object_]
 
+    @classmethod
+    def aimed_at(cls, places: Array, table_deg: Array, verdict: NDArray[np.object_], laser: LaserConfig) -> Exposures:
+        """Of a beam that points at places (n, 3) mm, object frame."""
+        return cls(table_deg, beam_angles(laser, _on_table(places, table_deg)), verdict)
 
-def exposures_of(store: CaseStore, scan: ScanRecord, laser: LaserConfig) -> Exposures:
-    """All exposures of a scan of a case.
+
+def exposures_of(store: CaseStore, scan: ScanRecord, cloud: PointCloud, laser: LaserConfig) -> Exposures:
+    """All exposures of a scan of a case, of which `cloud` (object frame) holds the points.
 
     The plan says where the beam was told to point.  By how much the rig file's nominal geometry is wrong there shows in the points
     that were measured: the median difference is taken off.
     """
     trigger_ids, table_deg, verdict = store.exposures(scan.id)
-    told = _told(scan, trigger_ids)
+    told = _told(ScanPlan.from_dict(scan.plan), trigger_ids)
     known = np.isfinite(told[:, 0])
     trigger_ids, table_deg, verdict, told = trigger_ids[known], table_deg[known], verdict[known], told[known]
-    cloud = case_cloud(store)
-    assert cloud.trigger_ids is not None
+    if cloud.trigger_ids is None:
+        raise ValueError("the points of a scan have trigger ids")
     row = np.searchsorted(trigger_ids, cloud.trigger_ids)
-    ours = (row < len(trigger_ids)) & (trigger_ids[np.minimum(row, len(trigger_ids) - 1)] == cloud.trigger_ids)
+    ours = np.isin(cloud.trigger_ids, trigger_ids)
     if ours.any():
-        in_table = np.empty((int(ours.sum()), 3))
-        angles = table_deg[row[ours]]
-        for angle in np.unique(angles):
-            here = angles == angle
-            in_table[here] = RigidTransform.about_z(float(angle)).apply(cloud.points[ours][here])
-        told = told + np.median(beam_angles(laser, in_table) - told[row[ours]], axis=0)
+        seen_from = beam_angles(laser, _on_table(cloud.points[ours], table_deg[row[ours]]))
+        told = told + np.median(seen_from - told[row[ours]], axis=0)
     return Exposures(table_deg, told, verdict)
 
 
-def _told(scan: ScanRecord, trigger_ids: NDArray[np.int64]) -> Array:
+def _on_table(points: Array, table_deg: Array) -> Array:
+    """Points (n, 3) mm of the object frame in the table frame, each at its own angle (n,)."""
+    turn = np.radians(table_deg)
+    x, y, z = points.T
+    return np.stack([np.cos(turn) * x - np.sin(turn) * y, np.sin(turn) * x + np.cos(turn) * y, z], axis=1)
+
+
+def _told(plan: ScanPlan, trigger_ids: NDArray[np.int64]) -> Array:
     """Pan and tilt (n, 2) of the plan, NaN for ids that it does not hold."""
     told = np.full((len(trigger_ids), 2), np.nan)
-    views: list[dict[str, object]] = scan.plan["views"]  # type: ignore[assignment]
-    for view in views:
-        for row in view["rows"]:
-            pass
+    for row in (row for view in plan.views for row in view.rows):
+        first, end = np.searchsorted(trigger_ids, [row.first_id, row.first_id + row.count])
+        along = (trigger_ids[first:end] - row.first_id) / max(row.count - 1, 1)
+        told[first:end, 0], told[first:end, 1] = row.x_from_deg + along * (row.x_to_deg - row.x_from_deg), row.y_deg
     return told

@@ -52,7 +52,8 @@ class CoveragePlace:
         where = _WHERE[self.side].format(area_mm2=self.area_mm2, height_mm=self.centroid_mm[2], table_deg=self.table_deg)
         help_text = _HELP[self.reason]
         if self.tilt_deg is not None:
-            help_text = ("turn the object over, or tilt it by" if self.tilt_deg > _OVER_DEG else "tilt the object by") + f" about {self.tilt_deg:.0f} deg"
+            turn = "turn the object over, or tilt it" if self.tilt_deg > _OVER_DEG else "tilt the object"
+            help_text = f"{turn} by about {self.tilt_deg:.0f} deg"
         worst = f" (up to {self.worst_um:.0f} um)" if self.reason is Reason.FEW_POINTS and self.worst_um is not None else ""
         return f"{where}: {_WHY[self.reason]}{worst}; {help_text}."
 

@@ -36,7 +36,7 @@ def places_of(surface: TriangleMesh, reasons: NDArray[np.uint8], least_cosine: f
     least_cosine : flatter than this no direction sees a place
     """
     table = EdgeTable.of(surface.triangles)
-    area = np.bincount(surface.triangles.ravel(), np.repeat(surface.areas() / 3, 3), len(surface.vertices))
+    area = vertex_areas(surface)
     merged = _without_crumbs(table.edges, reasons, area, least_mm2)
     open_ = merged != REASONS.index(Reason.WITHIN)
     part = _parts(table.edges, merged)
@@ -67,6 +67,11 @@ def places_of(surface: TriangleMesh, reasons: NDArray[np.uint8], least_cosine: f
             )
         )
     return tuple(sorted(places, key=lambda place: -place.area_mm2))
+
+
+def vertex_areas(surface: TriangleMesh) -> Array:
+    """A third of the triangles round each vertex, (v,) mm^2."""
+    return np.asarray(np.bincount(surface.triangles.ravel(), np.repeat(surface.areas() / 3, 3), len(surface.vertices)), np.float64)
 
 
 def _parts(edges: Numbers, reasons: NDArray[np.uint8]) -> Numbers:

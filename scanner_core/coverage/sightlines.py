@@ -94,6 +94,10 @@ class Sightlines:
         sd_um[measurable] = self._sd_um([px[measurable] for px in pixels], cosines[measurable], self.normals[measurable], to_object)
         return Sight(table_deg, beam_deg, free[:, 0], free[:, 1], free[:, 2], cosines, in_view, sd_um)
 
+    def first_hits(self, starts: Array, ends: Array) -> tuple[Array, NDArray[np.int64]]:
+        """Where segments (n, 3) mm, object frame, first meet the surface, (n, 3), and its triangle there, (n,), -1 for none."""
+        return self._caster.first_hits(starts, ends)
+
     def _in_view(self, beam_deg: Array, in_rig: Array, pixels: list[Array]) -> Mask:
         limits, volume = self._rig.limits, self._rig.volume
         inside = (np.hypot(self.places[:, 0], self.places[:, 1]) <= volume.radius_mm) & (self.places[:, 2] <= volume.height_mm)
@@ -120,7 +124,7 @@ class Sightlines:
         """Standard deviation (n,) um along the normals (n, 3, object frame) of points with these centroids, (n, 2) each."""
         dim = [pixel_noise_px(self._rig.spot, _FACING_PEAK_DN * cosines[:, k])[:, None] * np.ones(2) for k in (1, 2)]
         sigmas = self._noise.centroid_sigmas(self._calibration, CentroidNoise(*dim))
-        covariances = to_object.rotate_covariances(self._triangulator.triangulate(*pixels, *sigmas).covariances)
+        covariances = to_object.rotate_covariances(self._triangulator.triangulate(pixels[0], pixels[1], *sigmas).covariances)
         variance = np.einsum("ni,nij,nj->n", normals, covariances, normals) + (1e-3 * self._noise.surface_um) ** 2
         return np.asarray(1e3 * np.sqrt(variance), np.float64)
 
