@@ -24,6 +24,8 @@ MIN_POINTS = 10
 """Fewer do not tell a ball from an edge of something else."""
 _TUKEY = 4.685
 _ROUNDS = 30
+_FROM_AFAR = 8
+"""Rounds that reject nothing: until the sphere is near, every point is beside it."""
 _LEAST_SCATTER_MM = 5e-3
 _MOST_SCATTER_MM = 0.2
 """Of the points about the sphere: what scatters more is something else."""
@@ -96,23 +98,24 @@ def _centre(marks: MarksConfig, number: int, points: Array, covariances: Array, 
     middle = np.median(points, axis=0)
     centre = middle - radius * (towards - middle) / np.linalg.norm(towards - middle)
     information, scatter, on_ball = np.eye(3), np.inf, np.zeros(len(points), bool)
-    for _ in range(_ROUNDS):
+    for turn in range(_ROUNDS):
         away = points - centre
         distance = np.linalg.norm(away, axis=1)
         normals = away / np.maximum(distance, 1e-9)[:, None]
         sigma = np.sqrt(np.einsum("ni,nij,nj->n", normals, covariances, normals))
         residual = distance - radius
         ratio = residual / sigma
-        spread = max(1.4826 * float(np.median(np.abs(ratio - np.median(ratio)))), _LEAST_SCATTER_MM / float(np.median(sigma)))
-        u = (ratio - (np.median(ratio) if np.isinf(scatter) else 0.0)) / (_TUKEY * spread)
-        weight = np.where(np.abs(u) < 1, (1 - u * u) ** 2, 0.0) / (spread * sigma) ** 2
+        spread = max(1.4826 * float(np.median(np.abs(ratio))), _LEAST_SCATTER_MM / float(np.median(sigma)))
+        u = np.abs(ratio) / (_TUKEY * spread)
+        robust = 1.0 / np.maximum(1.0, np.abs(ratio) / spread) if turn < _FROM_AFAR else np.where(u < 1, (1 - u * u) ** 2, 0.0)
+        weight = robust / (spread * sigma) ** 2
         information = (normals * weight[:, None]).T @ normals
         if np.linalg.eigvalsh(information)[0] < 1e-2:  # nothing holds it in some direction
             return None
         step = np.linalg.solve(information, (normals * weight[:, None]).T @ residual)
         centre = centre + step
-        on_ball, scatter = np.abs(u) < 1, spread * float(np.median(sigma))
-        if float(np.abs(step).max()) < 1e-5:
+        on_ball, scatter = u < 1, spread * float(np.median(sigma))
+        if turn > _FROM_AFAR and float(np.abs(step).max()) < 1e-5:
             break
     if np.count_nonzero(on_ball) < MIN_POINTS or scatter > _MOST_SCATTER_MM:
         return None

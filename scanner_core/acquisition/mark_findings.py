@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-
-import numpy as np
+from math import hypot
 
 from scanner_core.acquisition.finding import Finding
 from scanner_core.acquisition.mark_causes import BALLS, Cause
@@ -38,7 +37,7 @@ def step_finding(step: MarkStep) -> Finding:
         case Cause.TABLE:
             return told("H-MARK-01", {"turn_deg": f"{step.amounts[0]:.3f}"}, step.amounts[0], "deg")
         case Cause.LEFT | Cause.RIGHT:
-            shift_px = float(np.hypot(*step.amounts))
+            shift_px = hypot(*step.amounts)
             return told("H-MARK-02", {"shift_um": f"{step.shift_um:.0f}", "shift_px": f"{shift_px:.2f}"}, shift_px, "px")
         case Cause.SCALE:
             percent = 100 * step.amounts[0]

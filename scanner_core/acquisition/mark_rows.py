@@ -22,6 +22,9 @@ Array = NDArray[np.float64]
 
 _BORDER_PX = 8.0
 _MARGIN_MM = 1.0
+_ROWS, _LEAST_ROWS = 12, 4
+_MIDDLE = 0.65
+"""Of the radius: how far rows go from the middle, to all sides."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,10 +36,14 @@ class Pattern:
     step_mm: float
 
 
-def visiting(ball_radius_mm: float, spot_mm: float) -> Pattern:
-    """For a ball whose place is known: steps of a spot's diameter, so that every point has a speckle of its own."""
-    heights = tuple(ball_radius_mm * part for part in (-0.6, -0.2, 0.2, 0.6))
-    return Pattern(heights, 0.65 * ball_radius_mm, max(spot_mm, ball_radius_mm / 9))
+def visiting(ball_radius_mm: float, spot_mm: float, balls: int) -> Pattern:
+    """For `balls` whose places are known: a dozen rows for all of them, so that one that is seen alone tells as much as three.
+
+    Steps of a spot's diameter: every point has a speckle of its own.
+    """
+    rows = max(_LEAST_ROWS, _ROWS // max(balls, 1))
+    heights = tuple((ball_radius_mm * np.linspace(-_MIDDLE, _MIDDLE, rows)).tolist())
+    return Pattern(heights, _MIDDLE * ball_radius_mm, max(spot_mm, ball_radius_mm / 9))
 
 
 def searching(ball_radius_mm: float) -> Pattern:

@@ -6,7 +6,7 @@ its points and its trigger ids know nothing of it.
 
 from __future__ import annotations
 
-import logging
+import json
 from collections.abc import Callable, Sequence
 from functools import partial
 
@@ -18,10 +18,12 @@ from scanner_core.acquisition.capture import CaptureThread
 from scanner_core.acquisition.control import ScanControl
 from scanner_core.acquisition.engine import StereoEngine
 from scanner_core.acquisition.handover import PointLog
+from scanner_core.acquisition.mark_causes import Cause
 from scanner_core.acquisition.mark_centres import MarkCentre, mark_centres, mark_points, nearest_mark
+from scanner_core.acquisition.mark_findings import step_finding
 from scanner_core.acquisition.mark_rows import Pattern, beam_of, mark_rows, searching, seen_marks, visiting
-from scanner_core.acquisition.mark_visits import KIND, During, VisitPlan, recalled
-from scanner_core.acquisition.mark_watch import MarkStep, MarkWatch
+from scanner_core.acquisition.mark_visits import KIND, During, MarksReport, VisitPlan, recalled
+from scanner_core.acquisition.mark_watch import MarkWatch
 from scanner_core.acquisition.plan import Row, ScanPlan, ViewPlan
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.acquisition.row_scan import RowScan
@@ -31,17 +33,23 @@ from scanner_core.acquisition.sweep_exposure import exposed_for
 from scanner_core.case.observation import StereoObservation
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.marks_config import MarksConfig
-from scanner_core.devices.rig import RigConfig, VolumeConfig, dump_rig
+from scanner_core.devices.rig import VolumeConfig, dump_rig, parse_rig
+from scanner_core.errors import AcquisitionError
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.calibration import StereoCalibration
 
 Array = NDArray[np.float64]
 
-_log = logging.getLogger("impronta")
 _MOVE_DEADLINE_S = 30.0
 _ON_BALL = 1.3
 """Places for the correction of the aim lie within so many radii of a ball's centre."""
 _LATEST = 1500
+_WORDS: dict[Cause | None, str] = {
+    Cause.TABLE: "as if the table had turned beside its reading",
+    Cause.LEFT: "as if a camera had moved",
+    Cause.RIGHT: "as if a camera had moved",
+    Cause.SCALE: "as if the scale had changed",
+}
 _TALLER, _WIDER_MM = 1.05, 3.0
 """The object is a little larger than what a coarse pass has hit of it."""
 
@@ -67,7 +75,7 @@ class MarkVisitor:
 
     # ------------------------------------------------------------------------------------------ the runner
     def begin(self, scan_id: int, cloud: PointLog, during: During = "scan") -> None:
-        """From now on :meth:`visit` is for a pass of this scan; `cloud` shows how large the object is."""
+        """From now on :meth:`visit` is for this scan; `cloud` shows how large the object is."""
         self._scan_id, self._during = scan_id, during
         points, _ = cloud.since(0)
         if len(points):
@@ -76,30 +84,34 @@ class MarkVisitor:
             volume = self._rig.config.volume
             self._obstacle = VolumeConfig(min(radius_mm, volume.radius_mm), min(height_mm, volume.height_mm))
 
-    def end(self) -> None:
-        """From now on :meth:`visit` does nothing."""
-        self._scan_id = None
+    def begin_check(self, scan_id: int) -> None:
+        """From now on :meth:`visit` compares with the visits of an interrupted scan; a scan that made none is not compared."""
+        rig = parse_rig(self._store.rig_toml(scan_id), str(self._store.path))
+        before = recalled(self._store, scan_id, rig, self._calibration) if rig.marks == self._marks else None
+        if before is not None and before.visits:
+            self.watch = before
+            self.begin(scan_id, PointLog(), "check")
 
-    def recall(self, scan_id: int, rig: RigConfig) -> bool:
-        """Go on from the visits of an interrupted scan, with the rig of then; False when it made none."""
-        before = recalled(self._store, scan_id, rig, self._calibration)
-        if before is None or not before.visits:
-            return False
-        self.watch = before
-        return True
+    def report(self) -> MarksReport | None:
+        """The check value of the scan; None when no mark was seen."""
+        return MarksReport.of(self.watch, self._marks.distances_mm is not None) if self.watch.visits else None
 
     # ------------------------------------------------------------------------------------------ the follower
     def visit(self, view: int, table_deg: float, left: CaptureThread, right: CaptureThread, poll: Callable[[], None]) -> bool:
-        """Look at every mark that the table's position shows; True when the watch has something new to tell."""
+        """Look at every mark that the table's position shows; True when the watch has something new to tell.
+
+        Raises
+        ------
+        AcquisitionError
+            E-MARK-01: before an interrupted scan goes on they do not lie where they were.
+        """
         seen = self._look(view, table_deg, left, right, poll)
         if seen is None or self._control.cancelled.is_set():
             return False
+        if self._during == "check":
+            self._compare(table_deg, seen[1])
+            return False
         return self.watch.add_visit(view, table_deg, *seen)
-
-    def compare(self, view: int, table_deg: float, left: CaptureThread, right: CaptureThread, poll: Callable[[], None]) -> MarkStep | None:
-        """The step that the marks show against the visits so far; None when they lie where they were, or none is seen."""
-        seen = self._look(view, table_deg, left, right, poll)
-        return None if seen is None else self.watch.compare(table_deg, seen[1])
 
     # ------------------------------------------------------------------------------------------ inner
     def _look(
@@ -117,7 +129,7 @@ class MarkVisitor:
             sweep = partial(self._visit, view=view, table_deg=table_deg, left=left, right=right, poll=poll)
             if not len(self._lit[0]):
                 places = self._found(places, sweep(wanted, places, searching(radius), "search"), table_deg)
-            once = visiting(radius, self._rig.config.laser.spot_diameter_mm)
+            once = visiting(radius, self._rig.config.laser.spot_diameter_mm, len(wanted))
             centres = sweep(wanted, places, once, self._during)
             if not centres and not self._control.cancelled.is_set():  # all of them elsewhere: it may be the table, by more than a ball
                 places = self._found(places, sweep(wanted, places, searching(radius), "search"), table_deg)
@@ -125,6 +137,16 @@ class MarkVisitor:
             return wanted, centres
         finally:
             self.rig_s += self._rig.clock.now_s() - begin_s
+
+    def _compare(self, table_deg: float, centres: Sequence[MarkCentre]) -> None:
+        step = self.watch.compare(table_deg, centres)
+        seen = ", ".join(str(centre.number + 1) for centre in centres)
+        if step is None:
+            self._store.audit("marks visited again", f"table at {table_deg:.1f} deg: marks {seen or 'none'} seen, where they were")
+            return
+        finding = step_finding(step)
+        self._store.audit("marks visited again", json.dumps(finding.as_dict()))
+        raise AcquisitionError("E-MARK-01", shift_um=f"{step.shift_um:.0f}", cause=_WORDS.get(step.cause, "as if table, cameras or marks had moved"))
 
     def _found(self, places: Array, centres: Sequence[MarkCentre], table_deg: float) -> Array:
         """Places (3, 3) mm, table frame, with those of the balls that a search has found."""

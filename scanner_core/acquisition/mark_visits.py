@@ -1,7 +1,7 @@
 """The visits to the marks that a case holds, and what they say: all of it is computed again from the centroids.
 
 A visit is a scan record of the kind ``marks``: its plan holds the rows over the balls at one position of the table, and beside
-them which scan it belongs to, for which of its passes it was made, and which balls were to be seen.
+them which scan it belongs to, what it was for, and which balls were to be seen.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from scanner_core.optics.calibration import StereoCalibration
 
 KIND = "marks"
 """Of the scan records."""
-During = Literal["search", "scan", "closure", "check"]
-"""Passes for which marks are visited; a ``search`` only finds them."""
+During = Literal["search", "scan", "check"]
+"""What a visit is for: a ``search`` only finds the marks, a ``check`` compares them before an interrupted scan goes on."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +30,7 @@ class VisitPlan:
     Attributes
     ----------
     scan_id : of the scan for which it was made
-    during : its pass
+    during : what it was for
     view : of that scan
     wanted : numbers of the balls that were to be seen, from 0
     """
@@ -114,7 +114,7 @@ def recalled(store: CaseStore, scan_id: int, rig: RigConfig, calibration: Stereo
     watch: MarkWatch | None = None
     for record in store.scans():
         visit = VisitPlan.of(record)
-        if visit is None or visit.scan_id != scan_id or visit.during not in ("scan", "closure"):
+        if visit is None or visit.scan_id != scan_id or visit.during != "scan":
             continue
         table = store.observations(record.id)
         watch = watch or MarkWatch(rig.marks, calibration)

@@ -13,7 +13,7 @@ back, so that one cause is named once.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,7 +55,7 @@ class MarkStep:
     cause : what explains it best, None when that is not decided
     amounts : the unknowns of the likeliest cause, see :class:`~scanner_core.acquisition.mark_causes.Cause`
     likeliest : that cause
-    shift_um : of the marks as they are seen, rms over those of the first visit
+    shift_um : the largest of the marks as they were seen at the first visit
     worth : chi-square that the cause explains, less the price of its unknowns
     """
 
@@ -88,6 +88,7 @@ class MarkWatch:
         self._references: dict[int, _Reference] = {}
         self._settled: list[Explanation] = []
         self._since: list[Beside] = []
+        self._latest: Explanation | None = None
         self._seen: list[tuple[int, Array]] = []
         self._unseen = [0] * len(BALLS)
         self.steps: list[MarkStep] = []
@@ -184,10 +185,7 @@ class MarkWatch:
 
     def _moves(self) -> list[Explanation]:
         """What brings marks from where they were first seen to where they are now."""
-        return [*self._settled, self._latest()] if self._since else self._settled
-
-    def _latest(self) -> Explanation:
-        return self._causes.all_explained(self._since[:_WEIGHING])[0]
+        return self._settled if self._latest is None else [*self._settled, self._latest]
 
     def _miss(self, view: int, table_deg: float, wanted: Sequence[int], seen: set[int]) -> bool:
         changed = False
@@ -205,15 +203,18 @@ class MarkWatch:
                 self._settled = self._moves()
                 self._systematic_mm = float(np.hypot(self._systematic_mm, _BROUGHT_BACK * 1e-3 * self.steps[-1].shift_um))
             self._since = [self._beside(table_deg, known, self._settled)]
+            self._latest = self._causes.all_explained(self._since)[0]
             self.steps.append(step)
             return True
         if not self._since:
             return False
+        if len(self._since) == _WEIGHING:
+            return False
         before = self.steps[-1]
         self._since.append(self._beside(table_deg, known, self._settled))
-        named = self._named(before.view, before.table_deg, self._since[:_WEIGHING])
-        self.steps[-1] = replace(named, worth=max(named.worth, before.worth))
-        return self.steps[-1].cause is not before.cause or len(self._since) <= _WEIGHING
+        self._latest = self._causes.all_explained(self._since)[0]
+        self.steps[-1] = self._named(before.view, before.table_deg, self._since)
+        return True
 
     def _step(self, view: int, table_deg: float, beside: Beside) -> MarkStep | None:
         named = self._named(view, table_deg, [beside])
@@ -236,7 +237,8 @@ class MarkWatch:
             expected = expected + self._causes.displacement(move.cause, move.amounts, expected, numbers)
         seen = turn.apply(np.stack([centre.centre for centre in centres]))
         covariances = np.stack([centre.covariance + self._references[centre.number].covariance for centre in centres])
-        return Beside(numbers, expected, seen - expected, turn.rotate_covariances(covariances) + self._systematic_mm**2 * np.eye(3))
+        information = np.linalg.inv(turn.rotate_covariances(covariances) + self._systematic_mm**2 * np.eye(3))
+        return Beside(numbers, expected, seen - expected, np.asarray(information, np.float64), self._causes.camera_slopes(expected))
 
     def _refer(self, centre: MarkCentre, table_deg: float) -> None:
         """The first visits make up where a ball is; after a step it is brought back to where it would have been seen before."""
@@ -248,7 +250,7 @@ class MarkWatch:
             turn = RigidTransform.about_z(table_deg)
             at, numbers = turn.apply(place[None]), np.array([centre.number])
             for move in reversed(self._moves()):
-                at = at - self._causes.displacement(move.cause, move.amounts, at, numbers)
+                at = at + self._causes.displacement(move.cause, -move.amounts, at, numbers)
             place = turn.inverse().apply(at)[0]
         if before is None:
             self._references[centre.number] = _Reference(place, centre.covariance, 1)

@@ -221,6 +221,7 @@ class ScanRunner:
             health=self._health.report(),
             resumed=self._resumed,
             error=error,
+            marks=None if self._marks is None else self._marks.report(),
         )
         with self._lock:
             self.result = result
@@ -275,6 +276,8 @@ class ScanRunner:
         plan, wanted = interruption.plan, self._request.points
         self._tally = Tally(plan.planned, wanted, self._rig.clock.now_s(), rest.verdicts)
         self._health.recall(plan, known, rest.remaining.complete)
+        if self._marks is not None:
+            self._marks.begin_check(interruption.record.id)
         self._find_again(plan, known, left, right)
         if self._control.cancelled.is_set():
             return True

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from scanner_core.acquisition.health import HealthReport
+from scanner_core.acquisition.mark_visits import MarksReport
 from scanner_core.acquisition.status import FinishReason, ScanCounts
 from scanner_core.acquisition.views import RegisteredViews
 from scanner_core.errors import ImprontaError
@@ -22,6 +23,7 @@ class ScanResult:
     resumed : points that were there before; None when nothing was resumed
     views : the registered cloud and its residuals, None when there was nothing to register
     health : what was noticed on the way
+    marks : what the marks on the table's rim say, None without them
     """
 
     finish_reason: FinishReason
@@ -36,3 +38,4 @@ class ScanResult:
     health: HealthReport
     resumed: int | None
     error: ImprontaError | None
+    marks: MarksReport | None = None

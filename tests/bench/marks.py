@@ -82,6 +82,8 @@ def turn(specimen: str, views: int, seed: int, fault: BenchFault | None = None, 
         for view in range(views + 1):
             if fault is not None and view == at_view:
                 rig.inject(fault)
+                assert rig.bench is not None
+                rig.bench.timeline.instant(rig.clock.now_s())  # a table that is to slip has to be seen at rest before
             rig.motion.rotate_to(360.0 * view / views)
             visitor.visit(view % views, rig.motion.status().table_deg, left, right, lambda: None)
             known = {key for _, _, key in ((v, f, f.code) for v, f in told)}
@@ -127,7 +129,8 @@ def clean(specimens: Sequence[str], views: int, seeds: Sequence[int]) -> None:
             f" {np.mean([one.claimed_um for one in turns]):.1f} um claimed\n"
             f"  marks_um {np.mean([one.report.marks_um or 0.0 for one in turns]):.1f}, scale {np.mean([one.scale_ppm[0] for one in turns]):+.0f}"
             f" +- {np.mean([one.scale_ppm[1] for one in turns]):.0f} ppm\n"
-            f"  a visit: {regular:.0f} exposures; once {turns[0].searched} to find them; {turns[0].rig_s / turns[0].visits:.2f} s of the rig a view, all in all",
+            f"  a visit: {regular:.0f} exposures; once {turns[0].searched} to find them;"
+            f" {turns[0].rig_s / turns[0].visits:.2f} s of the rig a view, all in all",
             flush=True,
         )
     print(f"false findings: {false} in {visits} visits")
