@@ -6,6 +6,7 @@ import json
 from collections import Counter
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -81,8 +82,9 @@ def test_marks_are_visited_and_everything_of_them_can_be_computed_again(case: Pa
         during = Counter(visit.during for record in store.scans() if (visit := VisitPlan.of(record)) is not None)
         assert during == {"search": 2, "scan": VIEWS + 2, "check": 1}
         for record in store.scans():
-            if record.kind == KIND and record.counts is not None:
-                assert record.counts["planned"] == record.counts["measured"] + sum(record.counts["rejected"].values()) + record.counts["skipped"]
+            counts: Any = record.counts
+            if record.kind == KIND and counts is not None:
+                assert counts["planned"] == counts["measured"] + sum(counts["rejected"].values()) + counts["skipped"]
         assert "where they were" in next(line.detail for line in store.audit_trail() if line.event == "marks visited again")
         assert len(case_cloud(store).points) == POINTS
         wide = process_case(store, Processing(gates=Gates(volume_radius_mm=140.0))).cloud.points
