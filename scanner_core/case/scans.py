@@ -145,6 +145,15 @@ class ScanTables(CaseDatabase):
         with damaged(self.path, "list of trigger ids"):
             return decoding.trigger_ids(rows)
 
+    def exposures(self, scan_id: int) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.object_]]:
+        """Trigger ids, ascending, table angles and verdicts of all exposures of a scan, (n,) each."""
+        query = "SELECT trigger_id, table_deg, name FROM observation JOIN verdict ON verdict.id = verdict WHERE scan_id = ? ORDER BY trigger_id"
+        rows = self._rows(query, (scan_id,))
+        with damaged(self.path, "list of observations"):
+            ids = decoding.trigger_ids([(number,) for number, _, _ in rows])
+            table_deg = decoding.table_angles([angle for _, angle, _ in rows])
+            return ids, table_deg, np.array([text(name) for _, _, name in rows], np.object_)
+
     def observations(self, scan_id: int) -> ObservationTable:
         """The measured observations of a scan in the order of their trigger ids."""
         rows = self._rows(
