@@ -105,7 +105,6 @@ class ErrorDriven:
             passes=tuple(self._passes),
             end=self._end,
             coverage=None if found is None else found.coverage,
-            remount=None if found is None else found.next.remount,
             refused=self._refused,
             computing_s=self._computing_s,
         )
@@ -189,6 +188,8 @@ class ErrorDriven:
         begin_s = time.monotonic()
         request = AssessmentRequest(
             table=self._store.observations(whole.scan_id),
+            plan=whole.plan,
+            exposed=self._store.exposures(whole.scan_id),
             rig=self._rig.config,
             calibration=self._calibration,
             rate_hz=self._rig.left.rate_hz,

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from scanner_core.errors import ImprontaError
 
 if TYPE_CHECKING:  # plans and their passes are known without what computes them
-    from scanner_core.acquisition.remount import RemountAdvice
     from scanner_core.coverage.report import CoverageReport
 
 PassKind = Literal["coarse", "steered", "uniform"]
@@ -111,7 +110,7 @@ class SteeringResult:
     Attributes
     ----------
     end : why there were no more passes; None when the scan was ended before
-    coverage, remount : of the last surface; None when none could be made
+    coverage : of the last surface; None when none could be made
     refused : why the points could not be steered
     computing_s : wall time for which the rig rested
     """
@@ -120,7 +119,6 @@ class SteeringResult:
     passes: tuple[ScanPass, ...]
     end: PassesEnd | None
     coverage: CoverageReport | None
-    remount: RemountAdvice | None
     refused: ImprontaError | None
     computing_s: float
 
@@ -132,7 +130,6 @@ class SteeringResult:
             "passes_end": None if self.end is None else self.end.value,
             "computing_seconds": round(self.computing_s, 2),
             "coverage": None if self.coverage is None else self.coverage.as_dict(),
-            "remount": None if self.remount is None else self.remount.as_dict(),
             "not_steered": None if self.refused is None else {"code": self.refused.code, "sentence": str(self.refused)},
         }
 
@@ -148,8 +145,6 @@ class SteeringResult:
             lines.append(f"The rest of the points was spread evenly, because there was no surface to go by: {self.refused}")
         if self.end is not None and self.end is not PassesEnd.UNIFORM:
             lines.append(self.end.words(self.wanted_um))
-        if self.remount is not None:
-            lines.append(self.remount.words)
         return lines
 
 

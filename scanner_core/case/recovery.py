@@ -81,10 +81,10 @@ def interruption(store: CaseStore) -> Interruption | None:
     try:
         plan = ScanPlan.from_dict(record.plan)
         request = _request(record.plan, plan)
-        passes = passes_of(record.plan)
+        followed = passes_of(record.plan)
     except (KeyError, TypeError, ValueError, OverflowError, ImprontaError) as fault:
         raise CaseFormatError("E-CASE-01", path=store.path, reason=f"its plan is damaged ({fault})") from fault
-    return Interruption(record, plan, request, ScanCounts.of(plan.planned, store.verdict_counts(record.id)), passes)
+    return Interruption(record, plan, request, ScanCounts.of(plan.planned, store.verdict_counts(record.id)), followed)
 
 
 def find_interrupted(paths: Iterable[Path]) -> list[InterruptedScan]:

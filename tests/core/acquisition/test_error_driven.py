@@ -72,7 +72,7 @@ def passes(within: float, predicted: float, *table_deg: float, quota: int = 30) 
                 first_id += 12
             views.append(ViewPlan(angle, tuple(rows), quota, 6.0))
         report = CoverageReport(request.wanted_um, np.zeros(4, np.uint8), within, within, ())
-        return Assessment(report, NextPass(tuple(views), quota * len(views), 1.0, within, predicted, None))
+        return Assessment(report, NextPass(tuple(views), quota * len(views), 1.0, within, predicted))
 
     return answer
 
@@ -243,7 +243,7 @@ def test_passes_follow_until_nothing_is_to_be_gained(steered: tuple[ScanResult, 
 def test_json_and_words_tell_the_passes(steered: tuple[ScanResult, Script, Path, list[tuple[int, float | None]]]) -> None:
     result = steered[0]
     values = json.loads(json.dumps(scan_json(result, 150.0, "a.impronta")))
-    assert (values["until_um"], values["passes_end"], values["remount"], values["not_steered"]) == (40.0, "within", None, None)
+    assert (values["until_um"], values["passes_end"], values["not_steered"]) == (40.0, "within", None)
     assert values["coverage"]["reachable_within_fraction"] == 1.0
     assert [one["points"] for one in values["passes"]] == [COARSE, 60, 30]
     assert all(one["seconds"] > 0 for one in values["passes"])
