@@ -62,11 +62,11 @@ class OrientedSample:
 
 def spacing_for(points: Array, cells: int) -> float:
     """The side of the cells, mm, with which points (n, 3) mm on a surface fill about `cells` of them."""
-    spacing = float(np.linalg.norm(np.ptp(points, axis=0))) / np.sqrt(cells)
+    spacing = float(np.linalg.norm(np.ptp(points, axis=0)) / np.sqrt(cells))
     for _ in range(_ROUNDS):
         filled = int(_cells(points, spacing).max(initial=0)) + 1
         spacing *= float(np.sqrt(filled / cells))
-    return max(float(spacing), 1e-6)
+    return max(spacing, 1e-6)
 
 
 def sample_cloud(points: Array, towards: Array, spacing_mm: float) -> OrientedSample:

@@ -19,9 +19,9 @@ from vtkmodules.vtkCommonDataModel import vtkGenericCell, vtkStaticCellLocator
 
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
+from scanner_core.geometry.poly_data import poly_data
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.virtual.presets import PRESETS
-from scanner_core.virtual.specimens.specimen import poly_data
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
