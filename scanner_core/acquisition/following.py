@@ -86,6 +86,11 @@ class PlanFollower:
         self._asked_s = time.monotonic()
         return self.motion
 
+    def rests(self) -> bool:
+        """While the rig rests: go on asking the controller; True when the scan was ended."""
+        self._poll()
+        return self._control.cancelled.is_set()
+
     # ------------------------------------------------------------------------------------------ inner
     def _visit_marks(self, table_deg: float, left: CaptureThread, right: CaptureThread) -> None:
         if self.marks is not None and self.marks.visit(self.view, table_deg, left, right, self._poll):

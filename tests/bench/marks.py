@@ -77,7 +77,7 @@ def turn(specimen: str, views: int, seed: int, fault: BenchFault | None = None, 
         stack.callback(right.close)
         visitor = MarkVisitor(rig, config.marks, rig.calibration, store, ScanControl())
         cloud = PointLog()
-        cloud.append(body.mesh.vertices, 0)
+        cloud.append(body.mesh.vertices, 0.0)
         visitor.begin(0, cloud)
         for view in range(views + 1):
             if fault is not None and view == at_view:
