@@ -50,8 +50,8 @@ FINDING_SENTENCES: dict[str, Sentence] = {
         "Lengths from there on are off by as much; let the cameras warm up, calibrate, and scan again.",
     ),
     "H-MARK-04": Sentence(
-        "Table and cameras moved: since the view at {table_deg} deg the marks on the table's rim are seen up to {shift_um} um beside.",
-        "The points from there on are off; fix cameras and table, calibrate, and scan again.",
+        "The table or a camera moved: since the view at {table_deg} deg the marks on the table's rim are seen up to {shift_um} um beside.",
+        "Which of them it was is not decided; the points from there on are off: fix cameras and table, calibrate, and scan again.",
     ),
     "H-MARK-05": Sentence(
         "Mark {number} on the table's rim was not found at {table_deg} deg, where nothing should hide it.",

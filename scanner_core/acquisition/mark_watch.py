@@ -223,7 +223,9 @@ class MarkWatch:
     def _named(self, view: int, table_deg: float, seen: Sequence[Beside]) -> MarkStep:
         explained = self._causes.all_explained(seen)
         best = explained[0]
-        rivals = [other for other in explained[1:] if _told_apart(best.cause, other.cause)]
+        if best.cause is Cause.OTHER:  # a camera that turned moves marks nearly alike, and is the simpler cause
+            best = next((other for other in explained if other.cause in (Cause.LEFT, Cause.RIGHT) and other.worth > best.worth - _DECIDED), best)
+        rivals = [other for other in explained if _told_apart(best.cause, other.cause)]
         decided = not rivals or best.worth - rivals[0].worth > _DECIDED
         moved = self._causes.displacement(best.cause, best.amounts, seen[0].expected, seen[0].numbers)
         shift_um = 1e3 * float(np.sqrt((moved**2).sum(axis=1).max()))
@@ -264,4 +266,4 @@ class MarkWatch:
 def _told_apart(first: Cause, second: Cause) -> bool:
     """Whether it matters which of two causes it is: two moved cameras are one sentence."""
     cameras = (Cause.LEFT, Cause.RIGHT, Cause.OTHER)
-    return not (first in cameras and second in cameras)
+    return first is not second and not (first in cameras and second in cameras)
