@@ -175,7 +175,13 @@ class MainWindow(QMainWindow):
             return
         self.banner.dismiss()
         self.services.acquisition.start(
-            PlanRequest(views=values.views, points=values.points, object_radius_mm=rig.specimen_radius_mm, object_height_mm=rig.specimen_height_mm)
+            PlanRequest(
+                views=values.views,
+                points=values.points,
+                object_radius_mm=rig.specimen_radius_mm,
+                object_height_mm=rig.specimen_height_mm,
+                until_um=float(values.until_um) if values.until_um else None,
+            )
         )
 
     def pause_scan(self) -> None:

@@ -11,9 +11,11 @@ from app.faults import finding_words
 from app.services import Services
 from app.views import format as fmt
 from app.views.camera_preview import CameraPreview
+from app.views.live_surface_line import live_surface_words
 from app.views.page import Page
-from app.views.parts import BigNumber, button, label, number_field, row, seam
+from app.views.parts import BigNumber, button, label, row, seam
 from app.views.reasons import reason_text
+from app.views.scan_wish import ScanWish, start_words
 from app.views.spot_advice import show_look
 from scanner_core.acquisition.handover import Preview
 from scanner_core.acquisition.status import FinishReason, ScanState, ScanStatus
@@ -44,6 +46,9 @@ class ScanPage(Page):
         self._step = label("", "muted", wrap=True)
         box.addWidget(self._bar)
         box.addWidget(self._step)
+        self._surface = label("", "faint", wrap=True)
+        self._surface.hide()
+        box.addWidget(self._surface)
         self.health = label("", "bad", wrap=True)
         self.health.hide()
         box.addWidget(self.health)
@@ -66,18 +71,8 @@ class ScanPage(Page):
         box.addLayout(reasons)
         box.addStretch(1)
         box.addWidget(seam())
-        draft = services.draft
-        self._views = number_field(1, 360, 1, lambda value: draft.edit("views", value))
-        self._wanted_points = number_field(500, 2_000_000, 1000, lambda value: draft.edit("points", value))
-        plan = QGridLayout()
-        plan.setColumnStretch(0, 1)
-        for line, (name, field) in enumerate(((self.tr("Views"), self._views), (self.tr("Points"), self._wanted_points))):
-            caption = label(name, "muted")
-            caption.setBuddy(field)
-            field.setFixedWidth(120)
-            plan.addWidget(caption, line, 0)
-            plan.addWidget(field, line, 1)
-        box.addLayout(plan)
+        self.wish = ScanWish(services.draft)
+        box.addLayout(self.wish)
         self._start = button(self.tr("Start scan"), "primary", lambda: self.intent.emit("start_scan"))
         self._pause = button(self.tr("Pause"), "", lambda: self.intent.emit("pause_scan"))
         self._stop = button(self.tr("Stop · laser off"), "laser", lambda: self.intent.emit("laser_off"))
@@ -91,21 +86,18 @@ class ScanPage(Page):
         services.acquisition.began.connect(self._begin)
         services.case.opened.connect(self._show_status)
         services.rig.changed.connect(self._show_buttons_if_seen)
-        draft.changed.connect(self._show_field)
-        for name in ("views", "points"):
-            self._show_field(name)
+        services.draft.changed.connect(lambda _: self._show_buttons_if_seen())
+        services.live_surface.changed.connect(self._show_surface)
         self._show_status()
 
     def entered(self) -> None:
         self._show_status()
 
     # -------------------------------------------------------------------------------- showing
-    def _show_field(self, name: str) -> None:
-        values = self.services.draft.values
-        if name == "views":
-            self._views.setValue(values.views)
-        elif name == "points":
-            self._wanted_points.setValue(values.points)
+    def _show_surface(self) -> None:
+        words = live_surface_words(self.services.live_surface)
+        self._surface.setText(words)
+        self._surface.setVisible(bool(words))
 
     def _begin(self) -> None:
         for preview in self._previews.values():
@@ -210,7 +202,7 @@ class ScanPage(Page):
         done = not running and self.services.case.cloud is not None
         self._next.setVisible(done)
         self._start.setVisible(not running)
-        self._start.setText(self.tr("Scan again") if done else self.tr("Start scan"))
+        self._start.setText(start_words(self.services.draft.values, again=done))
         self._set_role(self._start, "" if done else "primary")
         self._start.setEnabled(rig.connected and not rig.busy and rig.calibration is not None)
         if self.services.acquisition.status is None and not running:
@@ -218,8 +210,7 @@ class ScanPage(Page):
         self._pause.setEnabled(running)
         self._pause.setText(self.tr("Resume") if acquisition.paused else self.tr("Pause"))
         self._stop.setEnabled(running or rig.connected)
-        for field in (self._views, self._wanted_points):
-            field.setEnabled(not running)
+        self.wish.let_edit(not running)
 
     def _set_role(self, widget: QWidget, role: str) -> None:
         if widget.property("role") != role:

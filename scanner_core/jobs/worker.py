@@ -87,8 +87,7 @@ class Worker:
     """
 
     def __init__(self, name: str = "worker", *, job: str | None = None, gentle: bool = False) -> None:
-        self._name, self._gentle = name, gentle
-        self._preload = modules() if job is None else (target_of(job).partition(":")[0],)
+        self._name, self._job, self._gentle = name, job, gentle
         self._context = multiprocessing.get_context("spawn")
         self._cancelled_number: ctypes.c_int64 = self._context.RawValue(ctypes.c_int64, 0)
         self._lock, self._wake_lock = threading.Lock(), threading.Lock()
@@ -314,7 +313,8 @@ class Worker:
         if self._process is not None or self._closing:
             return
         ours, theirs = self._context.Pipe()
-        arguments = (theirs, self._cancelled_number, self._preload, self._gentle)
+        preload = modules() if self._job is None else (target_of(self._job).partition(":")[0],)
+        arguments = (theirs, self._cancelled_number, preload, self._gentle)
         process = self._context.Process(target=work, args=arguments, name=f"impronta-{self._name}", daemon=True)
         process.start()
         theirs.close()
