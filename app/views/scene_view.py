@@ -76,8 +76,8 @@ class SceneView(InteractorView):
 
     def show_cloud(self, cloud: PointCloud) -> None:
         """All points of a case at once."""
-        views = np.zeros(len(cloud), np.int32) if cloud.views is None else cloud.views
-        self.append_points(cloud.points, seen_from(views, int(views.max(initial=0)) + 1))
+        table_deg = np.zeros(len(cloud)) if cloud.table_deg is None else cloud.table_deg
+        self.append_points(cloud.points, seen_from(table_deg))
 
     def clear(self) -> None:
         """No points, no mesh; the camera follows what comes next."""

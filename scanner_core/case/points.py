@@ -63,7 +63,7 @@ def triangulate_observations(
     surface_mm = excess_scatter_mm(points, covariances, rig.laser.spot_diameter_mm)
     covariances += surface_mm**2 * np.eye(3)
     covariances += _by_calibration(calibration, seen.points, table.table_deg)
-    cloud = PointCloud(points, covariances, table.view.copy(), table.trigger_id.copy())
+    cloud = PointCloud(points, covariances, table.view.copy(), table.trigger_id.copy(), table.table_deg.copy())
     return MeasuredCloud(cloud, replace(noise, surface_um=1e3 * surface_mm))
 
 

@@ -342,6 +342,7 @@ def _merged(parts: list[MeasuredCloud]) -> PointCloud:
         np.concatenate([cloud.covariances for cloud in clouds if cloud.covariances is not None]),
         np.concatenate([cloud.views for cloud in clouds if cloud.views is not None]),
         np.concatenate([cloud.trigger_ids for cloud in clouds if cloud.trigger_ids is not None]),
+        np.concatenate([cloud.table_deg for cloud in clouds if cloud.table_deg is not None]),
     )
     assert whole.trigger_ids is not None
     return whole.select(np.argsort(whole.trigger_ids, kind="stable"))

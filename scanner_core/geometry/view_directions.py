@@ -9,8 +9,8 @@ _ELEVATION_DEG = 30.0
 """Of the cameras above the table, in every preset."""
 
 
-def seen_from(views: NDArray[np.int32], count: int) -> NDArray[np.float64]:
-    """Unit vectors (n, 3), object frame, towards the cameras, for points of the `views` (n,) of a turn of `count` views."""
-    turn = -2 * np.pi * views / max(1, count)
+def seen_from(table_deg: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Unit vectors (n, 3), object frame, towards the cameras, for points that were measured at the table angles `table_deg` (n,)."""
+    turn = -np.deg2rad(table_deg)
     level, up = np.cos(np.deg2rad(_ELEVATION_DEG)), np.sin(np.deg2rad(_ELEVATION_DEG))
     return np.stack([level * np.cos(turn), level * np.sin(turn), np.full(len(turn), up)], axis=1)

@@ -16,3 +16,10 @@ def box(low: Corner, high: Corner) -> TriangleMesh:
     vertices = np.array([[(low, high)[x][0], (low, high)[y][1], (low, high)[z][2]] for z in (0, 1) for y in (0, 1) for x in (0, 1)], np.float64)
     triangles = np.array([part for a, b, c, d in _QUADS for part in ((a, b, c), (a, c, d))], np.int64)
     return TriangleMesh(vertices, triangles)
+
+
+def joined(*bodies: TriangleMesh) -> TriangleMesh:
+    """Bodies as one mesh."""
+    counts = np.cumsum([0, *(len(body.vertices) for body in bodies)])
+    triangles = [body.triangles + first for body, first in zip(bodies, counts, strict=False)]
+    return TriangleMesh(np.concatenate([body.vertices for body in bodies]), np.concatenate(triangles))
