@@ -25,7 +25,7 @@ from app.views.page import Page
 from app.views.pages import ASIDE, PAGES
 from app.views.parts import seam
 from app.views.rail import Rail
-from app.views.scan_page import status_words
+from app.views.scan_words import status_words
 from app.views.stage import Stage
 from app.views.status_line import StatusLine
 from app.views.support_dialog import SupportDialog
