@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.acquisition.engine import TABLE_MM
 from scanner_core.coverage.exposures import Exposures
+from scanner_core.coverage.guess import counterparts, guessed_surface
 from scanner_core.coverage.placing import places_of, vertex_areas
 from scanner_core.coverage.reach import reach
 from scanner_core.coverage.reason import REASONS, Reason
@@ -48,15 +48,12 @@ def cover(
     supported = np.asarray(surface.vertex_attributes["supported"]) > 0
     within = supported & (uncertainty_um <= wanted_um)
     reasons = np.full(len(within), _WITHIN, np.uint8)
-    lines = Sightlines(rig, calibration, surface)
+    lines = _lines(surface, rig, calibration, observed, cancelled)
     others = np.flatnonzero(~within)
     if len(others):
-        hindered = hindrances(lines.of(others), cancelled)
-        # What has points can have more: the sight lines are cast from the surface as it is known, and that is not exact.
-        hindered[supported[others] & (surface.vertices[others, 2] >= TABLE_MM)] = _FEW
-        reasons[others] = hindered
+        reasons[others] = hindrances(lines.of(others), cancelled)
     if observed is not None:
-        reasons = corrected_by(observed, reasons, surface, lines, rig.laser)
+        reasons = corrected_by(observed, reasons, surface, lines)
     area = vertex_areas(surface)
     reachable = np.isin(reasons, [k for k, reason in enumerate(REASONS) if reason.reachable])
     return CoverageReport(
@@ -66,6 +63,17 @@ def cover(
         reachable_within_fraction=_share(area, within, reachable),
         places=places_of(surface, reasons, lines.least_cosine),
     )
+
+
+def _lines(surface: TriangleMesh, rig: RigConfig, calibration: StereoCalibration, observed: Exposures | None, cancelled: IsCancelled) -> Sightlines:
+    """Sight lines of the vertices, where the spots of single cameras say that the surface is."""
+    if observed is None:
+        return Sightlines(rig, calibration, surface)
+    guess = guessed_surface(surface, observed.cloud, observed.seen_by_one(calibration), observed.scatter_mm, cancelled)
+    places, normals = surface.vertices.copy(), surface.vertex_normals()
+    if guess is not surface:
+        places, normals = counterparts(places, normals, guess)
+    return Sightlines(observed.rig, calibration, guess, places, normals)
 
 
 def hindrances(lines: Sightlines, cancelled: IsCancelled = lambda: False) -> Reasons:
