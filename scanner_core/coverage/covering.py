@@ -31,6 +31,7 @@ def cover(
     wanted_um: float,
     observed: Exposures | None = None,
     *,
+    guess_caps: bool = True,
     cancelled: IsCancelled = lambda: False,
 ) -> CoverageReport:
     """Reasons, shares and places of a reconstructed surface.
@@ -39,6 +40,8 @@ def cover(
     ----------
     surface : object frame, mm, with the vertex attributes ``standard_uncertainty_um`` and ``supported``
     observed : what the scan was aimed at, and what became of it; without it nothing is called too dark or saturated
+    guess_caps : reconstruct once more with the spots that one camera saw (see :mod:`~scanner_core.coverage.guess`): the reasons of what no
+        point supports are right more often, for the time of a reconstruction
 
     Raises
     ------
@@ -48,7 +51,7 @@ def cover(
     supported = np.asarray(surface.vertex_attributes["supported"]) > 0
     within = supported & (uncertainty_um <= wanted_um)
     reasons = np.full(len(within), _WITHIN, np.uint8)
-    lines = _lines(surface, rig, calibration, observed, cancelled)
+    lines = _lines(surface, rig, calibration, observed, guess_caps, cancelled)
     others = np.flatnonzero(~within)
     if len(others):
         reasons[others] = hindrances(lines.of(others), cancelled)
@@ -65,10 +68,14 @@ def cover(
     )
 
 
-def _lines(surface: TriangleMesh, rig: RigConfig, calibration: StereoCalibration, observed: Exposures | None, cancelled: IsCancelled) -> Sightlines:
+def _lines(
+    surface: TriangleMesh, rig: RigConfig, calibration: StereoCalibration, observed: Exposures | None, guess_caps: bool, cancelled: IsCancelled
+) -> Sightlines:
     """Sight lines of the vertices, where the spots of single cameras say that the surface is."""
     if observed is None:
         return Sightlines(rig, calibration, surface)
+    if not guess_caps:
+        return Sightlines(observed.rig, calibration, surface)
     guess = guessed_surface(surface, observed.cloud, observed.seen_by_one(calibration), observed.scatter_mm, cancelled)
     places, normals = surface.vertices.copy(), surface.vertex_normals()
     if guess is not surface:
