@@ -33,9 +33,8 @@ from scanner_core.errors import ImprontaError, UsageError
 from scanner_core.jobs.progress import Cancelled
 from scanner_core.optics.calibration import StereoCalibration
 
-_LEAST_REST = 0.01
-"""Share of the points that is worth another pass."""
-_POLL_S = 0.2
+_LEAST_REST, _LEAST_POINTS = 0.01, 50
+"""Share of the points, and points, that are worth another pass."""
 _FARTHEST_DEG = 720.0
 
 _log = logging.getLogger("impronta")
@@ -159,7 +158,7 @@ class ErrorDriven:
             _log.info("no surface to steer by: %s", found)
             fallen_back, self._refused = self._refused is not None, found
             self._end = PassesEnd.UNIFORM if fallen_back else PassesEnd.POINTS_SPENT
-            if fallen_back or rest < _LEAST_REST * self._request.points:
+            if fallen_back or self._spent(rest):
                 return None
             self._end = None
             return _Step("uniform", self._evenly(whole, rest))
@@ -173,13 +172,16 @@ class ErrorDriven:
     def _ended(self, found: Assessment, rest: int, room: int) -> PassesEnd | None:
         if self._refused is not None:
             return PassesEnd.UNIFORM
-        if not found.next.views:
-            return PassesEnd.WITHIN if found.coverage.reachable_within_fraction >= 1.0 - _NOTHING else PassesEnd.NO_GAIN
-        if rest < _LEAST_REST * self._request.points:
+        if found.coverage.reachable_within_fraction >= 1.0 - _NOTHING:
+            return PassesEnd.WITHIN
+        if self._spent(rest):
             return PassesEnd.POINTS_SPENT
-        if all(one.stalled for one in self._passes[-2:]):
+        if not found.next.views or all(one.stalled for one in self._passes[-2:]):
             return PassesEnd.NO_GAIN
         return None if room else PassesEnd.VIEWS_SPENT
+
+    def _spent(self, rest: int) -> bool:
+        return rest < max(_LEAST_REST * self._request.points, _LEAST_POINTS)
 
     def _assessed(self, whole: Pass, rest: int) -> Assessment | ImprontaError | None:
         """None when the scan was ended meanwhile."""

@@ -155,7 +155,7 @@ def store(tmp_path: Path) -> Iterator[CaseStore]:
 
 
 def test_the_budget_ends_it(store: CaseStore) -> None:
-    script = Script(passes(0.5, 0.9, 33.0, 123.0, 213.0, 303.0, quota=50), passes(0.7, 0.9, 10.0))
+    script = Script(passes(0.5, 0.9, 33.0, 123.0, 213.0, 303.0, quota=50), passes(0.7, 0.9))
     told = Bench(store, script).run()
     assert told.end is PassesEnd.POINTS_SPENT
     assert [(one.points, one.seconds) for one in told.passes] == [(100, 8.0), (200, 8.0)]
