@@ -115,6 +115,7 @@ def run(request: AssessmentRequest, *, progress: OnProgress, cancelled: IsCancel
         request.budget_points,
         request.first_view,
         request.first_id,
+        done=request.plan.views,
         noise=measured.noise,
         check=check,
     )

@@ -104,6 +104,7 @@ class ErrorDriven:
             passes=tuple(self._passes),
             end=self._end,
             coverage=None if found is None else found.coverage,
+            remount=None if found is None else found.next.remount,
             refused=self._refused,
             computing_s=self._computing_s,
         )

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from scanner_core.errors import ImprontaError
 
 if TYPE_CHECKING:  # plans and their passes are known without what computes them
+    from scanner_core.acquisition.remount import RemountAdvice
     from scanner_core.coverage.report import CoverageReport
 
 PassKind = Literal["coarse", "steered", "uniform"]
@@ -110,7 +111,7 @@ class SteeringResult:
     Attributes
     ----------
     end : why there were no more passes; None when the scan was ended before
-    coverage : of the last surface; None when none could be made
+    coverage, remount : of the last surface; None when none could be made
     refused : why the points could not be steered
     computing_s : wall time for which the rig rested
     """
@@ -119,6 +120,7 @@ class SteeringResult:
     passes: tuple[ScanPass, ...]
     end: PassesEnd | None
     coverage: CoverageReport | None
+    remount: RemountAdvice | None
     refused: ImprontaError | None
     computing_s: float
 
@@ -130,6 +132,7 @@ class SteeringResult:
             "passes_end": None if self.end is None else self.end.value,
             "computing_seconds": round(self.computing_s, 2),
             "coverage": None if self.coverage is None else self.coverage.as_dict(),
+            "remount": None if self.remount is None else _told(self.remount),
             "not_steered": None if self.refused is None else {"code": self.refused.code, "sentence": str(self.refused)},
         }
 
@@ -145,7 +148,13 @@ class SteeringResult:
             lines.append(f"The rest of the points was spread evenly, because there was no surface to go by: {self.refused}")
         if self.end is not None and self.end is not PassesEnd.UNIFORM:
             lines.append(self.end.words(self.wanted_um))
+        if self.remount is not None:
+            lines.append(self.remount.words)
         return lines
+
+
+def _told(advice: RemountAdvice) -> dict[str, object]:
+    return {name: round(value, 3) if isinstance(value, float) else value for name, value in asdict(advice).items()}
 
 
 def kept_passes(passes: Sequence[ScanPass]) -> list[dict[str, object]]:

@@ -23,6 +23,7 @@ from scanner_core.acquisition.handover import PointLog
 from scanner_core.acquisition.next_pass import NextPass
 from scanner_core.acquisition.passes import PassesEnd, SteeringResult, passes_of
 from scanner_core.acquisition.plan import PlanRequest, Row, ScanPlan, ViewPlan
+from scanner_core.acquisition.remount import RemountAdvice
 from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.acquisition.runner import ScanRunner
 from scanner_core.acquisition.scan_result import ScanResult
@@ -44,6 +45,7 @@ BENCH = load_preset("bench")
 SPHERE = load_specimen("sphere")
 REQUEST = PlanRequest(4, 300, SPHERE.radius_mm, SPHERE.height_mm, until_um=40.0)
 COARSE = 100
+TIP = RemountAdvice(30.0, 90.0, 50.0, 60.0, 0.6, "Tip it over.")
 PATIENCE_S = 60.0
 
 
@@ -60,7 +62,9 @@ class Script:
         return self._answers.pop(0)(request)
 
 
-def passes(within: float, predicted: float, *table_deg: float, quota: int = 30) -> Callable[[AssessmentRequest], Assessment]:
+def passes(
+    within: float, predicted: float, *table_deg: float, quota: int = 30, remount: RemountAdvice | None = None
+) -> Callable[[AssessmentRequest], Assessment]:
     """So much is within, and views at those angles come next."""
 
     def answer(request: AssessmentRequest) -> Assessment:
@@ -72,7 +76,7 @@ def passes(within: float, predicted: float, *table_deg: float, quota: int = 30) 
                 first_id += 12
             views.append(ViewPlan(angle, tuple(rows), quota, 6.0))
         report = CoverageReport(request.wanted_um, np.zeros(4, np.uint8), within, within, ())
-        return Assessment(report, NextPass(tuple(views), quota * len(views), 1.0, within, predicted))
+        return Assessment(report, NextPass(tuple(views), quota * len(views), 1.0, within, predicted, remount))
 
     return answer
 
@@ -195,7 +199,7 @@ def test_what_the_case_keeps_of_the_passes_comes_back(store: CaseStore) -> None:
 @pytest.fixture(scope="module")
 def steered(tmp_path_factory: pytest.TempPathFactory) -> tuple[ScanResult, Script, Path, list[tuple[int, float | None]]]:
     """A scan of three passes, with what its status told."""
-    script = Script(passes(0.5, 0.9, 33.0, 200.0), passes(0.8, 1.0, 77.0), passes(1.0, 1.0))
+    script = Script(passes(0.5, 0.9, 33.0, 200.0), passes(0.8, 1.0, 77.0), passes(1.0, 1.0, remount=TIP))
     seen: list[tuple[int, float | None]] = []
 
     def watch(runner: ScanRunner) -> None:
@@ -244,6 +248,7 @@ def test_json_and_words_tell_the_passes(steered: tuple[ScanResult, Script, Path,
     result = steered[0]
     values = json.loads(json.dumps(scan_json(result, 150.0, "a.impronta")))
     assert (values["until_um"], values["passes_end"], values["not_steered"]) == (40.0, "within", None)
+    assert (values["remount"]["tip_deg"], values["remount"]["words"]) == (90.0, "Tip it over.")
     assert values["coverage"]["reachable_within_fraction"] == 1.0
     assert [one["points"] for one in values["passes"]] == [COARSE, 60, 30]
     assert all(one["seconds"] > 0 for one in values["passes"])
@@ -252,6 +257,7 @@ def test_json_and_words_tell_the_passes(steered: tuple[ScanResult, Script, Path,
     words = "\n".join(scan_summary(result))
     assert "Pass 2 (steered): 60 points from 2 views" in words
     assert PassesEnd.WITHIN.words(40.0) in words
+    assert TIP.words in words
 
 
 def test_without_a_surface_the_rest_is_spread_evenly(store: CaseStore) -> None:
