@@ -35,6 +35,9 @@ from scanner_core.optics.calibration import StereoCalibration
 
 _LEAST_REST, _LEAST_POINTS = 0.01, 50
 """Share of the points, and points, that are worth another pass."""
+_MARGIN, _LEAST_MARGIN = 0.8, 0.5
+"""A pass is planned for so much less than the wanted uncertainty, and each further one for less again: it is there because the one
+before it fell short of what it was to bring, and a pass of a few points costs as much computing as a large one."""
 _FARTHEST_DEG = 720.0
 
 _log = logging.getLogger("impronta")
@@ -197,6 +200,7 @@ class ErrorDriven:
             calibration=self._calibration,
             rate_hz=self._rig.left.rate_hz,
             wanted_um=self._wanted_um,
+            aim_um=self._wanted_um * max(_MARGIN ** len(self._passes), _LEAST_MARGIN),
             budget_points=max(rest, 0),
             first_view=len(whole.plan.views),
             first_id=self._store.next_trigger_id(),

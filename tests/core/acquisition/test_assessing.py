@@ -32,7 +32,7 @@ def few_points() -> AssessmentRequest:
         right_sigma_px=np.ones((3, 2)),
     )
     exposed = table.trigger_id, table.table_deg, np.array(["measured"] * 3, np.object_)
-    return AssessmentRequest(table, ScanPlan((), 1.0), exposed, BENCH, BENCH.calibration, 60.0, 40.0, 100, 0, 0)
+    return AssessmentRequest(table, ScanPlan((), 1.0), exposed, BENCH, BENCH.calibration, 60.0, 40.0, 30.0, 100, 0, 0)
 
 
 def test_a_process_that_is_killed_is_a_value_and_the_next_answers() -> None:
