@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from scanner_core.acquisition.assessing import Assess, Assessment, AssessmentRequest
 from scanner_core.acquisition.control import ScanControl
 from scanner_core.acquisition.following import Pass, PlanFollower
-from scanner_core.acquisition.passes import PassesEnd, PassKind, ScanPass, SteeringResult, SteeringStatus, counted, kept_passes
+from scanner_core.acquisition.passes import PassesEnd, PassKind, ScanPass, SteeringResult, SteeringStatus, counted, kept_passes, stalled
 from scanner_core.acquisition.plan import PlanRequest, ScanPlan, ViewPlan
 from scanner_core.acquisition.planning import even_views, nearest_turn
 from scanner_core.acquisition.rig_session import OpenRig
@@ -180,7 +180,7 @@ class ErrorDriven:
             return PassesEnd.WITHIN
         if self._spent(rest):
             return PassesEnd.POINTS_SPENT
-        if not found.next.views or all(one.stalled for one in self._passes[-2:]):
+        if not found.next.views or stalled(self._passes):
             return PassesEnd.NO_GAIN
         return None if room else PassesEnd.VIEWS_SPENT
 

@@ -116,7 +116,7 @@ def next_pass(
     demand = places.demand
     view_points = rate_hz * TURN_S
     choice = choose_views(demand, sd_um, float(budget_points), wanted_um if aim_um is None else aim_um, view_points, _MOST_VIEWS)
-    here = np.isfinite(sd_um).any(axis=0)
+    here = np.asarray(np.isfinite(sd_um).any(axis=0), np.bool_)
     now = demand.uncertainty_um <= wanted_um
     area = demand.area_mm2 * (here | now)
     total = max(float(area.sum()), 1e-12)

@@ -75,16 +75,6 @@ class ScanPass:
             told[f"within_fraction_{name}"] = None if share is None else round(share, 4)
         return told
 
-    @property
-    def stalled(self) -> bool:
-        """It was steered, and brought next to nothing of what was predicted."""
-        if self.kind != "steered" or self.within_before is None or self.within_predicted is None or self.within_after is None:
-            return False
-        return self.within_after - self.within_before < _BROUGHT * (self.within_predicted - self.within_before)
-
-
-_BROUGHT = 0.1
-
 
 @dataclass(frozen=True, slots=True)
 class SteeringStatus:
@@ -155,6 +145,24 @@ class SteeringResult:
 
 def _told(advice: RemountAdvice) -> dict[str, object]:
     return {name: round(value, 3) if isinstance(value, float) else value for name, value in asdict(advice).items()}
+
+
+def stalled(passes: Sequence[ScanPass]) -> bool:
+    """Whether another pass is not worth its time: the last two brought next to nothing of what was predicted, or the last three little.
+
+    As long as most of the surface is not as wanted, points bring it nearer although no more of it gets there.
+    """
+    gains = []
+    for one in passes:
+        if one.kind == "steered" and one.within_before is not None and one.within_predicted is not None and one.within_after is not None:
+            gains.append((one.within_after - one.within_before, one.within_predicted - one.within_before))
+    if not gains or (passes[-1].within_after or 0.0) < _MOSTLY:
+        return False
+    in_vain = len(gains) > 1 and all(brought < _BROUGHT * predicted for brought, predicted in gains[-2:])
+    return in_vain or (len(gains) > 2 and sum(brought for brought, _ in gains[-3:]) < _LITTLE)
+
+
+_BROUGHT, _LITTLE, _MOSTLY = 0.1, 0.01, 0.5
 
 
 def kept_passes(passes: Sequence[ScanPass]) -> list[dict[str, object]]:

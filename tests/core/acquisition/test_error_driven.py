@@ -168,11 +168,25 @@ def test_the_budget_ends_it(store: CaseStore) -> None:
 
 
 def test_passes_that_bring_nothing_end_it(store: CaseStore) -> None:
-    script = Script(*[passes(0.5, 0.9, 33.0)] * 3)
+    script = Script(*[passes(0.6, 0.9, 33.0)] * 3)
     told = Bench(store, script).run()
     assert (told.end, len(told.passes)) == (PassesEnd.NO_GAIN, 3)
     aims = [asked.aim_um for asked in script.asked]
     assert 40.0 > aims[0] > aims[1] > aims[2]  # what fell short is made up for by a margin
+
+
+@pytest.mark.parametrize(
+    ("shares", "end"),
+    [
+        ([(0.9, 0.91), (0.903, 0.91), (0.906, 0.91), (0.909, 0.91)], PassesEnd.NO_GAIN),
+        ([(0.9, 0.95), (0.91, 0.95), (0.92, 0.95), (0.93, 0.95)], PassesEnd.POINTS_SPENT),
+        ([(0.0, 0.1), (0.0, 0.1), (0.0, 0.1), (0.0, 0.1)], PassesEnd.POINTS_SPENT),  # out of reach: all points are spent where they help most
+    ],
+    ids=["little", "enough", "out of reach"],
+)
+def test_passes_that_bring_little_end_it_once_most_is_as_wanted(store: CaseStore, shares: list[tuple[float, float]], end: PassesEnd) -> None:
+    told = Bench(store, Script(*[passes(*share, 33.0, quota=50) for share in shares], passes(*shares[-1]))).run()
+    assert told.end is end
 
 
 def test_a_plan_holds_no_more_views_than_a_case(store: CaseStore) -> None:
