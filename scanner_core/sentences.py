@@ -362,6 +362,32 @@ SENTENCES: dict[str, Sentence] = {
         "{area_mm2} mm2 with a counterpart are painted as stable; at least {least_mm2} mm2 are needed.",
         "Nothing was changed; paint more, or use the automatic frame.",
     ),
+    # ------------------------------------------------------------------------------------------ mounts in a case
+    "E-MNT-10": Sentence(
+        "Mount {mount} was not joined to the others. {reason}",
+        "All points are kept in {path}; pick three points on both mounts ('impronta register CASE --pairs FILE'), or scan another "
+        "mount that shares more with the earlier ones.",
+    ),
+    "E-MNT-11": Sentence(
+        "Its surface lies nowhere over that of the others.",
+        "Nothing was joined and all points are kept; measure another mount that shares more with the earlier ones.",
+    ),
+    "E-MNT-12": Sentence(
+        "Where it lies over the others its surface is {residual_um} um away, but {most_um} um is the most that their noise explains.",
+        "Nothing was joined and all points are kept; see that the object did not change its shape, and measure the mount again.",
+    ),
+    "E-MNT-13": Sentence(
+        "Where it lies over the others only {agree} % of its surface agrees with theirs.",
+        "Nothing was joined and all points are kept; see that the object did not change its shape, and measure the mount again.",
+    ),
+    "E-MNT-14": Sentence(
+        "It contradicts the others: the loop of mounts would close with an error of {closure_um} um.",
+        "Nothing was joined and all points are kept; see that the object did not change its shape, and measure the mount again.",
+    ),
+    "E-MNT-15": Sentence(
+        "The file of picked points {path} cannot be used: {reason}.",
+        "Nothing was changed; write one line a point: mount, x, y, z on that mount, and x, y, z of the same place on the first mount, in mm.",
+    ),
     # ------------------------------------------------------------------------------------------ comparison
     "E-CMP-10": Sentence(
         "The marked part holds {marked} measured vertices; at least {least} are needed for a motion.",

@@ -65,6 +65,7 @@ class ScanRunner:
         request: PlanRequest,
         store: CaseStore,
         *,
+        mount: int = 0,
         interruption: Interruption | None = None,
         on_end: Callable[[ScanResult], None] | None = None,
     ) -> None:
@@ -73,7 +74,8 @@ class ScanRunner:
         Parameters
         ----------
         request : what is asked of a new scan
-        interruption : the scan of this case to go on with; its own request counts then
+        mount : how the object stands, for a new scan
+        interruption : the scan of this case to go on with; its own request and mount count then
         on_end : called once, in the scan's thread, when everything is at rest
 
         Raises
@@ -89,6 +91,7 @@ class ScanRunner:
             expect_same_rig(store, interruption, rig.config, rig.calibration)
         self._rig, self._store, self._on_end = rig, store, on_end
         self._request = request if interruption is None else interruption.request
+        self._mount = mount if interruption is None else interruption.record.mount
         self._interruption = interruption
         self.calibration = rig.calibration
         self.live_cloud = PointLog()
@@ -328,7 +331,7 @@ class ScanRunner:
         toml = dump_rig(self._rig.config.with_calibration(calibration))
         bare = dump_rig(self._rig.config.with_calibration(None))
         record = plan.as_dict() | {"request": asdict(self._request)}
-        scan_id = self._store.begin_scan(kind, bare, calibration.identity(), toml, record)
+        scan_id = self._store.begin_scan(kind, bare, calibration.identity(), toml, record, self._mount)
         self._health.begin(plan, kind)
         self._open = Pass(scan_id, plan, Tally(plan.planned, wanted, self._rig.clock.now_s()), cloud)
         return self._open
