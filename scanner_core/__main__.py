@@ -166,6 +166,10 @@ def _parser() -> argparse.ArgumentParser:
     export.add_argument("--out", required=True, metavar="FILE", help=".stl .ply .obj .3mf .dcm for the mesh, .xyz for the points")
     export.add_argument("--force", action="store_true", help="overwrite the output")
 
+    coverage = _command(commands, "coverage", "which places of a case's surface are not as certain as wanted, and why")
+    coverage.add_argument("case", metavar="CASE")
+    coverage.add_argument("--until-um", type=_positive, default=40.0, metavar="U", help="wanted standard uncertainty (default 40)")
+
     _verify(commands)
 
     doctor = _command(commands, "doctor", "check the rig and the machine")

@@ -308,6 +308,11 @@ SENTENCES: dict[str, Sentence] = {
     "E-CASE-07": Sentence(
         "A mesh of {triangles} triangles is too large to be kept in {path}.", "The case is unchanged; reconstruct with fewer triangles."
     ),
+    # ------------------------------------------------------------------------------------------ coverage
+    "E-COV-01": Sentence(
+        "The mesh of {path} does not say how certain it is.", "The case is unchanged; reconstruct it with 'impronta reconstruct' and ask again."
+    ),
+    # ------------------------------------------------------------------------------------------ disk
     "E-DISK-01": Sentence(
         "There is no space left on the disk of {path}.", "The laser is off and everything written before is kept; free some space and go on."
     ),

@@ -16,7 +16,7 @@ from app.views.mesh_actor import MeshActor
 from app.views.parts import label
 from app.views.surface import Surface
 from scanner_core.geometry.point_cloud import PointCloud
-from scanner_core.geometry.view_directions import seen_from
+from scanner_core.geometry.view_directions import outward, seen_from
 
 GRID_MM = 10.0
 _REFIT = 1.15
@@ -72,8 +72,7 @@ class SceneView(InteractorView):
 
     def show_cloud(self, cloud: PointCloud) -> None:
         """All points of a case at once."""
-        views = np.zeros(len(cloud), np.int32) if cloud.views is None else cloud.views
-        self.append_points(cloud.points, seen_from(views, int(views.max(initial=0)) + 1))
+        self.append_points(cloud.points, outward(cloud.points) if cloud.table_deg is None else seen_from(cloud.table_deg))
 
     def clear(self) -> None:
         """No points, no mesh; the camera follows what comes next."""

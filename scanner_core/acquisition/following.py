@@ -15,7 +15,7 @@ from scanner_core.acquisition.engine import EvaluatedPairs, StereoEngine
 from scanner_core.acquisition.handover import PointLog
 from scanner_core.acquisition.health import HealthMonitor
 from scanner_core.acquisition.keeping import Keeper
-from scanner_core.acquisition.plan import Row, ScanPlan, ViewPlan
+from scanner_core.acquisition.plan import ScanPlan, ViewPlan
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.acquisition.row_scan import RowScan
 from scanner_core.acquisition.simultaneous import Counting, rows_in_step
@@ -99,7 +99,7 @@ class PlanFollower:
                         seen = seen.until(wanted - measured)
                         scan.stop()
                     measured += len(seen.points)
-                    self._record(run, row, seen)
+                    self._record(run, table_deg, seen)
                     self._health.add(pairs, seen, row.view, table_deg)
                     if wanted is not None and measured >= wanted:
                         break
@@ -108,9 +108,9 @@ class PlanFollower:
             at_rest()
         return measured
 
-    def _record(self, run: Pass, row: Row, seen: EvaluatedPairs) -> None:
+    def _record(self, run: Pass, table_deg: float, seen: EvaluatedPairs) -> None:
         self.exposures += len(seen.observations)
-        run.cloud.append(seen.points, row.view)
+        run.cloud.append(seen.points, table_deg)
         run.tally.add((observation.verdict for observation in seen.observations), self._rig.clock.now_s())
         self._keeper.add(run.scan_id, seen.observations)
 

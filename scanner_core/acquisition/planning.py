@@ -87,7 +87,7 @@ def closing_plan(plan: ScanPlan, first_id: int, table_deg: float) -> ScanPlan:
     for row in first.rows:
         rows.append(replace(row, first_id=first_id))
         first_id += row.count
-    return ScanPlan((ViewPlan(table_deg, tuple(rows), CLOSING_POINTS),), plan.sweep_speed_deg_s)
+    return ScanPlan((replace(first, table_deg=table_deg, rows=tuple(rows), quota=CLOSING_POINTS),), plan.sweep_speed_deg_s)
 
 
 # ------------------------------------------------------------------------------------------ inner

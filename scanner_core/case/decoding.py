@@ -202,5 +202,13 @@ def trigger_ids(rows: Sequence[tuple[Any, ...]]) -> NDArray[np.int64]:
     return found
 
 
+def table_angles(values: Sequence[Any]) -> NDArray[np.float64]:
+    """Angles (n,) of the table, degrees."""
+    found = np.array(values, np.float64).reshape(-1)
+    if not (np.abs(found) <= _MOST_TURN_DEG).all():
+        raise ValueError("a table angle that no table has")
+    return found
+
+
 def _refuse(name: str) -> float:
     raise ValueError(f"the number {name}")

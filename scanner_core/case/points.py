@@ -68,7 +68,7 @@ def triangulate_observations(
     covariances += surface_mm**2 * np.eye(3)
     if systematic is not None:  # common to neighbouring points: it is no scatter, and no registration takes it out
         covariances += systematic
-    cloud = PointCloud(points, covariances, table.view.copy(), table.trigger_id.copy())
+    cloud = PointCloud(points, covariances, table.view.copy(), table.trigger_id.copy(), table.table_deg.copy())
     return MeasuredCloud(cloud, replace(noise, surface_um=1e3 * surface_mm))
 
 

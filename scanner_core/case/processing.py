@@ -240,7 +240,7 @@ def process_case(store: CaseStore, processing: Processing, other: StereoCalibrat
     measured = [part.measured(store, motions) for part in taken]
     return ProcessedCase(
         processing=replace(processing, scans=tuple(scan.id for scan in scans)),
-        cloud=merged(measured),
+        cloud=merged(measured) if len(poses) == 1 else replace(merged(measured), table_deg=None),
         counts=ScanCounts.of(planned, verdicts),
         calibrations=tuple(dict.fromkeys(part.calibration.identity() for part in taken)),
         noise=tuple(part.noise for part in measured),

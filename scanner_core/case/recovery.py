@@ -110,7 +110,7 @@ def describe(store: CaseStore) -> InterruptedScan | None:
     begun = [view for view in of.plan.views if any(row.holds_any(exposed) for row in view.rows)]
     measured = of.counts.measured if scanning else 0
     return InterruptedScan(
-        store.path, store.order(), measured, of.request.points, max(0, len(begun) - 1), of.request.views, of.record.started, of.record.finish_reason
+        store.path, store.order(), measured, of.request.points, max(0, len(begun) - 1), len(of.plan.views), of.record.started, of.record.finish_reason
     )
 
 

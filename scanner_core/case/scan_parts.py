@@ -53,6 +53,7 @@ def merged(parts: Sequence[MeasuredCloud]) -> PointCloud:
         np.concatenate([cloud.covariances for cloud in clouds if cloud.covariances is not None]),
         np.concatenate([cloud.views for cloud in clouds if cloud.views is not None]),
         np.concatenate([cloud.trigger_ids for cloud in clouds if cloud.trigger_ids is not None]),
+        np.concatenate([cloud.table_deg for cloud in clouds if cloud.table_deg is not None]),
     )
     assert whole.trigger_ids is not None
     return whole.select(np.argsort(whole.trigger_ids, kind="stable"))
@@ -113,7 +114,7 @@ def refine_parts(
         assert cloud.views is not None
         known, local = np.unique(cloud.views, return_inverse=True)
         angles = {int(view): float(np.median(part.table.table_deg[part.table.view == view])) for part in of for view in part.views}
-        local_cloud = PointCloud(cloud.points, cloud.covariances, local.reshape(-1).astype(np.int32), cloud.trigger_ids)
+        local_cloud = replace(cloud, views=local.reshape(-1).astype(np.int32))
         axis = calibrations.index(of[0].calibration.identity())
         mounted.append(MountedCloud(local_cloud, np.array([angles[int(view)] for view in known]), poses[mount], axis))
         numbers.append(known.tolist())

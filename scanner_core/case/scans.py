@@ -24,7 +24,7 @@ _INSERT = "INSERT INTO observation VALUES (" + ",".join("?" * 18) + ")"
 
 
 class ScanTables(CaseDatabase):
-    """The measured part of a case; nothing in it is ever changed or deleted."""
+    """The measured part of a case; nothing in it is ever changed or deleted, but a plan grows while it is followed."""
 
     # ------------------------------------------------------------------------------------------ a scan
     def next_trigger_id(self) -> int:
@@ -46,6 +46,25 @@ class ScanTables(CaseDatabase):
             number = int(cursor.lastrowid or 0)
             note(connection, "scan begun", f"scan {number}, {kind}, calibration {calibration_id}")
             return number
+
+    def extend_plan(self, scan_id: int, plan: dict[str, object]) -> None:
+        """Let the plan of a scan grow: more views after those that it has, before the first of their exposures.
+
+        Raises
+        ------
+        ValueError
+            It is not the same plan with views added, or one that cannot be read again (see :func:`decoding.plan`).
+        """
+        with self._transaction() as connection:
+            row = connection.execute("SELECT kind, plan_json FROM scan WHERE id = ?", (scan_id,)).fetchone()
+            with damaged(self.path, "plan"):
+                kind, before = text(row[0]), decoding.plan(row[1])["views"]
+            kept = json.dumps(plan)
+            views = decoding.plan(kept, kind)["views"]
+            if views[: len(before)] != before:
+                raise ValueError("a plan grows at its end only")
+            connection.execute("UPDATE scan SET plan_json = ? WHERE id = ?", (kept, scan_id))
+            note(connection, "plan extended", f"scan {scan_id}, {len(views)} views instead of {len(before)}")
 
     def append(self, scan_id: int, observations: Sequence[StereoObservation]) -> None:
         """Keep observations; once this returns they survive the death of the program and of the machine."""
@@ -126,6 +145,15 @@ class ScanTables(CaseDatabase):
         rows = self._rows("SELECT trigger_id FROM observation WHERE scan_id = ? ORDER BY trigger_id", (scan_id,))
         with damaged(self.path, "list of trigger ids"):
             return decoding.trigger_ids(rows)
+
+    def exposures(self, scan_id: int) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.object_]]:
+        """Trigger ids, ascending, table angles and verdicts of all exposures of a scan, (n,) each."""
+        query = "SELECT trigger_id, table_deg, name FROM observation JOIN verdict ON verdict.id = verdict WHERE scan_id = ? ORDER BY trigger_id"
+        rows = self._rows(query, (scan_id,))
+        with damaged(self.path, "list of observations"):
+            ids = decoding.trigger_ids([(number,) for number, _, _ in rows])
+            table_deg = decoding.table_angles([angle for _, angle, _ in rows])
+            return ids, table_deg, np.array([text(name) for _, _, name in rows], np.object_)
 
     def observations(self, scan_id: int) -> ObservationTable:
         """The measured observations of a scan in the order of their trigger ids."""

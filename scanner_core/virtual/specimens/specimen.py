@@ -7,14 +7,14 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 
 from scanner_core.devices.rig import VolumeConfig
 from scanner_core.errors import UsageError
 from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.poly_data import poly_data
 from scanner_core.geometry.rigid import RigidTransform
 
 Array = NDArray[np.float64]
@@ -64,19 +64,6 @@ class Specimen:
         field.FunctionValue(numpy_to_vtk(np.ascontiguousarray(points, np.float64), deep=1), distance)
         unsigned: Array = np.abs(vtk_to_numpy(distance).astype(np.float64))
         return unsigned
-
-
-def poly_data(mesh: TriangleMesh) -> vtkPolyData:
-    """The mesh for VTK, coordinates in double precision."""
-    points = vtkPoints()
-    points.SetDataTypeToDouble()
-    points.SetData(numpy_to_vtk(np.ascontiguousarray(mesh.vertices), deep=1))
-    cells = vtkCellArray()
-    cells.SetData(3, numpy_to_vtkIdTypeArray(np.ascontiguousarray(mesh.triangles).ravel(), deep=1))
-    surface = vtkPolyData()
-    surface.SetPoints(points)
-    surface.SetPolys(cells)
-    return surface
 
 
 def opening_down(mesh: TriangleMesh) -> TriangleMesh:
