@@ -367,6 +367,36 @@ SENTENCES: dict[str, Sentence] = {
         "{area_mm2} mm2 with a counterpart are painted as stable; at least {least_mm2} mm2 are needed.",
         "Nothing was changed; paint more, or use the automatic frame.",
     ),
+    # ------------------------------------------------------------------------------------------ mounts
+    "E-MNT-01": Sentence(
+        "The new mount fits nowhere on what was measured before: in the best pose only {agree} % of the surface that both show agrees.",
+        "Nothing was joined and all points are kept; pick three points on both, or measure another mount that shares more with the earlier ones.",
+    ),
+    "E-MNT-02": Sentence(
+        "The new mount shares too little with what was measured before: {overlap} % of it, and at least {least} % are needed.",
+        "Nothing was joined and all points are kept; pick three points on both, or measure another mount that shares more with the earlier ones.",
+    ),
+    "E-MNT-03": Sentence(
+        "The new mount fits in more than one way: a pose that is turned by {angle} degrees against the best one fits about as well.",
+        "Nothing was joined and all points are kept; pick three points on both, or measure another mount that shares more with the earlier ones.",
+    ),
+    "E-MNT-04": Sentence(
+        "The surface that both mounts show does not tell how they lie: {directions} of six directions of motion stay open, "
+        "as on a ball or a cylinder.",
+        "Nothing was joined and all points are kept; pick three points on both, or measure another mount that shares more with the earlier ones.",
+    ),
+    "E-MNT-05": Sentence(
+        "In the best pose the new mount stands where light to the earlier one passed: {share} % of it.",
+        "Nothing was joined and all points are kept; pick three points on both, or measure another mount that shares more with the earlier ones.",
+    ),
+    "E-MNT-06": Sentence(
+        "The new mount, or what was measured before, has too few points to find its place: {points}, but at least {least} are needed.",
+        "Nothing was joined and all points are kept; measure more of it.",
+    ),
+    "E-MNT-07": Sentence(
+        "The picked points do not belong to each other: after the best fit of the surfaces they lie {apart_mm} mm apart.",
+        "Nothing was joined and all points are kept; pick three points far from each other, in the same order on both.",
+    ),
     # ------------------------------------------------------------------------------------------ mounts in a case
     "E-MNT-10": Sentence(
         "Mount {mount} was not joined to the others. {reason}",

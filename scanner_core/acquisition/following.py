@@ -81,6 +81,11 @@ class PlanFollower:
         self._asked_s = time.monotonic()
         return self.motion
 
+    def rests(self) -> bool:
+        """While the rig rests: go on asking the controller; True when the scan was ended."""
+        self._poll()
+        return self._control.cancelled.is_set()
+
     # ------------------------------------------------------------------------------------------ inner
     def _scan_view(self, run: Pass, view: ViewPlan, table_deg: float, wanted: int | None, left: CaptureThread, right: CaptureThread) -> int:
         measured = 0

@@ -108,9 +108,13 @@ class HealthMonitor:
         elif phase != "check" and plan.views[0].rows:
             self._first_id = plan.views[0].rows[0].first_id
             self._first.clear()
+        self.expect(plan)
+
+    def expect(self, plan: ScanPlan) -> None:
+        """What is swept next, of the pass that has begun."""
         rows = [row.count for view in plan.views for row in view.rows]
         if rows:
-            self._frames.expect_light(2 * plan.planned // len(plan.views) if phase == "locate" else max(200, 4 * max(rows)))
+            self._frames.expect_light(2 * plan.planned // len(plan.views) if self._phase == "locate" else max(200, 4 * max(rows)))
 
     def add(self, pairs: Sequence[StereoPair], seen: EvaluatedPairs, view: int, table_deg: float) -> None:
         """A batch of pairs as it was evaluated; `seen` may end before `pairs`, where a quota was reached."""

@@ -18,11 +18,11 @@ from scanner_core.case.edits import DISCARDED
 from scanner_core.case.points import case_rig
 from scanner_core.case.scan_parts import PlacedMounts, ScanPart, merged, placed_motions, refine_parts
 from scanner_core.case.store import CaseStore
-from scanner_core.comparison.picked_points import transform_from_picked
 from scanner_core.errors import CaseError, UsageError
 from scanner_core.geometry.mount_refinement import PairFit
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.geometry.view_directions import seen_from
 from scanner_core.jobs.progress import IsCancelled, OnProgress
 from scanner_core.sentences import SENTENCES
 
@@ -30,9 +30,7 @@ Array = NDArray[np.float64]
 Picks = tuple[Array, Array]
 """Places (n, 3) mm on a mount, in its own object frame, and the same places (n, 3) mm in that of the first mount."""
 
-_PICKED_MM = 3.0
-"""How far surfaces may lie apart after a person has picked points."""
-_AS_CLOSE, _AS_CLOSE_UM = 2.0, 10.0
+_AS_CLOSE, _AS_CLOSE_UM = 1.5, 5.0
 """A mount lies on the others when its distance is so many times that of views of one mount, and so much."""
 _LEAST_AGREEING = 0.8
 _MOST_CLOSURE_UM = 20.0
@@ -56,7 +54,17 @@ class Start(Protocol):
 class FindPose(Protocol):
     """Finds how `moving` lies on `fixed`, each in its own object frame."""
 
-    def __call__(self, fixed: PointCloud, moving: PointCloud, *, seed: int, progress: OnProgress, cancelled: IsCancelled) -> Start: ...
+    def __call__(
+        self,
+        fixed: PointCloud,
+        moving: PointCloud,
+        *,
+        seed: int,
+        progress: OnProgress,
+        cancelled: IsCancelled,
+        fixed_towards: Array | None = None,
+        moving_towards: Array | None = None,
+    ) -> Start: ...
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -263,27 +271,19 @@ class _Registering:
     def _join(self, mount: int, before: RigidTransform | None) -> MountOutcome:
         """Try to join a mount to those that are."""
         points = len(self._parts[mount].table)
-        capture_mm: float | None = None
-        found: Mapping[str, object] = {}
-        if mount in self._picks:
-            own, others = self._picks[mount]
-            start, how, capture_mm = transform_from_picked(others, own), "picked", _PICKED_MM
-        elif before is not None:
+        if before is not None and mount not in self._picks:
             start, how = before, "kept"
             kept = self._store.mount_poses()[mount].report.get("search")
-            found = kept if isinstance(kept, dict) else {}
+            found: Mapping[str, object] = kept if isinstance(kept, dict) else {}
         else:
-            how = "found"
-            told = self._find(self._joined_cloud(), self._alone(mount), seed=self._seed, progress=self._progress, cancelled=self._cancelled)
+            told, how = self._started(mount)
             found = told.as_dict()
             if not told.accepted:
                 return MountOutcome(mount, points, None, how, told.code, told.fields, found)
             start = told.transform
         mounts = sorted([*self._poses, mount])
         parts = _numbered([self._parts[number] for number in mounts])
-        placed = refine_parts(
-            self._store, parts, self._poses | {mount: start}, capture_mm=capture_mm, progress=self._progress, cancelled=self._cancelled
-        )
+        placed = refine_parts(self._store, parts, self._poses | {mount: start}, progress=self._progress, cancelled=self._cancelled)
         pairs = placed.refinement.pairs
         ours = tuple(pair for pair in pairs if mount in (placed.mounts[pair.first], placed.mounts[pair.second]))
         code, fields = _doubt(ours, pairs, placed.refinement.residual_within_um)
@@ -292,17 +292,38 @@ class _Registering:
         self._poses, self._placed = dict(placed.poses), placed
         return MountOutcome(mount, points, placed.poses[mount], how, found=found, pairs=ours)
 
-    def _joined_cloud(self) -> PointCloud:
-        parts = _numbered([self._parts[mount] for mount in sorted(self._poses)])
-        if self._placed is None:
-            return self._alone(self._first)
-        motions = placed_motions(parts, self._poses, self._placed.corrections)
-        return merged([part.measured(self._store, motions) for part in parts])
-
-    def _alone(self, mount: int) -> PointCloud:
-        """In its own object frame, with the corrections that the registration of its scan gave its views."""
+    def _started(self, mount: int) -> tuple[Start, str]:
+        """Where a mount lies on those that were joined, by a person's points or by a search, and which of the two."""
+        fixed, fixed_towards = self._joined()
         part = self._parts[mount]
-        return part.measured(self._store, self._store.corrections(part.scan_id)).cloud
+        moving = part.measured(self._store, self._store.corrections(part.scan_id)).cloud  # corrected by the registration of its scan
+        towards = _towards(moving, [part], {mount: RigidTransform.identity()})
+        if mount not in self._picks:
+            told = self._find(
+                fixed,
+                moving,
+                seed=self._seed,
+                progress=self._progress,
+                cancelled=self._cancelled,
+                fixed_towards=fixed_towards,
+                moving_towards=towards,
+            )
+            return told, "found"
+        from scanner_core.mounting.picked_pose import pose_from_points
+
+        own, others = self._picks[mount]
+        picked = pose_from_points(
+            fixed, moving, others, own, seed=self._seed, cancelled=self._cancelled, fixed_towards=fixed_towards, moving_towards=towards
+        )
+        return picked, "picked"
+
+    def _joined(self) -> tuple[PointCloud, Array]:
+        """The points of the mounts that were joined, in the frame of the first, and where their light came from."""
+        parts = _numbered([self._parts[mount] for mount in sorted(self._poses)])
+        corrections = self._store.corrections(parts[0].scan_id) if self._placed is None else self._placed.corrections
+        motions = placed_motions(parts, self._poses, corrections)
+        cloud = merged([part.measured(self._store, motions) for part in parts])
+        return cloud, _towards(cloud, parts, self._poses)
 
 
 def mount_parts(store: CaseStore) -> list[ScanPart]:
@@ -323,6 +344,18 @@ def _numbered(parts: Sequence[ScanPart]) -> list[ScanPart]:
         found.append(part.numbered_from(first_view))
         first_view += int(part.table.view.max()) + 1
     return found
+
+
+def _towards(cloud: PointCloud, parts: Sequence[ScanPart], poses: Mapping[int, RigidTransform]) -> Array:
+    """Unit vectors (n, 3) from the points of these scans towards the rig, in the frame of the poses."""
+    assert cloud.table_deg is not None
+    assert cloud.views is not None
+    own = seen_from(cloud.table_deg)
+    towards = np.empty_like(own)
+    for part in parts:
+        here = np.isin(cloud.views, part.views)
+        towards[here] = poses[part.mount].rotate(own[here])
+    return towards
 
 
 def _doubt(ours: Sequence[PairFit], pairs: Sequence[PairFit], within_um: float) -> tuple[str, dict[str, object]]:

@@ -93,7 +93,6 @@ def refine_parts(
     parts: Sequence[ScanPart],
     poses: Mapping[int, RigidTransform],
     *,
-    capture_mm: float | None = None,
     progress: OnProgress = lambda _: None,
     cancelled: IsCancelled = lambda: False,
 ) -> PlacedMounts:
@@ -102,7 +101,6 @@ def refine_parts(
     Parameters
     ----------
     poses : by mount; the first mount's stays as it is
-    capture_mm : how far surfaces may lie apart at first
     """
     mounts = tuple(sorted({part.mount for part in parts}))
     calibrations = list(dict.fromkeys(part.calibration.identity() for part in parts))
@@ -118,7 +116,7 @@ def refine_parts(
         axis = calibrations.index(of[0].calibration.identity())
         mounted.append(MountedCloud(local_cloud, np.array([angles[int(view)] for view in known]), poses[mount], axis))
         numbers.append(known.tolist())
-    found = refine_mounts(mounted, capture_mm=capture_mm, progress=progress, cancelled=cancelled)
+    found = refine_mounts(mounted, progress=progress, cancelled=cancelled)
     corrections: dict[int, RigidTransform] = {}
     for views, motions in zip(numbers, found.corrections, strict=True):
         corrections |= dict(zip(views, motions, strict=True))

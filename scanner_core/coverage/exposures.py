@@ -39,13 +39,19 @@ class Exposures:
 
 
 def exposures_of(store: CaseStore, scan: ScanRecord, cloud: PointCloud, laser: LaserConfig) -> Exposures:
-    """All exposures of a scan of a case, of which `cloud` (object frame) holds the points.
+    """All exposures of a scan of a case; see :func:`exposures_along`."""
+    return exposures_along(ScanPlan.from_dict(scan.plan), *store.exposures(scan.id), cloud, laser)
+
+
+def exposures_along(
+    plan: ScanPlan, trigger_ids: NDArray[np.int64], table_deg: Array, verdict: NDArray[np.object_], cloud: PointCloud, laser: LaserConfig
+) -> Exposures:
+    """The exposures (n,) of a plan, ascending, of which `cloud` (object frame) holds the points.
 
     The plan says where the beam was told to point.  By how much the rig file's nominal geometry is wrong there shows in the points
     that were measured: the median difference is taken off.
     """
-    trigger_ids, table_deg, verdict = store.exposures(scan.id)
-    told = _told(ScanPlan.from_dict(scan.plan), trigger_ids)
+    told = _told(plan, trigger_ids)
     known = np.isfinite(told[:, 0])
     trigger_ids, table_deg, verdict, told = trigger_ids[known], table_deg[known], verdict[known], told[known]
     if cloud.trigger_ids is None:

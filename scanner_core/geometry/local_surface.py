@@ -24,6 +24,10 @@ _MAX_FLATNESS = 0.2
 _MAX_LEVERAGE = 0.6
 """Variance of the quadratic's height over a point's: beyond, the place is badly surrounded."""
 
+_NEIGHBOURS = (NEIGHBOURS, 40, 80, 160)
+_MOSTLY = 0.4
+"""Part of a surface's own points that must lie over it; borders never do."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SurfaceDistance:
@@ -98,3 +102,16 @@ class LocalSurface:
             & (leverage < _MAX_LEVERAGE)
         )
         return SurfaceDistance(-level / length, tilted / length[:, None], leverage, slope_leverage, valid, index[:, 0])
+
+
+def reference_surface(points: Array) -> LocalSurface:
+    """The surface under points (n, 3) mm, with as many neighbours as their noise asks for."""
+    surface = LocalSurface(points)
+    if len(points) <= NEIGHBOURS:
+        return surface
+    probe = points[:: max(1, len(points) // 150)]
+    for neighbours in _NEIGHBOURS[1:]:
+        if np.mean(surface.distance(probe).valid) >= _MOSTLY:
+            break
+        surface = LocalSurface(points, neighbours)
+    return surface

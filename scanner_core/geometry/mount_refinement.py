@@ -35,7 +35,7 @@ _STEPS = 4
 """Reweighted steps between two searches for correspondences."""
 _APPROACH, _ROUNDS = 30, 12
 """Rounds at most with the mounts rigid, and with everything free."""
-_CLOSE_MM, _SETTLED_MM = 5e-3, 5e-4
+_CLOSE_MM, _SETTLED_MM = 1e-3, 2.5e-3
 _LOOSE_MM = 1.0
 """Of a step of a mount: what no surface determines stays where it is."""
 _AGREES = 4.685
@@ -125,7 +125,6 @@ def refine_mounts(
     mounts: list[MountedCloud],
     parameters: RegistrationParameters | None = None,
     *,
-    capture_mm: float | None = None,
     progress: OnProgress = lambda _: None,
     cancelled: IsCancelled = lambda: False,
 ) -> MountRefinement:
@@ -135,13 +134,12 @@ def refine_mounts(
     ----------
     mounts : at least one, each so close to its place that surfaces within `max_distance_mm` are the same one
     parameters : prior of axis and views, and cost
-    capture_mm : how far surfaces may lie apart at first; None for the parameters' `max_distance_mm`
 
     Raises
     ------
     Cancelled
     """
-    return _Refinement(mounts, parameters or RegistrationParameters(), progress, cancelled).run(capture_mm)
+    return _Refinement(mounts, parameters or RegistrationParameters(), progress, cancelled).run()
 
 
 class _Refinement:
@@ -167,13 +165,12 @@ class _Refinement:
         self._axis_weight = 1 / np.repeat([angle_mm, shift_mm], 2) ** 2
         self._view_weight = 1 / np.repeat([angle_mm, shift_mm], 3) ** 2
 
-    def run(self, capture_mm: float | None) -> MountRefinement:
+    def run(self) -> MountRefinement:
         iterations, converged = 0, False
         for surface, corrections in zip(self._surfaces, self._corrections(), strict=True):
             surface.merge(corrections)
         if len(self._mounts) > 1:
-            for reach_mm in dict.fromkeys((capture_mm or self._p.max_distance_mm, self._p.max_distance_mm)):
-                self._approach(reach_mm)
+            self._approach()
         for i in range(_ROUNDS):
             self._tell(0.5 + 0.5 * i / _ROUNDS)
             iterations += 1
@@ -194,11 +191,11 @@ class _Refinement:
             iterations=iterations,
         )
 
-    def _approach(self, reach_mm: float) -> None:
+    def _approach(self) -> None:
         """The mounts alone, each of them rigid."""
         for i in range(_APPROACH):
             self._tell(0.5 * i / _APPROACH)
-            if self._step(self._between(reach_mm=reach_mm), free=False) < _CLOSE_MM:
+            if self._step(self._between(), free=False) < _CLOSE_MM:
                 break
 
     def _tell(self, fraction: float) -> None:
@@ -231,14 +228,13 @@ class _Refinement:
             group += len(surface.pairs)
         return Matches.joined(found)
 
-    def _between(self, check: bool = False, reach_mm: float | None = None) -> Matches:
+    def _between(self, check: bool = False) -> Matches:
         """Both directions of a pair of mounts are one group, numbered below those of the views."""
         corrected = [surface.corrected(motions) for surface, motions in zip(self._surfaces, self._corrections(), strict=True)]
-        reach_mm = reach_mm or self._p.max_distance_mm
         found = []
         for a, b in self._pairs:
             one, other = self._surfaces[a], self._surfaces[b]
-            found.append(one.match_with(corrected[a], self._poses[a], other, self._poses[b], self._group(a, b), reach_mm, check))
+            found.append(one.match_with(corrected[a], self._poses[a], other, self._poses[b], self._group(a, b), self._p.max_distance_mm, check))
         return Matches.joined([matches for matches in found if len(matches) >= MIN_MATCHES])
 
     def _group(self, a: int, b: int) -> int:
