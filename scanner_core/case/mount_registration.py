@@ -364,14 +364,12 @@ def _doubt(ours: Sequence[PairFit], pairs: Sequence[PairFit], within_um: float) 
         return "E-MNT-11", {}
     most_um = _AS_CLOSE * within_um + _AS_CLOSE_UM
     worst = max(ours, key=lambda pair: pair.residual_um)
-    if worst.residual_um > most_um:
-        return "E-MNT-12", {"residual_um": f"{worst.residual_um:.0f}", "most_um": f"{most_um:.0f}"}
-    least = min(ours, key=lambda pair: pair.agreeing_fraction)
-    if least.agreeing_fraction < _LEAST_AGREEING:
-        return "E-MNT-13", {"agree": f"{100 * least.agreeing_fraction:.0f}"}
+    agreeing = min(pair.agreeing_fraction for pair in ours)
+    if worst.residual_um > most_um or agreeing < _LEAST_AGREEING:
+        return "E-MNT-12", {"residual_um": f"{worst.residual_um:.0f}", "most_um": f"{most_um:.0f}", "agree": f"{100 * agreeing:.0f}"}
     closure_um = max(pair.closure_um for pair in pairs)
     if closure_um > _MOST_CLOSURE_UM:
-        return "E-MNT-14", {"closure_um": f"{closure_um:.0f}"}
+        return "E-MNT-13", {"closure_um": f"{closure_um:.0f}"}
     return "", {}
 
 

@@ -53,7 +53,7 @@ def read_picks(path: Path) -> dict[int, Picks]:
     Raises
     ------
     InputFileError
-        E-FILE-01 no such file; E-MNT-15 with the line when it is malformed, or cannot be read.
+        E-FILE-01 no such file; E-MNT-14 with the line when it is malformed, or cannot be read.
     """
     rows: dict[int, list[list[float]]] = {}
     try:
@@ -81,4 +81,4 @@ def read_picks(path: Path) -> dict[int, Picks]:
 
 
 def _malformed(path: Path, reason: str) -> InputFileError:
-    return InputFileError("E-MNT-15", path=path, reason=reason)
+    return InputFileError("E-MNT-14", path=path, reason=reason)
