@@ -31,6 +31,7 @@ from scanner_core.acquisition.engine import StereoEngine
 from scanner_core.acquisition.following import PlanFollower
 from scanner_core.acquisition.handover import LatestSlot, PointLog, Preview
 from scanner_core.acquisition.health import HealthMonitor
+from scanner_core.acquisition.mark_visitor import MarkVisitor
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.resuming import expect_same_rig
 from scanner_core.acquisition.rig_session import OpenRig
@@ -99,6 +100,8 @@ class ScanRunner:
         self._health = HealthMonitor(rig.calibration, rig.left.rate_hz)
         engine = StereoEngine(rig.calibration, rig.config.volume, rig.config.spot.floor_px)
         self._follower = PlanFollower(rig, engine, store, self._health, self._control)
+        if (marks := rig.config.marks) is not None:
+            self._follower.marks = MarkVisitor(rig, marks, rig.calibration, store, self._control)
         self._course = ScanCourse(
             rig, rig.calibration, store, self._request, interruption, self._control, self._health, self._follower, self.live_cloud, mount
         )
@@ -221,6 +224,7 @@ class ScanRunner:
             resumed=self._course.resumed,
             steering=None if self._course.steering is None else self._course.steering.result(),
             error=error,
+            marks=None if self._follower.marks is None else self._follower.marks.report(),
         )
         with self._lock:
             self.result = result

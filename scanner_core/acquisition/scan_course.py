@@ -139,6 +139,8 @@ class ScanCourse:
         self.plan = plan
         self.tally = Tally(plan.planned, wanted, self._rig.clock.now_s(), rest.verdicts)
         self._health.recall(plan, known, rest.remaining.complete)
+        if self._follower.marks is not None:
+            self._follower.marks.begin_check(interruption.record.id)
         self._find_again(plan, known)
         if self._control.cancelled.is_set():
             return True
@@ -157,7 +159,7 @@ class ScanCourse:
         Raises
         ------
         AcquisitionError
-            E-SCAN-03: they are not where they were.
+            E-SCAN-03: they are not where they were; E-MARK-01: the marks on the table's rim are not.
         """
         check = check_plan(plan, known, self._store.next_trigger_id())
         run = self._begin("check", check.plan, None, PointLog())
@@ -184,6 +186,8 @@ class ScanCourse:
 
     def _follow_scan(self, run: Pass) -> None:
         self._health.expect(run.plan)
+        if self._follower.marks is not None:
+            self._follower.marks.begin(run.scan_id, run.cloud)
         self._follow(run)
         if not run.tally.measured and not self._control.cancelled.is_set():
             raise _nothing_seen(run.tally.counts())

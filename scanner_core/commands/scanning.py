@@ -223,6 +223,8 @@ def scan_json(result: ScanResult, rate_hz: float, case: str) -> dict[str, object
         "registration": None if registration is None else registration.as_dict(),
         "health": result.health.as_dict(),
     }
+    if result.marks is not None:
+        values["marks"] = result.marks.as_dict()
     if result.steering is not None:
         values |= result.steering.as_dict()
     if result.resumed is not None:
@@ -250,6 +252,8 @@ def scan_summary(result: ScanResult) -> list[str]:
             lines.append(f"Views registered: residual {said.residual_before_um:.1f} um before, {said.residual_after_um:.1f} um after the refinement.")
         elif result.views_planned > 1:
             lines.append(f"Views brought together by the turntable's axis, residual {said.residual_before_um:.1f} um; not refined: {said.reason}.")
+    if result.marks is not None:
+        lines.append(f"Marks on the table's rim: {result.marks.words()}.")
     lines += [f"{'Warning' if found.severity == 'warning' else 'Note'}: {found.sentence} [{found.code}]" for found in result.health.findings]
     return lines
 
