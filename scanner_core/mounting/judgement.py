@@ -13,7 +13,7 @@ import numpy as np
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.mounting.agreement import Agreement
 from scanner_core.mounting.mount_start import MountStart, Rival, Verdict
-from scanner_core.mounting.pose_fit import SurfaceFit
+from scanner_core.mounting.surface_fit import SurfaceFit
 
 LEAST_POINTS = 300
 _LEAST_OVERLAP = 0.08
