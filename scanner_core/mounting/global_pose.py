@@ -77,13 +77,13 @@ def find_pose(
         tried.append(TriedPose(fit, agreement(target, source, fit.transform, _ROUGH_QUERIES)))
     tried.sort(key=lambda pose: -pose.agreement.score)
     if not tried:
-        return judged(None, [])
+        return judged(None, [], moving.points)
     _check(cancelled)
     progress(Progress("refining", 0.9))
     fit = fit_surface(target, source, tried[0].fit.transform, queries=ALL_POINTS, rounds=6, near=True)
     best = TriedPose(fit, agreement(target, source, fit.transform, 2 * _ROUGH_QUERIES))
     different = [pose for pose in tried[1:] if _apart_mm(pose.fit.transform, fit.transform, thin.points) > _DIFFERENT * spacing]
-    return judged(best, different)
+    return judged(best, different, moving.points)
 
 
 def _unlike(poses: list[RigidTransform], target: MountSurface, source: OrientedSample, spacing: float) -> list[RigidTransform]:

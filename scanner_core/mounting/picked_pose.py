@@ -60,7 +60,7 @@ def pose_from_points(
         raise Cancelled
     best = max(near, key=lambda fit: agreement(target, source, fit.transform, _QUERIES).score)
     fit = fit_surface(target, source, best.transform, queries=ALL_POINTS, rounds=6, near=True)
-    found = judged(TriedPose(fit, agreement(target, source, fit.transform, 2 * _QUERIES)), [], picked=True)
+    found = judged(TriedPose(fit, agreement(target, source, fit.transform, 2 * _QUERIES)), [], moving.points, picked=True)
     one, other = np.asarray(fixed_points, np.float64), fit.transform.apply(np.asarray(moving_points, np.float64))
     apart = float(np.sqrt(np.mean(np.sum((one - other) ** 2, axis=1))))
     if found.accepted and apart > max(_PICKED_MM, 3 * spacing):

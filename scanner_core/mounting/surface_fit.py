@@ -23,6 +23,8 @@ _LEAST_MATCHES = 80
 _STILL_MM = 2e-4
 _COUNTED_TWICE = 2.0
 """Every point is compared with the other surface and makes up its own, so independent information is half of what is summed."""
+_GLANCE, _HOPELESS = 3, 8.0
+"""After so many rounds distances that are so many times the points' scatter will not become those of one surface."""
 ALL_POINTS = 25_000
 """Of each mount, that a final pose rests on at most."""
 
@@ -81,6 +83,8 @@ def fit_surface(fixed: MountSurface, moving: MountSurface, start: RigidTransform
             break
         if near and number == 0:
             movable, standing = there.which, back.which
+        if number == _GLANCE and scale > _HOPELESS * np.hypot(fixed.scatter_mm, moving.scatter_mm):
+            break
     if knowledge is None:
         return SurfaceFit(transform, None)
     return SurfaceFit(transform, replace(knowledge, uncertainties_mm=np.sqrt(_COUNTED_TWICE) * knowledge.uncertainties_mm))
