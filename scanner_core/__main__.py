@@ -29,6 +29,7 @@ _INTERRUPTED = {
 }
 """What is true when a command is interrupted that did not itself say how it ended."""
 _log = logging.getLogger("impronta")
+_UNTIL = "scan on where the surface is uncertain, until its standard uncertainty is below U um wherever light reaches, or the points are spent"
 _SPECIMENS = "ear, arch, heart, sphere, or a mesh file (STL, PLY, OBJ, VTP in millimetres, 3MF)"
 
 
@@ -99,6 +100,7 @@ def _parser() -> argparse.ArgumentParser:
     demo.add_argument("--preset", default="bench", help="bench, paper-2003 or workshop")
     demo.add_argument("--points", type=_count, default=None, metavar="N", help="wanted number of points (default 20000)")
     demo.add_argument("--views", type=_count, default=None, metavar="N", help="table positions (default 16)")
+    demo.add_argument("--until-um", type=_positive, default=None, metavar="U", help=_UNTIL)
     demo.add_argument("--out", metavar="DIR", help="folder of the results (default: a new dated folder here)")
     demo.add_argument("--triangles", type=_count, default=None, metavar="N", help="at most N triangles")
     demo.add_argument("--force", action="store_true", help="overwrite results that are there")
@@ -125,7 +127,8 @@ def _parser() -> argparse.ArgumentParser:
 
     scan = _command(commands, "scan", "acquire into a new case, or go on with an interrupted one")
     _measuring_rig(scan)
-    scan.add_argument("--plan", metavar="PLAN.toml", help="views, points, object_radius_mm, object_height_mm")
+    scan.add_argument("--plan", metavar="PLAN.toml", help="views, points, object_radius_mm, object_height_mm, until_um")
+    scan.add_argument("--until-um", type=_positive, default=None, metavar="U", help=_UNTIL)
     scan.add_argument("--out", required=True, metavar="CASE.impronta")
     scan.add_argument("--specimen", default="ear", metavar="NAME or FILE", help=f"virtual rig only: {_SPECIMENS}")
     scan.add_argument("--treated", action="store_true", help="virtual rig only: the arch after treatment")

@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 EXPONENT = 0.7
 """An ear with 170 um of noise: 3,500 to 20,000 points take its error from 68.6 to 37.1 um."""
 
-_UNCERTAIN = 4.0
+_UNCERTAIN = 2.5
 """An uncertainty is believed up to so many times that of the surface as a whole: at a free rim it can run away."""
 
 _SPARSE = 0.05

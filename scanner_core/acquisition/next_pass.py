@@ -7,7 +7,7 @@ says how much every place deserves, :mod:`~scanner_core.acquisition.view_choice`
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -15,8 +15,10 @@ from numpy.typing import NDArray
 
 from scanner_core.acquisition.beam_rows import beam_rows
 from scanner_core.acquisition.plan import ViewPlan
+from scanner_core.acquisition.remount import RemountAdvice, remount_advice
 from scanner_core.acquisition.surface_places import SurfacePlaces
 from scanner_core.acquisition.view_choice import choose_views
+from scanner_core.acquisition.yields import expected_yields
 from scanner_core.coverage.sight import Sight
 from scanner_core.coverage.sightlines import Sightlines
 from scanner_core.devices.rig import RigConfig
@@ -36,6 +38,8 @@ _SPARE = 1.05
 _NARROWEST_SPOTS = 0.3
 """Narrowest step, in diameters of the spot: what lies closer shares its light, and errs alike."""
 
+_NOT_MUCH_MORE = 1.3
+
 _LEAST_POINTS = 40
 """A view with fewer points cannot be registered, and is not worth a turn."""
 
@@ -50,6 +54,7 @@ class NextPass:
     points : that it is expected to measure
     seconds : of the rig's time
     within_now, within_predicted : share of the area within the wanted uncertainty, of all that is, or can be measured as the object stands
+    remount : how to set the object down anew for what cannot be measured as it stands; told with the last pass, which has no views
     """
 
     views: tuple[ViewPlan, ...]
@@ -57,6 +62,7 @@ class NextPass:
     seconds: float
     within_now: float
     within_predicted: float
+    remount: RemountAdvice | None = None
 
 
 def next_pass(
@@ -70,6 +76,7 @@ def next_pass(
     first_view: int,
     first_id: int,
     *,
+    done: Sequence[ViewPlan] = (),
     noise: NoiseModel | None = None,
     check: Callable[[], None] = lambda: None,
 ) -> NextPass:
@@ -81,8 +88,10 @@ def next_pass(
     cloud : the points that it was made of, object frame, with covariances
     rate_hz : of the cameras
     wanted_um : standard uncertainty that is enough
-    budget_points : the most that this pass may measure; its quotas sum to this at most
+    budget_points : the most that may still be measured; a pass takes as many as there are points so far at most, because what
+        few points tell is not trusted with many
     first_view, first_id : numbers of the first view and trigger id of the pass
+    done : the views so far, whose exposures show what gives points and what does not
     noise : of the scan so far
     check : raises when the caller asked to stop
     """
@@ -94,8 +103,14 @@ def next_pass(
     for angle in np.arange(0.0, 360.0, _EVERY_DEG):
         check()
         sights.append(sightlines.at(float(angle)))
-    sd_um = np.stack([np.where(sight.measurable, sight.point_sd_um, np.inf) for sight in sights])
+    angles = np.array([sight.table_deg for sight in sights])
+    reach_deg = _reach_deg(places, rig)
+    ids = np.zeros(0, np.int64) if cloud.trigger_ids is None else cloud.trigger_ids
+    share = expected_yields(angles, len(places.points), done, ids, sightlines.at, reach_deg)
+    # a point that only every second exposure gives takes two
+    sd_um = np.stack([np.where(sight.measurable, sight.point_sd_um, np.inf) for sight in sights]) / np.sqrt(share)
     check()
+    budget_points = _of_this_pass(budget_points, len(cloud))
     demand = places.demand
     view_points = rate_hz * TURN_S
     choice = choose_views(demand, sd_um, float(budget_points), wanted_um, view_points, _MOST_VIEWS)
@@ -120,7 +135,22 @@ def next_pass(
         points += quota
         view += 1
         views.append(plan)
-    return NextPass(tuple(views), points, seconds, float(area @ now) / total, float(area @ after) / total)
+    within_now, within_then = float(area @ now) / total, float(area @ after) / total
+    if views:
+        return NextPass(tuple(views), points, seconds, within_now, within_then)
+    advice = remount_advice(surface, places.points, places.normals, demand.area_mm2, here, rig, calibration, check=check)
+    return NextPass((), 0, 0.0, within_now, within_now, advice)
+
+
+def _of_this_pass(budget_points: int, so_far: int) -> int:
+    """All that is left when that is not much more than there is."""
+    return budget_points if budget_points < _NOT_MUCH_MORE * so_far else so_far
+
+
+def _reach_deg(places: SurfacePlaces, rig: RigConfig) -> float:
+    """How far from a place a beam still means it."""
+    distance_mm = float(np.linalg.norm(np.subtract(rig.laser.position_mm, rig.laser.target_mm)))
+    return float(np.degrees(0.8 * places.spacing_mm / distance_mm))
 
 
 def _view(sight: Sight, wanted: Array, places: SurfacePlaces, rig: RigConfig, rate_hz: float, view: int, first_id: int, quota: int) -> ViewPlan:
@@ -128,12 +158,11 @@ def _view(sight: Sight, wanted: Array, places: SurfacePlaces, rig: RigConfig, ra
     met = np.flatnonzero(sight.beam_free & (sight.cosines > 0).all(axis=1))
     laser = rig.laser
     distance_mm = float(np.linalg.norm(np.subtract(laser.position_mm, laser.target_mm)))
-    spacing_deg = float(np.degrees(places.spacing_mm / distance_mm))
     # a place seen at an angle covers less of the beam's square degrees
     seen_deg2 = places.demand.area_mm2[met] * np.maximum(sight.cosines[met, 0], 0.05) * np.degrees(1 / distance_mm) ** 2
     limits = rig.limits
     narrowest = float(np.degrees(_NARROWEST_SPOTS * laser.spot_diameter_mm / distance_mm))
     steps = narrowest, max(limits.sweep_speed_deg_s / rate_hz, narrowest)
     within = limits.x_deg, limits.y_deg
-    found = beam_rows(sight.beam_deg[met], wanted[met] / seen_deg2, _SPARE * quota, 0.8 * spacing_deg, steps, within, view, first_id)
+    found = beam_rows(sight.beam_deg[met], wanted[met] / seen_deg2, _SPARE * quota, _reach_deg(places, rig), steps, within, view, first_id)
     return ViewPlan(sight.table_deg, found.rows, quota, found.step_deg * rate_hz)

@@ -37,7 +37,7 @@ from scanner_core.optics.triangulation import EpipolarGate, Triangulator
 
 _GEOMETRIC = ("epipolar_sigmas", "volume_radius_mm", "volume_height_mm", "table_mm")
 """Gates that need the point."""
-_BY_GEOMETRY = (MEASURED, "epipolar", "outside_volume", "table")
+_BY_GEOMETRY = (MEASURED, "epipolar", "outside_volume", "table", "mark")
 """Verdicts that a change of those gates, or of the calibration, decides anew."""
 
 
@@ -312,7 +312,8 @@ def _by_geometry(table: ObservationTable, rig: RigConfig, calibration: StereoCal
     inside = (np.hypot(points[:, 0], points[:, 1]) <= radius) & (points[:, 2] <= height)
     above = points[:, 2] >= (TABLE_MM if gates.table_mm is None else gates.table_mm)
     matches = gate.accepts(seen.epipolar_residual_px, *sigmas)
-    return np.select([~matches, ~inside, ~above], ["epipolar", "outside_volume", "table"], MEASURED).astype(object)
+    mark = np.zeros(len(points), bool) if rig.marks is None else rig.marks.holds(points)  # a wider volume does not make them the object's
+    return np.select([~matches, ~inside, ~above, mark], ["epipolar", "outside_volume", "table", "mark"], MEASURED).astype(object)
 
 
 def _by_spots(pairs: PairTable, gates: Gates) -> list[tuple[str, NDArray[np.bool_]]]:

@@ -12,7 +12,7 @@ from scanner_core.acquisition.status import FinishReason, ScanCounts
 from scanner_core.case import decoding
 from scanner_core.case.database import CaseDatabase, note
 from scanner_core.case.decoding import damaged, text
-from scanner_core.case.observation import MEASURED, ObservationTable, PairTable, StereoObservation
+from scanner_core.case.observation import MEASURED, ExposureTable, ObservationTable, PairTable, StereoObservation
 from scanner_core.case.records import RegistrationRecord, ScanRecord
 from scanner_core.errors import CaseFormatError
 from scanner_core.geometry.rigid import RigidTransform
@@ -145,14 +145,15 @@ class ScanTables(CaseDatabase):
         with damaged(self.path, "list of trigger ids"):
             return decoding.trigger_ids(rows)
 
-    def exposures(self, scan_id: int) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.object_]]:
-        """Trigger ids, ascending, table angles and verdicts of all exposures of a scan, (n,) each."""
-        query = "SELECT trigger_id, table_deg, name FROM observation JOIN verdict ON verdict.id = verdict WHERE scan_id = ? ORDER BY trigger_id"
-        rows = self._rows(query, (scan_id,))
+    def exposures(self, scan_id: int) -> ExposureTable:
+        """All exposures of a scan, whatever became of them, in the order of their trigger ids."""
+        rows = self._rows(
+            "SELECT trigger_id, table_deg, left_x_px, left_y_px, right_x_px, right_y_px, name "
+            "FROM observation JOIN verdict ON verdict.id = verdict WHERE scan_id = ? ORDER BY trigger_id",
+            (scan_id,),
+        )
         with damaged(self.path, "list of observations"):
-            ids = decoding.trigger_ids([(number,) for number, _, _ in rows])
-            table_deg = decoding.table_angles([angle for _, angle, _ in rows])
-            return ids, table_deg, np.array([text(name) for _, _, name in rows], np.object_)
+            return decoding.exposures(rows)
 
     def observations(self, scan_id: int) -> ObservationTable:
         """The measured observations of a scan in the order of their trigger ids."""

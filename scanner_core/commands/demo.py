@@ -33,7 +33,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
     if given.treated and given.specimen != "arch":
         raise UsageError("E-USE-01", what="Only the arch can be scanned after treatment", do="use --specimen arch --treated")
     specimen = specimen_on_table(given, config)
-    asked = {name: getattr(given, name) for name in ("views", "points") if getattr(given, name) is not None}
+    asked = {name: getattr(given, name) for name in ("views", "points", "until_um") if getattr(given, name) is not None}
     request = sized_for(PlanRequest(**asked), specimen)
     to_come = faults(given, config)
     folder = _folder(given.out, specimen.name, given.force)

@@ -38,8 +38,10 @@ from scanner_core.virtual.specimens import Specimen
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
-    if given.resume and (given.plan is not None or given.force):
-        raise UsageError("E-USE-01", what="An interrupted scan goes on with its own plan, in its own case", do="leave --plan and --force away")
+    if given.resume and (given.plan is not None or given.until_um is not None or given.force):
+        raise UsageError(
+            "E-USE-01", what="An interrupted scan goes on with its own plan, in its own case", do="leave --plan, --until-um and --force away"
+        )
     config, calibration = calibrated_rig(given)
     known = recorded_plan(config)
     request = known or PlanRequest()
@@ -51,12 +53,16 @@ def run(given: argparse.Namespace, console: Console) -> int:
                 object_radius_mm=request.object_radius_mm or known.object_radius_mm,
                 object_height_mm=request.object_height_mm or known.object_height_mm,
             )
-        if known not in (None, request):  # frames of other table angles would pass for those that are asked for
-            raise UsageError("E-USE-01", what="The recording was made with another plan", do="leave --plan away")
+    if given.until_um is not None:
+        request = replace(request, until_um=given.until_um)
+    if known not in (None, request):  # frames of other table angles would pass for those that are asked for
+        raise UsageError("E-USE-01", what="The recording was made with another plan", do="leave --plan and --until-um away")
+    if given.record is not None and request.until_um is not None:  # a later version of this program may choose other angles
+        raise UsageError("E-USE-01", what="The plan of a scan until an uncertainty is not known beforehand", do="record one without --until-um")
     specimen = specimen_on_table(given, config) if is_rendered(config) else None
     to_come = faults(given, config)
-    if any(isinstance(fault, WorkerFault) for fault in to_come):
-        raise UsageError("E-USE-01", what="A scan has no worker process that could fail", do="let that happen in 'impronta demo'")
+    if request.until_um is None and any(isinstance(fault, WorkerFault) for fault in to_come):
+        raise UsageError("E-USE-01", what="This scan has no worker process that could fail", do="let that happen with --until-um")
     warnings = age_warnings(calibration)
     for warning in warnings:
         console.say(f"Warning: {warning}")

@@ -222,6 +222,10 @@ def scan_json(result: ScanResult, rate_hz: float, case: str) -> dict[str, object
         "registration": None if registration is None else registration.as_dict(),
         "health": result.health.as_dict(),
     }
+    if result.marks is not None:
+        values["marks"] = result.marks.as_dict()
+    if result.steering is not None:
+        values |= result.steering.as_dict()
     if result.resumed is not None:
         values["resumed"] = {"points_before": result.resumed}
     if result.error is not None:
@@ -239,12 +243,16 @@ def scan_summary(result: ScanResult) -> list[str]:
     ]
     if result.resumed is not None:
         lines.append(f"{result.resumed} of the points were there before the interruption.")
+    if result.steering is not None:
+        lines += result.steering.summary()
     if result.views is not None:
         said = result.views.registration
         if said.applied:
             lines.append(f"Views registered: residual {said.residual_before_um:.1f} um before, {said.residual_after_um:.1f} um after the refinement.")
         elif result.views_planned > 1:
             lines.append(f"Views brought together by the turntable's axis, residual {said.residual_before_um:.1f} um; not refined: {said.reason}.")
+    if result.marks is not None:
+        lines.append(f"Marks on the table's rim: {result.marks.words()}.")
     lines += [f"{'Warning' if found.severity == 'warning' else 'Note'}: {found.sentence} [{found.code}]" for found in result.health.findings]
     return lines
 
@@ -266,6 +274,11 @@ def _show(console: Console, runner: ScanRunner) -> None:
     elif status.state is ScanState.SCANNING:
         left = status.seconds_left
         fraction = 0.0 if left is None else status.seconds / max(status.seconds + left, 1e-9)
-        console.progress("scan", fraction, left, f"{status.counts.measured} points, view {status.view + 1} of {status.views}")
+        steering = status.steering
+        phase = "scan" if steering is None else "compute" if steering.computing else f"pass {steering.number}"
+        told = f"{status.counts.measured} points, view {status.view + 1} of {status.views}"
+        if steering is not None and steering.within is not None:
+            told += f", {100 * steering.within:.0f} % within {steering.wanted_um:g} um"
+        console.progress(phase, fraction, left, told)
     elif status.state is ScanState.FINISHING:
         console.progress("register", 1.0, None, "")

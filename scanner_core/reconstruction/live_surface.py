@@ -13,9 +13,6 @@ step along the normals: a hole of millimetres is to be seen, not a micrometre.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from enum import Enum
-
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
@@ -28,13 +25,13 @@ from scanner_core.reconstruction.association import Association, associate
 from scanner_core.reconstruction.cloud_scale import CloudScale, measure_scale
 from scanner_core.reconstruction.discrete_surface import DiscreteSurface
 from scanner_core.reconstruction.inflate import Balloon, choose_lengths, fills, grown_into, inflate_at, unreached_share
+from scanner_core.reconstruction.live_request import LiveSurface, LiveSurfaceRequest, NoSurfaceReason, NoSurfaceYet
 from scanner_core.reconstruction.observations import observations_of
 from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.region import EnclosedRegion, oriented_region
 from scanner_core.reconstruction.support import MEASURED, density_share
 
 Array = NDArray[np.float64]
-Floats = NDArray[np.float32]
 
 _LEAST_POINTS = 150
 _CELLS = 80
@@ -51,59 +48,6 @@ _FAR = 0.25
 """Share of the surface of the time before outside the new region, deeper than two edges, that says the same at once."""
 _REJECTED = 3.0
 """Points farther from the balloon than so many edges belong to something else."""
-
-
-class NoSurfaceReason(Enum):
-    """Why there is no surface of a growing cloud; none of them is a fault."""
-
-    FEW_POINTS = "few points"
-    NO_BODY = "no body"
-    """The points lie in a plane, or in pieces that make no common body."""
-    PIERCED = "pierced"
-    """The body has holes right through it, as far as the points tell."""
-    NOT_FILLED = "not filled"
-    """The balloon did not get into the body."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class NoSurfaceYet:
-    """There is nothing to show; the next points may change that."""
-
-    reason: NoSurfaceReason
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class LiveSurface:
-    """A coarse closed surface of a growing cloud.
-
-    Attributes
-    ----------
-    mesh : object frame, mm, with `supported` (v,) uint8: whether points bear it out
-    supported_area : share of its area that they do
-    points : number of points that it was made from
-    followed : whether it came from the surface of the time before
-    """
-
-    mesh: TriangleMesh
-    supported_area: float
-    points: int
-    followed: bool
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class LiveSurfaceRequest:
-    """What the worker is asked for.
-
-    Attributes
-    ----------
-    points : (n, 3) mm, object frame; not registered, in any order
-    towards : (n, 3) unit vectors to the camera that saw each of them, as far as that is known
-    before : the surface of the last time, or None
-    """
-
-    points: Floats
-    towards: Floats
-    before: TriangleMesh | None = None
 
 
 def live_surface(request: LiveSurfaceRequest, *, progress: OnProgress, cancelled: IsCancelled) -> LiveSurface | NoSurfaceYet:

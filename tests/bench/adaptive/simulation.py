@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.acquisition.engine import TABLE_MM
-from scanner_core.acquisition.plan import PlanRequest, ScanPlan
+from scanner_core.acquisition.plan import PlanRequest, ScanPlan, ViewPlan
 from scanner_core.acquisition.planning import locating_plan, scan_plan
 from scanner_core.case.observation import ObservationTable
 from scanner_core.case.points import MeasuredCloud, triangulate_observations
@@ -52,6 +52,7 @@ class SimulatedScan:
         self._rng = np.random.default_rng([seed, 77])
         self.records: list[Array] = []
         self.exposures, self.rig_s = 0, 0.0
+        self.plans: tuple[ViewPlan, ...] = ()
 
     def uniform(self, request: PlanRequest) -> None:
         """The locating pass and the plan of today."""
@@ -60,7 +61,9 @@ class SimulatedScan:
         self.follow(located)
         hits = np.concatenate(self.records)[:, 0].astype(np.int64)
         self.records = kept
-        self.follow(scan_plan(self.config, request, self.rate_hz, located, hits, 1_000_000))
+        plan = scan_plan(self.config, request, self.rate_hz, located, hits, 1_000_000)
+        self.plans = plan.views
+        self.follow(plan)
 
     def follow(self, plan: ScanPlan) -> int:
         """Expose a plan; how many points that gave."""

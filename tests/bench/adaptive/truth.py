@@ -28,6 +28,7 @@ class SeenError:
 
     distance_um: Array
     rms_um: float
+    p50_um: float
     p95_um: float
     max_um: float
     within: float
@@ -75,4 +76,4 @@ class SeeableTruth:
         fine = np.asarray(surface.vertex_attributes["supported"]) > 0
         fine &= np.asarray(surface.vertex_attributes["standard_uncertainty_um"]) <= wanted_um
         within = float(fine[corners].all(axis=1).mean())
-        return SeenError(um, float(np.sqrt((um**2).mean())), float(np.percentile(um, 95)), float(um.max()), within)
+        return SeenError(um, float(np.sqrt((um**2).mean())), float(np.median(um)), float(np.percentile(um, 95)), float(um.max()), within)

@@ -54,7 +54,7 @@ def test_a_plan_grows_at_its_end_and_its_ids_count_on(tmp_path: Path) -> None:
 def test_any_other_change_of_a_plan_is_refused_and_changes_nothing(tmp_path: Path, other: ScanPlan) -> None:
     with CaseStore.create(tmp_path / "a.impronta") as store:
         number = begun(store, COARSE)
-        with pytest.raises(ValueError, match="plan|view"):
+        with pytest.raises(ValueError, match=r"plan|view"):
             store.extend_plan(number, other.as_dict())
         assert ScanPlan.from_dict(store.scans()[0].plan) == COARSE
 

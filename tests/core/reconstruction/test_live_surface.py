@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -12,7 +14,8 @@ from scanner_core.geometry.checks import check_mesh
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.jobs.progress import Cancelled
 from scanner_core.jobs.registry import JOBS, resolve
-from scanner_core.reconstruction.live_surface import LiveSurface, LiveSurfaceRequest, NoSurfaceReason, NoSurfaceYet, live_surface
+from scanner_core.reconstruction.live_request import LiveSurface, LiveSurfaceRequest, NoSurfaceReason, NoSurfaceYet
+from scanner_core.reconstruction.live_surface import live_surface
 from tests.core.reconstruction.shapes import on_sphere
 
 Array = NDArray[np.float64]
@@ -42,14 +45,17 @@ def surface(answer: LiveSurface | NoSurfaceYet) -> LiveSurface:
 
 
 def supported(live: LiveSurface) -> NDArray[np.bool_]:
-    return np.asarray(live.mesh.vertex_attributes["supported"] > 0)
+    return np.asarray(live.mesh.vertex_attributes["supported"], np.bool_)
 
 
 def test_one_view_makes_a_closed_surface_whose_far_side_is_not_supported() -> None:
     points, towards = seen(on_sphere(RADIUS_MM, 6000, 0.02, 1), (0.0,))
     live = surface(made(points + UP, towards))
     checks = check_mesh(live.mesh)
-    assert checks.closed and checks.outward and checks.genus == 0 and checks.self_intersections == 0
+    assert checks.closed
+    assert checks.outward
+    assert checks.genus == 0
+    assert checks.self_intersections == 0
     along = (live.mesh.vertices - UP) @ towards[0] / RADIUS_MM
     assert supported(live)[along > 0.4].mean() > 0.98
     assert supported(live)[along < 0.0].mean() < 0.02
@@ -67,7 +73,7 @@ def test_it_follows_the_cloud_and_the_supported_share_grows_to_what_was_seen() -
         assert live.followed == (before is not None)
         before = live.mesh
         shares.append(live.supported_area)
-    assert all(later > earlier for earlier, later in zip(shares, shares[1:], strict=False))
+    assert all(later > earlier for earlier, later in pairwise(shares))
     # what no camera sees is a cap below: those directions whose best view is more than 78 degrees off
     directions = on_sphere(1.0, 20_000, 0.0, 3)
     truth = len(np.unique(seen(RADIUS_MM * directions, tuple(range(0, 360, 45)))[0], axis=0)) / len(directions)
