@@ -12,11 +12,8 @@ from dataclasses import dataclass
 from types import TracebackType
 from typing import TYPE_CHECKING
 
-import numpy as np
-from numpy.typing import NDArray
-
 from scanner_core.acquisition.plan import ScanPlan
-from scanner_core.case.observation import ObservationTable
+from scanner_core.case.observation import ExposureTable, ObservationTable
 from scanner_core.devices.rig import RigConfig
 from scanner_core.errors import ImprontaError, WorkerError
 from scanner_core.jobs.messages import JobCancelled, JobDone, JobFailed, JobOutcome, JobProgress
@@ -38,20 +35,21 @@ class AssessmentRequest:
     Attributes
     ----------
     table : the measured observations so far
-    plan, exposed : what was followed, and of every exposure the trigger id, the table angle and the verdict, (n,) each
+    plan, exposed : what was followed, and what became of every exposure
     rate_hz : frame rate of the cameras
-    wanted_um : standard uncertainty that is enough
+    wanted_um, aim_um : standard uncertainty that is enough, and the one that the next pass is planned for
     budget_points : the most that may still be measured
     first_view, first_id : numbers that the next view and the next trigger id will have
     """
 
     table: ObservationTable
     plan: ScanPlan
-    exposed: tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.object_]]
+    exposed: ExposureTable
     rig: RigConfig
     calibration: StereoCalibration
     rate_hz: float
     wanted_um: float
+    aim_um: float
     budget_points: int
     first_view: int
     first_id: int
@@ -83,7 +81,7 @@ def run(request: AssessmentRequest, *, progress: OnProgress, cancelled: IsCancel
     from scanner_core.acquisition.next_pass import next_pass
     from scanner_core.case.points import triangulate_observations
     from scanner_core.coverage.covering import cover
-    from scanner_core.coverage.exposures import exposures_along
+    from scanner_core.coverage.exposures import exposures_of
     from scanner_core.geometry.registration import register_views
     from scanner_core.reconstruction.parameters import ReconstructionParameters
     from scanner_core.reconstruction.pipeline import reconstruct
@@ -103,8 +101,8 @@ def run(request: AssessmentRequest, *, progress: OnProgress, cancelled: IsCancel
     parameters = ReconstructionParameters(table_mm=0.0)
     surface = reconstruct(measured.cloud, parameters, progress=progress, cancelled=cancelled).mesh
     progress(Progress("cover", 1.0, preview=surface))
-    observed = exposures_along(request.plan, *request.exposed, measured.cloud, rig.laser)
-    coverage = cover(surface, rig, calibration, request.wanted_um, observed, cancelled=cancelled)
+    observed = exposures_of(request.exposed, request.plan, measured.cloud, rig)
+    coverage = cover(surface, rig, calibration, request.wanted_um, observed, guess_caps=False, cancelled=cancelled)
     planned = next_pass(
         surface,
         measured.cloud,
@@ -115,6 +113,7 @@ def run(request: AssessmentRequest, *, progress: OnProgress, cancelled: IsCancel
         request.budget_points,
         request.first_view,
         request.first_id,
+        aim_um=request.aim_um,
         done=request.plan.views,
         noise=measured.noise,
         check=check,

@@ -7,7 +7,7 @@ sentences with a code, a place and a size.  It changes nothing about the scan.
 from __future__ import annotations
 
 import threading
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -145,6 +145,12 @@ class HealthMonitor:
                 self._views.end_view(number, planned.table_deg)
         first = known.of_view(0)
         self._first = dict(zip(first.trigger_ids.tolist(), first.points, strict=True))
+
+    def tell(self, findings: Iterable[tuple[Finding, tuple[object, ...]]]) -> None:
+        """What another watch has found, each with the key under which a later one replaces it."""
+        if not self._out_of_step:
+            for finding, key in findings:
+                self._tell(finding, *key)
 
     def go_on(self) -> None:
         """The known points were measured again: what comes now belongs to the scan."""

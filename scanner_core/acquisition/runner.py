@@ -31,6 +31,7 @@ from scanner_core.acquisition.engine import StereoEngine
 from scanner_core.acquisition.following import PlanFollower
 from scanner_core.acquisition.handover import LatestSlot, PointLog, Preview
 from scanner_core.acquisition.health import HealthMonitor
+from scanner_core.acquisition.mark_visitor import MarkVisitor
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.resuming import expect_same_rig
 from scanner_core.acquisition.rig_session import OpenRig
@@ -59,6 +60,7 @@ class ScanRunner:
         request: PlanRequest,
         store: CaseStore,
         *,
+        mount: int = 0,
         interruption: Interruption | None = None,
         assess: Assess | None = None,
         on_end: Callable[[ScanResult], None] | None = None,
@@ -68,7 +70,8 @@ class ScanRunner:
         Parameters
         ----------
         request : what is asked of a new scan
-        interruption : the scan of this case to go on with; its own request counts then
+        mount : how the object stands, for a new scan
+        interruption : the scan of this case to go on with; its own request and mount count then
         assess : computes the next pass of an error-driven scan; None for a worker process of its own
         on_end : called once, in the scan's thread, when everything is at rest
 
@@ -85,6 +88,7 @@ class ScanRunner:
             expect_same_rig(store, interruption, rig.config, rig.calibration)
         self._rig, self._store, self._on_end = rig, store, on_end
         self._request = request if interruption is None else interruption.request
+        mount = mount if interruption is None else interruption.record.mount
         self._resumes, self._assess = interruption is not None, assess
         self.calibration = rig.calibration
         self.live_cloud = PointLog()
@@ -96,8 +100,10 @@ class ScanRunner:
         self._health = HealthMonitor(rig.calibration, rig.left.rate_hz)
         engine = StereoEngine(rig.calibration, rig.config.volume, rig.config.spot.floor_px)
         self._follower = PlanFollower(rig, engine, store, self._health, self._control)
+        if (marks := rig.config.marks) is not None:
+            self._follower.marks = MarkVisitor(rig, marks, rig.calibration, store, self._control)
         self._course = ScanCourse(
-            rig, rig.calibration, store, self._request, interruption, self._control, self._health, self._follower, self.live_cloud
+            rig, rig.calibration, store, self._request, interruption, self._control, self._health, self._follower, self.live_cloud, mount
         )
         self._ended = threading.Event()
         self._thread = threading.Thread(target=self._run, name="scan")
@@ -218,6 +224,7 @@ class ScanRunner:
             resumed=self._course.resumed,
             steering=None if self._course.steering is None else self._course.steering.result(),
             error=error,
+            marks=None if self._follower.marks is None else self._follower.marks.report(),
         )
         with self._lock:
             self.result = result

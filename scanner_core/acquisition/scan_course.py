@@ -59,7 +59,9 @@ class ScanCourse:
         health: HealthMonitor,
         follower: PlanFollower,
         cloud: PointLog,
+        mount: int,
     ) -> None:
+        self._mount = mount
         self._rig, self._calibration, self._store = rig, calibration, store
         self._request = request
         self._first = request if request.until_um is None else coarse_request(request)
@@ -137,6 +139,8 @@ class ScanCourse:
         self.plan = plan
         self.tally = Tally(plan.planned, wanted, self._rig.clock.now_s(), rest.verdicts)
         self._health.recall(plan, known, rest.remaining.complete)
+        if self._follower.marks is not None:
+            self._follower.marks.begin_check(interruption.record.id)
         self._find_again(plan, known)
         if self._control.cancelled.is_set():
             return True
@@ -155,7 +159,7 @@ class ScanCourse:
         Raises
         ------
         AcquisitionError
-            E-SCAN-03: they are not where they were.
+            E-SCAN-03: they are not where they were; E-MARK-01: the marks on the table's rim are not.
         """
         check = check_plan(plan, known, self._store.next_trigger_id())
         run = self._begin("check", check.plan, None, PointLog())
@@ -182,6 +186,8 @@ class ScanCourse:
 
     def _follow_scan(self, run: Pass) -> None:
         self._health.expect(run.plan)
+        if self._follower.marks is not None:
+            self._follower.marks.begin(run.scan_id, run.cloud)
         self._follow(run)
         if not run.tally.measured and not self._control.cancelled.is_set():
             raise _nothing_seen(run.tally.counts())
@@ -215,7 +221,7 @@ class ScanCourse:
         record = plan.as_dict() | {"request": asdict(self._request)}
         if kind == "scan" and self.steering is not None:
             record["passes"] = self.steering.coarse(plan)
-        scan_id = self._store.begin_scan(kind, bare, calibration.identity(), toml, record)
+        scan_id = self._store.begin_scan(kind, bare, calibration.identity(), toml, record, self._mount)
         self._health.begin(plan, kind)
         self.open = Pass(scan_id, plan, Tally(plan.planned, wanted, self._rig.clock.now_s()), cloud)
         return self.open

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from scanner_core.acquisition.health import HealthReport
+from scanner_core.acquisition.mark_visits import MarksReport
 from scanner_core.acquisition.passes import SteeringResult
 from scanner_core.acquisition.status import FinishReason, ScanCounts
 from scanner_core.acquisition.views import RegisteredViews
@@ -24,6 +25,7 @@ class ScanResult:
     steering : what came of an error-driven scan; None of a uniform one
     views : the registered cloud and its residuals, None when there was nothing to register
     health : what was noticed on the way
+    marks : what the marks on the table's rim say, None without them
     """
 
     finish_reason: FinishReason
@@ -39,3 +41,4 @@ class ScanResult:
     resumed: int | None
     steering: SteeringResult | None
     error: ImprontaError | None
+    marks: MarksReport | None = None

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from scanner_core.acquisition.plan import ScanPlan
 from scanner_core.case.points import case_rig
 from scanner_core.case.processing import chosen_processing, process_case
 from scanner_core.case.store import CaseStore
@@ -27,7 +28,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
         processed = process_case(store, chosen_processing(store))
         scan = next(scan for scan in store.scans() if scan.id == processed.processing.scans[-1])
         rig, calibration = case_rig(store, scan)
-        observed = exposures_of(store, scan, processed.cloud, rig.laser)
+        observed = exposures_of(store.exposures(scan.id), ScanPlan.from_dict(scan.plan), processed.cloud, rig)
     report = cover(mesh, rig, calibration, given.until_um, observed)
     console.result({"case": str(path)} | report.as_dict(), coverage_summary(report))
     return 0

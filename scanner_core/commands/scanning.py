@@ -154,13 +154,14 @@ def run_scan(
     store: CaseStore,
     interrupted: Interruption | None = None,
     begun: Callable[[], None] = lambda: None,
+    mount: int = 0,
 ) -> ScanResult:
     """Run a scan, or the rest of one, to its end, also when Ctrl-C ends it; the result says how it ended.
 
-    `begun` is called, maybe more than once, when the case holds points of it.
+    `begun` is called, maybe more than once, when the case holds points of it; `mount` is how the object stands, for a new scan.
     """
     rig.concern(store)
-    runner = ScanRunner(rig, request, store, interruption=interrupted)
+    runner = ScanRunner(rig, request, store, mount=mount, interruption=interrupted)
     runner.start()
     told: set[str] = set()
     while True:
@@ -222,6 +223,8 @@ def scan_json(result: ScanResult, rate_hz: float, case: str) -> dict[str, object
         "registration": None if registration is None else registration.as_dict(),
         "health": result.health.as_dict(),
     }
+    if result.marks is not None:
+        values["marks"] = result.marks.as_dict()
     if result.steering is not None:
         values |= result.steering.as_dict()
     if result.resumed is not None:
@@ -249,6 +252,8 @@ def scan_summary(result: ScanResult) -> list[str]:
             lines.append(f"Views registered: residual {said.residual_before_um:.1f} um before, {said.residual_after_um:.1f} um after the refinement.")
         elif result.views_planned > 1:
             lines.append(f"Views brought together by the turntable's axis, residual {said.residual_before_um:.1f} um; not refined: {said.reason}.")
+    if result.marks is not None:
+        lines.append(f"Marks on the table's rim: {result.marks.words()}.")
     lines += [f"{'Warning' if found.severity == 'warning' else 'Note'}: {found.sentence} [{found.code}]" for found in result.health.findings]
     return lines
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.acquisition.engine import TABLE_MM
 from scanner_core.coverage.exposures import Exposures
+from scanner_core.coverage.guess import counterparts, guessed_surface
 from scanner_core.coverage.placing import places_of, vertex_areas
 from scanner_core.coverage.reach import reach
 from scanner_core.coverage.reason import REASONS, Reason
@@ -31,6 +31,7 @@ def cover(
     wanted_um: float,
     observed: Exposures | None = None,
     *,
+    guess_caps: bool = True,
     cancelled: IsCancelled = lambda: False,
 ) -> CoverageReport:
     """Reasons, shares and places of a reconstructed surface.
@@ -39,6 +40,8 @@ def cover(
     ----------
     surface : object frame, mm, with the vertex attributes ``standard_uncertainty_um`` and ``supported``
     observed : what the scan was aimed at, and what became of it; without it nothing is called too dark or saturated
+    guess_caps : reconstruct once more with the spots that one camera saw (see :mod:`~scanner_core.coverage.guess`): the reasons of what no
+        point supports are right more often, for the time of a reconstruction
 
     Raises
     ------
@@ -48,15 +51,12 @@ def cover(
     supported = np.asarray(surface.vertex_attributes["supported"]) > 0
     within = supported & (uncertainty_um <= wanted_um)
     reasons = np.full(len(within), _WITHIN, np.uint8)
-    lines = Sightlines(rig, calibration, surface)
+    lines = _lines(surface, rig, calibration, observed, guess_caps, cancelled)
     others = np.flatnonzero(~within)
     if len(others):
-        hindered = hindrances(lines.of(others), cancelled)
-        # What has points can have more: the sight lines are cast from the surface as it is known, and that is not exact.
-        hindered[supported[others] & (surface.vertices[others, 2] >= TABLE_MM)] = _FEW
-        reasons[others] = hindered
+        reasons[others] = hindrances(lines.of(others), cancelled)
     if observed is not None:
-        reasons = corrected_by(observed, reasons, surface, lines, rig.laser)
+        reasons = corrected_by(observed, reasons, surface, lines)
     area = vertex_areas(surface)
     reachable = np.isin(reasons, [k for k, reason in enumerate(REASONS) if reason.reachable])
     return CoverageReport(
@@ -66,6 +66,21 @@ def cover(
         reachable_within_fraction=_share(area, within, reachable),
         places=places_of(surface, reasons, lines.least_cosine),
     )
+
+
+def _lines(
+    surface: TriangleMesh, rig: RigConfig, calibration: StereoCalibration, observed: Exposures | None, guess_caps: bool, cancelled: IsCancelled
+) -> Sightlines:
+    """Sight lines of the vertices, where the spots of single cameras say that the surface is."""
+    if observed is None:
+        return Sightlines(rig, calibration, surface)
+    if not guess_caps:
+        return Sightlines(observed.rig, calibration, surface)
+    guess = guessed_surface(surface, observed.cloud, observed.seen_by_one(calibration), observed.scatter_mm, cancelled)
+    places, normals = surface.vertices.copy(), surface.vertex_normals()
+    if guess is not surface:
+        places, normals = counterparts(places, normals, guess)
+    return Sightlines(observed.rig, calibration, guess, places, normals)
 
 
 def hindrances(lines: Sightlines, cancelled: IsCancelled = lambda: False) -> Reasons:

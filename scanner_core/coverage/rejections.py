@@ -10,13 +10,13 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
+from scipy.spatial import cKDTree
 
 from scanner_core.acquisition.aiming import beam_directions
-from scanner_core.case.observation import MEASURED
+from scanner_core.case.observation import MEASURED, ExposureTable
 from scanner_core.coverage.exposures import Exposures
 from scanner_core.coverage.reason import REASONS, Reason
 from scanner_core.coverage.sightlines import Sightlines
-from scanner_core.devices.rig import LaserConfig
 from scanner_core.geometry.edges import EdgeTable
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.rigid import RigidTransform
@@ -26,16 +26,10 @@ Array = NDArray[np.float64]
 
 _MEASURED, _DARK, _BRIGHT, _LEFT, _RIGHT, _UNSEEN = range(6)
 
-_KINDS = {
-    MEASURED: _MEASURED,
-    MissReason.TOO_DIM.value: _DARK,
-    MissReason.TOO_SMALL.value: _DARK,
-    MissReason.SATURATED.value: _BRIGHT,
-    MissReason.TOO_LARGE.value: _BRIGHT,
-    "hidden_left": _LEFT,
-    "hidden_right": _RIGHT,
-    MissReason.NO_SPOT.value: _UNSEEN,
-}
+_DARKER = (MissReason.TOO_DIM.value,)
+_BRIGHTER = (MissReason.SATURATED.value, MissReason.TOO_LARGE.value)
+_OF_PLACE = (MissReason.NO_SPOT.value, MissReason.TOO_SMALL.value, "hidden_left", "hidden_right")
+"""Nothing but noise in one camera or both."""
 
 _LEAST = 5
 """So many exposures of a place and its surroundings tell of it."""
@@ -47,7 +41,7 @@ _RINGS = 2
 """Neighbours of a vertex that are counted with it."""
 
 
-def corrected_by(exposures: Exposures, reasons: NDArray[np.uint8], surface: TriangleMesh, lines: Sightlines, laser: LaserConfig) -> NDArray[np.uint8]:
+def corrected_by(exposures: Exposures, reasons: NDArray[np.uint8], surface: TriangleMesh, lines: Sightlines) -> NDArray[np.uint8]:
     """Reasons (v,) after what was seen: where exposures should have given points and did not, the cause is what they were rejected for.
 
     Parameters
@@ -56,7 +50,7 @@ def corrected_by(exposures: Exposures, reasons: NDArray[np.uint8], surface: Tria
     lines : of all vertices of `surface`
     """
     few = reasons == REASONS.index(Reason.FEW_POINTS)
-    counts = _counts(exposures, surface, lines, laser)
+    counts = _counts(exposures, surface, lines)
     total = counts.sum(axis=1)
     missed = total - counts[:, _MEASURED]
     wrong = few & (total >= _LEAST) & (counts[:, _MEASURED] < _MEASURED_SHARE * total)
@@ -74,25 +68,38 @@ def corrected_by(exposures: Exposures, reasons: NDArray[np.uint8], surface: Tria
     return np.where(wrong, codes, reasons).astype(np.uint8)
 
 
-def _counts(exposures: Exposures, surface: TriangleMesh, lines: Sightlines, laser: LaserConfig) -> Array:
+def _counts(exposures: Exposures, surface: TriangleMesh, lines: Sightlines) -> Array:
     """Exposures of each vertex and its neighbours that should have given a point, by what became of them, (v, 6)."""
-    kinds = np.array([_KINDS.get(verdict, -1) for verdict in exposures.verdict.tolist()])
+    kinds, laser = _kinds(exposures.seen), exposures.rig.laser
     counts = np.zeros((len(surface.vertices), 6))
-    for angle in np.unique(exposures.table_deg):
-        here = np.flatnonzero((exposures.table_deg == angle) & (kinds >= 0))
+    nearest = cKDTree(lines.places)
+    for angle in np.unique(exposures.seen.table_deg):
+        here = np.flatnonzero((exposures.seen.table_deg == angle) & (kinds >= 0))
         turn = RigidTransform.about_z(-float(angle))
         start = turn.apply(np.array(laser.position_mm))
         along = turn.rotate(beam_directions(laser, exposures.beam_deg[here]))
-        reach_mm = float(np.linalg.norm(surface.vertices - start, axis=1).max())
+        reach_mm = float(np.linalg.norm(lines.places - start, axis=1).max()) + 1.0
         points, triangles = lines.first_hits(np.broadcast_to(start, along.shape), start + reach_mm * along)
         met = triangles >= 0
-        corners = surface.triangles[triangles[met]]
-        nearest = np.argmin(((surface.vertices[corners] - points[met][:, None]) ** 2).sum(axis=2), axis=1)
-        vertex = corners[np.arange(len(corners)), nearest]
+        vertex = nearest.query(points[met])[1]
         places, which = np.unique(vertex, return_inverse=True)
         expected = lines.of(places).at(float(angle)).measurable[which]
         np.add.at(counts, (vertex[expected], kinds[here][met][expected]), 1)
     return np.asarray(_neighbourhood(surface) @ counts, np.float64)
+
+
+def _kinds(seen: ExposureTable) -> NDArray[np.int64]:
+    """What became of each exposure, (n,); -1 where it tells nothing of the place."""
+    left, right = np.isfinite(seen.left_px[:, 0]), np.isfinite(seen.right_px[:, 0])
+    told = [
+        (seen.verdict == MEASURED, _MEASURED),
+        (np.isin(seen.verdict, _DARKER), _DARK),
+        (np.isin(seen.verdict, _BRIGHTER), _BRIGHT),
+        (~np.isin(seen.verdict, _OF_PLACE), -1),
+        (right & ~left, _LEFT),
+        (left & ~right, _RIGHT),
+    ]
+    return np.select([here for here, _ in told], [kind for _, kind in told], _UNSEEN)
 
 
 def _neighbourhood(surface: TriangleMesh) -> sparse.csr_array:

@@ -24,6 +24,8 @@ PAIRS = ((0, 1), (1, 2), (2, 0))
 _LEAST_GAP_DEG = 30.0
 _UNLIKE_DEG = 5.0
 """Gaps between neighbours differ by so much, or a table that is turned by one ball would look as before."""
+_BESIDE_MM = 3.0
+"""A ball stands at most so far beside its nominal place."""
 _NEAR_NOMINAL = 0.05
 """A calibrated distance that is farther from the nominal one, in parts of it, is of other balls."""
 
@@ -74,6 +76,12 @@ class MarksConfig:
     def nominal_distances_mm(self) -> Array:
         """Of the nominal centres, (3,) in the order of :data:`PAIRS`."""
         return distances_mm(self.places_mm())
+
+    def holds(self, points: Array) -> NDArray[np.bool_]:
+        """Whether points (n, 3) mm of the object frame may be of a ball, or of what it stands on: within so much of a nominal place."""
+        away = np.linalg.norm((points[:, None, :] - self.places_mm())[:, :, :2], axis=2).min(axis=1)
+        near: NDArray[np.bool_] = (away < self.ball_radius_mm + _BESIDE_MM) & (points[:, 2] < self.height_mm + self.ball_radius_mm + _BESIDE_MM)
+        return near
 
     def check_beside(self, volume_radius_mm: float) -> None:
         """ValueError when a ball reaches into the cylinder that is the object's."""

@@ -5,13 +5,15 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from scanner_core.case.observation import ExposureTable
 from scanner_core.coverage.covering import cover
-from scanner_core.coverage.exposures import Exposures
+from scanner_core.coverage.exposures import aimed_at
 from scanner_core.coverage.reach import reach
 from scanner_core.coverage.reason import REASONS, Reason
 from scanner_core.coverage.sightlines import Sightlines
 from scanner_core.devices.rig import load_preset
 from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.subdivision import subdivide_uniform
 from tests.core.coverage.bodies import box, joined
 from tests.core.reconstruction.shapes import sphere
@@ -71,12 +73,14 @@ def test_of_a_ball_on_the_table_the_cap_looks_down() -> None:
 def test_more_points_are_asked_for_where_the_uncertainty_is_too_large() -> None:
     mesh = ball(height_mm=30.0, levels=3)
     report = cover(stated(mesh, 50.0), RIG, CALIBRATION, 40.0)
-    assert set(named(report.reasons)) == {"few_points"}  # supported: points can be had
+    reasons = named(report.reasons)
+    assert set(reasons) == {"few_points", "below"}
+    assert (reasons[mesh.vertices[:, 2] > 25] == "few_points").all()
     assert report.within_fraction == report.reachable_within_fraction == 0.0
-    (place,) = report.places
-    np.testing.assert_allclose(place.area_mm2, mesh.area(), rtol=1e-9)
-    assert place.worst_um == 50.0
-    assert "scan on" in place.words
+    assert [place.reason for place in report.places] == [Reason.FEW_POINTS, Reason.BELOW]
+    np.testing.assert_allclose(sum(place.area_mm2 for place in report.places), mesh.area(), rtol=1e-9)
+    assert report.places[0].worst_um == 50.0
+    assert "scan on" in report.places[0].words
 
 
 def test_the_bottom_of_a_deep_shaft_is_shadowed() -> None:
@@ -114,14 +118,22 @@ def test_rejected_spots_tell_that_a_place_is_too_dark_or_too_bright() -> None:
     rng = np.random.default_rng(1)
     aimed = np.c_[rng.uniform(-15, 15, (6000, 2)), np.full(6000, 20.0)]
     dark = np.hypot(aimed[:, 0], aimed[:, 1]) < 5
-    for verdict, reason in (("too_dim", "too_dark"), ("no_spot", "too_dark"), ("saturated", "saturated"), ("hidden_left", "left_hidden")):
+    both, none = np.zeros((6000, 2)), np.full((6000, 2), np.nan)
+    lost = np.where(dark[:, None], none, both)
+    middle = patch & (np.hypot(mesh.vertices[:, 0], mesh.vertices[:, 1]) < 3)
+    for verdict, left_px, right_px, reason in (
+        ("too_dim", lost, lost, "too_dark"),
+        ("no_spot", lost, lost, "too_dark"),
+        ("saturated", lost, lost, "saturated"),
+        ("too_small", lost, both, "left_hidden"),
+        ("hidden_right", both, lost, "right_hidden"),
+        ("ambiguous", lost, lost, "few_points"),
+    ):
         verdicts = np.where(dark, verdict, "measured").astype(np.object_)
-        report = cover(surface, RIG, CALIBRATION, 40.0, Exposures.aimed_at(aimed, np.zeros(6000), verdicts, RIG.laser))
-        middle = patch & (np.hypot(mesh.vertices[:, 0], mesh.vertices[:, 1]) < 3)
+        seen = ExposureTable(np.arange(6000), np.zeros(6000), verdicts, left_px, right_px)
+        report = cover(surface, RIG, CALIBRATION, 40.0, aimed_at(aimed, seen, PointCloud(aimed), RIG))
         assert set(named(report.reasons)[middle]) == {reason}
         assert (named(report.reasons)[~patch] == "within").all()
-    blind = cover(surface, RIG, CALIBRATION, 40.0)
-    assert set(named(blind.reasons)[patch]) == {"few_points"}
 
 
 def test_small_parts_go_to_their_neighbours_or_are_left_out() -> None:
