@@ -125,7 +125,7 @@ def _parser() -> argparse.ArgumentParser:
     target.add_argument("--paper", choices=("a4", "letter", "a3"), default="a4", help="landscape (default a4)")
     target.add_argument("--force", action="store_true", help="overwrite the output")
 
-    scan = _command(commands, "scan", "acquire into a new case, or go on with an interrupted one")
+    scan = _command(commands, "scan", "acquire into a new case, go on with an interrupted one, or add another mount")
     _measuring_rig(scan)
     scan.add_argument("--plan", metavar="PLAN.toml", help="views, points, object_radius_mm, object_height_mm, until_um")
     scan.add_argument("--until-um", type=_positive, default=None, metavar="U", help=_UNTIL)
@@ -135,8 +135,18 @@ def _parser() -> argparse.ArgumentParser:
     pose = "virtual rig only: how the specimen was put down, turns in degrees about the table's x, then y, then z (--pose=-90,0,20), or random:SEED"
     scan.add_argument("--pose", metavar="RX,RY,RZ", help=pose)
     scan.add_argument("--resume", action="store_true", help="go on with the interrupted scan of CASE: known points first, then what is missing")
+    add_mount = "the object was turned or tilted: scan it into CASE as its next mount, and bring the mounts together"
+    scan.add_argument("--add-mount", action="store_true", help=add_mount)
     scan.add_argument("--force", action="store_true", help="overwrite a case that is there")
     _virtual(scan)
+
+    register = _command(commands, "register", "bring the mounts of a case into one frame again, or with picked points")
+    register.add_argument("case", metavar="CASE")
+    pairs = (
+        "at least three points of a mount, one a line: mount, x, y, z on it, and x, y, z of the same place on the first mount, mm"
+    )
+    register.add_argument("--pairs", metavar="FILE", help=pairs)
+    register.add_argument("--seed", type=_seed, default=0, metavar="N", help="of the search")
 
     reconstruct = _command(commands, "reconstruct", "points to a closed triangular mesh")
     reconstruct.add_argument("input", metavar="INPUT", help="PLY, XYZ/TXT/CSV/ASC, NPY or a case")

@@ -328,6 +328,24 @@ SENTENCES: dict[str, Sentence] = {
         "The picked points do not belong to each other: after the best fit of the surfaces they lie {apart_mm} mm apart.",
         "Nothing was joined and all points are kept; pick three points far from each other, in the same order on both.",
     ),
+    "E-MNT-10": Sentence(
+        "Mount {mount} was not joined to the others. {reason}",
+        "All points are kept in {path}; pick three points on both mounts ('impronta register CASE --pairs FILE'), or scan another "
+        "mount that shares more with the earlier ones.",
+    ),
+    "E-MNT-11": Sentence("Its surface lies nowhere over that of the others.", "All points are kept; measure another mount that shares more."),
+    "E-MNT-12": Sentence(
+        "Over the others its surface is {residual_um} um away (noise explains {most_um} um), and {agree} % of it agrees with theirs.",
+        "Nothing was joined and all points are kept; see that the object did not change its shape, and measure the mount again.",
+    ),
+    "E-MNT-13": Sentence(
+        "It contradicts the others: the loop of mounts would close with an error of {closure_um} um.",
+        "Nothing was joined and all points are kept; see that the object did not change its shape, and measure the mount again.",
+    ),
+    "E-MNT-14": Sentence(
+        "The file of picked points {path} cannot be used: {reason}.",
+        "Nothing was changed; write one line a point: mount, x, y, z on that mount, and x, y, z of the same place on the first mount, in mm.",
+    ),
     # ------------------------------------------------------------------------------------------ comparison
     "E-CMP-10": Sentence(
         "The marked part holds {marked} measured vertices; at least {least} are needed for a motion.",

@@ -18,7 +18,7 @@ from app.views.mesh_actor import MeshActor
 from app.views.parts import label
 from app.views.surface import Surface
 from scanner_core.geometry.point_cloud import PointCloud
-from scanner_core.geometry.view_directions import seen_from
+from scanner_core.geometry.view_directions import outward, seen_from
 
 GRID_MM = 10.0
 _REFIT = 1.15
@@ -76,8 +76,7 @@ class SceneView(InteractorView):
 
     def show_cloud(self, cloud: PointCloud) -> None:
         """All points of a case at once."""
-        table_deg = np.zeros(len(cloud)) if cloud.table_deg is None else cloud.table_deg
-        self.append_points(cloud.points, seen_from(table_deg))
+        self.append_points(cloud.points, outward(cloud.points) if cloud.table_deg is None else seen_from(cloud.table_deg))
 
     def clear(self) -> None:
         """No points, no mesh; the camera follows what comes next."""

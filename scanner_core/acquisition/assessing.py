@@ -37,7 +37,7 @@ class AssessmentRequest:
     table : the measured observations so far
     plan, exposed : what was followed, and what became of every exposure
     rate_hz : frame rate of the cameras
-    wanted_um : standard uncertainty that is enough
+    wanted_um, aim_um : standard uncertainty that is enough, and the one that the next pass is planned for
     budget_points : the most that may still be measured
     first_view, first_id : numbers that the next view and the next trigger id will have
     """
@@ -49,6 +49,7 @@ class AssessmentRequest:
     calibration: StereoCalibration
     rate_hz: float
     wanted_um: float
+    aim_um: float
     budget_points: int
     first_view: int
     first_id: int
@@ -112,6 +113,7 @@ def run(request: AssessmentRequest, *, progress: OnProgress, cancelled: IsCancel
         request.budget_points,
         request.first_view,
         request.first_id,
+        aim_um=request.aim_um,
         done=request.plan.views,
         noise=measured.noise,
         check=check,

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from scanner_core.acquisition.assessing import Assess, Assessment, AssessmentRequest
 from scanner_core.acquisition.control import ScanControl
 from scanner_core.acquisition.following import Pass, PlanFollower
-from scanner_core.acquisition.passes import PassesEnd, PassKind, ScanPass, SteeringResult, SteeringStatus, counted, kept_passes
+from scanner_core.acquisition.passes import PassesEnd, PassKind, ScanPass, SteeringResult, SteeringStatus, counted, kept_passes, stalled
 from scanner_core.acquisition.plan import PlanRequest, ScanPlan, ViewPlan
 from scanner_core.acquisition.planning import even_views, nearest_turn
 from scanner_core.acquisition.rig_session import OpenRig
@@ -33,9 +33,11 @@ from scanner_core.errors import ImprontaError, UsageError
 from scanner_core.jobs.progress import Cancelled
 from scanner_core.optics.calibration import StereoCalibration
 
-_LEAST_REST = 0.01
-"""Share of the points that is worth another pass."""
-_POLL_S = 0.2
+_LEAST_REST, _LEAST_POINTS = 0.01, 50
+"""Share of the points, and points, that are worth another pass."""
+_MARGIN, _LEAST_MARGIN = 0.8, 0.5
+"""A pass is planned for so much less than the wanted uncertainty, and each further one for less again: it is there because the one
+before it fell short of what it was to bring, and a pass of a few points costs as much computing as a large one."""
 _FARTHEST_DEG = 720.0
 
 _log = logging.getLogger("impronta")
@@ -105,6 +107,7 @@ class ErrorDriven:
             passes=tuple(self._passes),
             end=self._end,
             coverage=None if found is None else found.coverage,
+            remount=None if found is None else found.next.remount,
             refused=self._refused,
             computing_s=self._computing_s,
         )
@@ -159,7 +162,7 @@ class ErrorDriven:
             _log.info("no surface to steer by: %s", found)
             fallen_back, self._refused = self._refused is not None, found
             self._end = PassesEnd.UNIFORM if fallen_back else PassesEnd.POINTS_SPENT
-            if fallen_back or rest < _LEAST_REST * self._request.points:
+            if fallen_back or self._spent(rest):
                 return None
             self._end = None
             return _Step("uniform", self._evenly(whole, rest))
@@ -173,13 +176,16 @@ class ErrorDriven:
     def _ended(self, found: Assessment, rest: int, room: int) -> PassesEnd | None:
         if self._refused is not None:
             return PassesEnd.UNIFORM
-        if not found.next.views:
-            return PassesEnd.WITHIN if found.coverage.reachable_within_fraction >= 1.0 - _NOTHING else PassesEnd.NO_GAIN
-        if rest < _LEAST_REST * self._request.points:
+        if found.coverage.reachable_within_fraction >= 1.0 - _NOTHING:
+            return PassesEnd.WITHIN
+        if self._spent(rest):
             return PassesEnd.POINTS_SPENT
-        if all(one.stalled for one in self._passes[-2:]):
+        if not found.next.views or stalled(self._passes):
             return PassesEnd.NO_GAIN
         return None if room else PassesEnd.VIEWS_SPENT
+
+    def _spent(self, rest: int) -> bool:
+        return rest < max(_LEAST_REST * self._request.points, _LEAST_POINTS)
 
     def _assessed(self, whole: Pass, rest: int) -> Assessment | ImprontaError | None:
         """None when the scan was ended meanwhile."""
@@ -194,6 +200,7 @@ class ErrorDriven:
             calibration=self._calibration,
             rate_hz=self._rig.left.rate_hz,
             wanted_um=self._wanted_um,
+            aim_um=self._wanted_um * max(_MARGIN ** len(self._passes), _LEAST_MARGIN),
             budget_points=max(rest, 0),
             first_view=len(whole.plan.views),
             first_id=self._store.next_trigger_id(),

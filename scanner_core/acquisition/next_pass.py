@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from scanner_core.acquisition.beam_fit import fitted_laser
 from scanner_core.acquisition.beam_rows import beam_rows
 from scanner_core.acquisition.plan import ViewPlan
 from scanner_core.acquisition.remount import RemountAdvice, remount_advice
@@ -76,6 +77,7 @@ def next_pass(
     first_view: int,
     first_id: int,
     *,
+    aim_um: float | None = None,
     done: Sequence[ViewPlan] = (),
     noise: NoiseModel | None = None,
     check: Callable[[], None] = lambda: None,
@@ -91,11 +93,13 @@ def next_pass(
     budget_points : the most that may still be measured; a pass takes as many as there are points so far at most, because what
         few points tell is not trusted with many
     first_view, first_id : numbers of the first view and trigger id of the pass
+    aim_um : uncertainty that the pass is planned for where that is less than the wanted one; both shares are told of the wanted one
     done : the views so far, whose exposures show what gives points and what does not
     noise : of the scan so far
     check : raises when the caller asked to stop
     """
     places = SurfacePlaces.of(surface, cloud)
+    rig = replace(rig, laser=fitted_laser(rig.laser, done, cloud))
     if noise is not None and noise.angle_rad <= 0:  # residuals that show nothing beside the pixels' noise would make points exact
         noise = replace(noise, angle_rad=NoiseModel.prior(calibration, rig.spot.floor_px).angle_rad)
     sightlines = Sightlines(rig, calibration, surface, places.points, places.normals, noise)
@@ -113,8 +117,8 @@ def next_pass(
     budget_points = _of_this_pass(budget_points, len(cloud))
     demand = places.demand
     view_points = rate_hz * TURN_S
-    choice = choose_views(demand, sd_um, float(budget_points), wanted_um, view_points, _MOST_VIEWS)
-    here = np.isfinite(sd_um).any(axis=0)
+    choice = choose_views(demand, sd_um, float(budget_points), wanted_um if aim_um is None else aim_um, view_points, _MOST_VIEWS)
+    here = np.asarray(np.isfinite(sd_um).any(axis=0), np.bool_)
     now = demand.uncertainty_um <= wanted_um
     area = demand.area_mm2 * (here | now)
     total = max(float(area.sum()), 1e-12)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from scanner_core.errors import ImprontaError
 
 if TYPE_CHECKING:  # plans and their passes are known without what computes them
+    from scanner_core.acquisition.remount import RemountAdvice
     from scanner_core.coverage.report import CoverageReport
 
 PassKind = Literal["coarse", "steered", "uniform"]
@@ -74,16 +75,6 @@ class ScanPass:
             told[f"within_fraction_{name}"] = None if share is None else round(share, 4)
         return told
 
-    @property
-    def stalled(self) -> bool:
-        """It was steered, and brought next to nothing of what was predicted."""
-        if self.kind != "steered" or self.within_before is None or self.within_predicted is None or self.within_after is None:
-            return False
-        return self.within_after - self.within_before < _BROUGHT * (self.within_predicted - self.within_before)
-
-
-_BROUGHT = 0.1
-
 
 @dataclass(frozen=True, slots=True)
 class SteeringStatus:
@@ -110,7 +101,7 @@ class SteeringResult:
     Attributes
     ----------
     end : why there were no more passes; None when the scan was ended before
-    coverage : of the last surface; None when none could be made
+    coverage, remount : of the last surface; None when none could be made
     refused : why the points could not be steered
     computing_s : wall time for which the rig rested
     """
@@ -119,6 +110,7 @@ class SteeringResult:
     passes: tuple[ScanPass, ...]
     end: PassesEnd | None
     coverage: CoverageReport | None
+    remount: RemountAdvice | None
     refused: ImprontaError | None
     computing_s: float
 
@@ -130,6 +122,7 @@ class SteeringResult:
             "passes_end": None if self.end is None else self.end.value,
             "computing_seconds": round(self.computing_s, 2),
             "coverage": None if self.coverage is None else self.coverage.as_dict(),
+            "remount": None if self.remount is None else _told(self.remount),
             "not_steered": None if self.refused is None else {"code": self.refused.code, "sentence": str(self.refused)},
         }
 
@@ -145,7 +138,31 @@ class SteeringResult:
             lines.append(f"The rest of the points was spread evenly, because there was no surface to go by: {self.refused}")
         if self.end is not None and self.end is not PassesEnd.UNIFORM:
             lines.append(self.end.words(self.wanted_um))
+        if self.remount is not None:
+            lines.append(self.remount.words)
         return lines
+
+
+def _told(advice: RemountAdvice) -> dict[str, object]:
+    return {name: round(value, 3) if isinstance(value, float) else value for name, value in asdict(advice).items()}
+
+
+def stalled(passes: Sequence[ScanPass]) -> bool:
+    """Whether another pass is not worth its time: the last two brought next to nothing of what was predicted, or the last three little.
+
+    As long as most of the surface is not as wanted, points bring it nearer although no more of it gets there.
+    """
+    gains = []
+    for one in passes:
+        if one.kind == "steered" and one.within_before is not None and one.within_predicted is not None and one.within_after is not None:
+            gains.append((one.within_after - one.within_before, one.within_predicted - one.within_before))
+    if not gains or (passes[-1].within_after or 0.0) < _MOSTLY:
+        return False
+    in_vain = len(gains) > 1 and all(brought < _BROUGHT * predicted for brought, predicted in gains[-2:])
+    return in_vain or (len(gains) > 2 and sum(brought for brought, _ in gains[-3:]) < _LITTLE)
+
+
+_BROUGHT, _LITTLE, _MOSTLY = 0.1, 0.01, 0.5
 
 
 def kept_passes(passes: Sequence[ScanPass]) -> list[dict[str, object]]:

@@ -60,6 +60,7 @@ class ScanRunner:
         request: PlanRequest,
         store: CaseStore,
         *,
+        mount: int = 0,
         interruption: Interruption | None = None,
         assess: Assess | None = None,
         on_end: Callable[[ScanResult], None] | None = None,
@@ -69,7 +70,8 @@ class ScanRunner:
         Parameters
         ----------
         request : what is asked of a new scan
-        interruption : the scan of this case to go on with; its own request counts then
+        mount : how the object stands, for a new scan
+        interruption : the scan of this case to go on with; its own request and mount count then
         assess : computes the next pass of an error-driven scan; None for a worker process of its own
         on_end : called once, in the scan's thread, when everything is at rest
 
@@ -86,6 +88,7 @@ class ScanRunner:
             expect_same_rig(store, interruption, rig.config, rig.calibration)
         self._rig, self._store, self._on_end = rig, store, on_end
         self._request = request if interruption is None else interruption.request
+        mount = mount if interruption is None else interruption.record.mount
         self._resumes, self._assess = interruption is not None, assess
         self.calibration = rig.calibration
         self.live_cloud = PointLog()
@@ -100,7 +103,7 @@ class ScanRunner:
         if (marks := rig.config.marks) is not None:
             self._follower.marks = MarkVisitor(rig, marks, rig.calibration, store, self._control)
         self._course = ScanCourse(
-            rig, rig.calibration, store, self._request, interruption, self._control, self._health, self._follower, self.live_cloud
+            rig, rig.calibration, store, self._request, interruption, self._control, self._health, self._follower, self.live_cloud, mount
         )
         self._ended = threading.Event()
         self._thread = threading.Thread(target=self._run, name="scan")

@@ -59,7 +59,9 @@ class ScanCourse:
         health: HealthMonitor,
         follower: PlanFollower,
         cloud: PointLog,
+        mount: int,
     ) -> None:
+        self._mount = mount
         self._rig, self._calibration, self._store = rig, calibration, store
         self._request = request
         self._first = request if request.until_um is None else coarse_request(request)
@@ -219,7 +221,7 @@ class ScanCourse:
         record = plan.as_dict() | {"request": asdict(self._request)}
         if kind == "scan" and self.steering is not None:
             record["passes"] = self.steering.coarse(plan)
-        scan_id = self._store.begin_scan(kind, bare, calibration.identity(), toml, record)
+        scan_id = self._store.begin_scan(kind, bare, calibration.identity(), toml, record, self._mount)
         self._health.begin(plan, kind)
         self.open = Pass(scan_id, plan, Tally(plan.planned, wanted, self._rig.clock.now_s()), cloud)
         return self.open

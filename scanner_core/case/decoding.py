@@ -29,6 +29,7 @@ DEEPEST = 32
 MOST_ID = 2**53
 """Trigger ids are exact as float64 up to here."""
 MOST_VIEWS = 360
+MOST_MOUNTS = 1000
 MOST_PLANNED = 20_000_000
 """Trigger ids of a plan; at most 5 million points are asked for."""
 _MOST_PLANNED_TURN_DEG, _WIDEST_BEAM_DEG, _FASTEST_DEG_S = 1440.0, 90.0, 1000.0
@@ -152,6 +153,15 @@ def correction(value: object) -> RigidTransform:
     if np.abs(matrix[:3, 3]).max() > _FARTHEST_MM:
         raise ValueError("a motion of more than 10 m")
     return RigidTransform.from_matrix(matrix)
+
+
+def mount(value: object) -> int:
+    """The number of a mount."""
+    if isinstance(value, bool) or not isinstance(value, int):
+        raise TypeError("a mount that is no whole number")
+    if not 0 <= value < MOST_MOUNTS:
+        raise ValueError(f"a mount {value}")
+    return value
 
 
 def observations(rows: Sequence[tuple[Any, ...]]) -> ObservationTable:

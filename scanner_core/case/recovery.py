@@ -82,6 +82,8 @@ def interruption(store: CaseStore) -> Interruption | None:
         plan = ScanPlan.from_dict(record.plan)
         request = _request(record.plan, plan)
         followed = passes_of(record.plan)
+        if record.kind == "scan" and (request.until_um is None) != (not followed):
+            raise ValueError("passes of a uniform scan, or an error-driven one without any")
     except (KeyError, TypeError, ValueError, OverflowError, ImprontaError) as fault:
         raise CaseFormatError("E-CASE-01", path=store.path, reason=f"its plan is damaged ({fault})") from fault
     return Interruption(record, plan, request, ScanCounts.of(plan.planned, store.verdict_counts(record.id)), followed)

@@ -35,13 +35,13 @@ class ScanTables(CaseDatabase):
                 used += [row["first_id"] + row["count"] for view in decoding.plan(plan_json)["views"] for row in view["rows"]]
         return max(used)
 
-    def begin_scan(self, kind: str, rig_toml: str, calibration_id: str, calibration_toml: str, plan: dict[str, object]) -> int:
-        """Record that a scan begins; returns its id."""
+    def begin_scan(self, kind: str, rig_toml: str, calibration_id: str, calibration_toml: str, plan: dict[str, object], mount: int = 0) -> int:
+        """Record that a scan begins; returns its id.  `mount` is how the object stands on the table."""
         with self._transaction() as connection:
             connection.execute("INSERT OR IGNORE INTO calibration VALUES (?, ?)", (calibration_id, calibration_toml))
             cursor = connection.execute(
-                "INSERT INTO scan (kind, rig_toml, calibration_id, plan_json, started) VALUES (?, ?, ?, ?, ?)",
-                (kind, rig_toml, calibration_id, json.dumps(plan), stamp()),
+                "INSERT INTO scan (kind, rig_toml, calibration_id, plan_json, started, mount) VALUES (?, ?, ?, ?, ?, ?)",
+                (kind, rig_toml, calibration_id, json.dumps(plan), stamp(), mount),
             )
             number = int(cursor.lastrowid or 0)
             note(connection, "scan begun", f"scan {number}, {kind}, calibration {calibration_id}")
@@ -91,7 +91,7 @@ class ScanTables(CaseDatabase):
 
     def scans(self) -> list[ScanRecord]:
         """All scans in the order of their beginning."""
-        rows = self._rows("SELECT id, kind, calibration_id, plan_json, started, ended, finish_reason, counts_json FROM scan ORDER BY id")
+        rows = self._rows("SELECT id, kind, calibration_id, plan_json, started, ended, finish_reason, counts_json, mount FROM scan ORDER BY id")
         with damaged(self.path, "list of scans"):
             return [
                 ScanRecord(
@@ -103,8 +103,9 @@ class ScanTables(CaseDatabase):
                     ended=None if ended is None else text(ended),
                     finish_reason=None if reason is None else text(reason),
                     counts=None if counts is None else decoding.table(counts),
+                    mount=decoding.mount(mount),
                 )
-                for number, kind, calibration, plan, started, ended, reason, counts in rows
+                for number, kind, calibration, plan, started, ended, reason, counts, mount in rows
             ]
 
     def rig_toml(self, scan_id: int) -> str:

@@ -36,10 +36,11 @@ def run(given: argparse.Namespace, console: Console) -> int:
     check_free(out, given.force)
     parameters = ReconstructionParameters(triangles=given.triangles, tolerance_um=given.tolerance_um, open_holes=given.open_holes, seed=given.seed)
     if is_case:
-        parameters = replace(parameters, table_mm=0.0)  # what was scanned stands on the turntable
         with CaseStore.open(source) as store:
             asked = asked_processing(store, given)
             processed = asked.points(store)
+            if len(processed.mounts) == 1:
+                parameters = replace(parameters, table_mm=0.0)  # what was scanned stands on the turntable; another mount shows its base
             made_of = processed.provenance()
             surface = run_reconstruction(console, processed.cloud, parameters)
             provenance = {"parameters": parameters.as_dict(), "report": surface.report.as_dict(), "seed": given.seed} | made_of

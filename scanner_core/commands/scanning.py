@@ -154,13 +154,14 @@ def run_scan(
     store: CaseStore,
     interrupted: Interruption | None = None,
     begun: Callable[[], None] = lambda: None,
+    mount: int = 0,
 ) -> ScanResult:
     """Run a scan, or the rest of one, to its end, also when Ctrl-C ends it; the result says how it ended.
 
-    `begun` is called, maybe more than once, when the case holds points of it.
+    `begun` is called, maybe more than once, when the case holds points of it; `mount` is how the object stands, for a new scan.
     """
     rig.concern(store)
-    runner = ScanRunner(rig, request, store, interruption=interrupted)
+    runner = ScanRunner(rig, request, store, mount=mount, interruption=interrupted)
     runner.start()
     told: set[str] = set()
     while True:

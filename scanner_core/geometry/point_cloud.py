@@ -18,7 +18,8 @@ class PointCloud:
     covariances : (n, 3, 3) float64, mm^2, or None when nothing is known of the noise (a cloud from a file)
     views : (n,) int32, the view (table position) in which a point was measured, or None
     trigger_ids : (n,) int64, the planned measurement that a point came from, or None
-    table_deg : (n,) float64, the table angle at which a point was measured, or None
+    table_deg : (n,) float64, the table angle at which a point was measured; None where it tells no direction of the
+        points' frame: in a cloud from a file, or of several mounts
     """
 
     points: NDArray[np.float64]

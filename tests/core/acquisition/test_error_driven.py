@@ -23,6 +23,7 @@ from scanner_core.acquisition.handover import PointLog
 from scanner_core.acquisition.next_pass import NextPass
 from scanner_core.acquisition.passes import PassesEnd, SteeringResult, passes_of
 from scanner_core.acquisition.plan import PlanRequest, Row, ScanPlan, ViewPlan
+from scanner_core.acquisition.remount import RemountAdvice
 from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.acquisition.runner import ScanRunner
 from scanner_core.acquisition.scan_result import ScanResult
@@ -44,6 +45,7 @@ BENCH = load_preset("bench")
 SPHERE = load_specimen("sphere")
 REQUEST = PlanRequest(4, 300, SPHERE.radius_mm, SPHERE.height_mm, until_um=40.0)
 COARSE = 100
+TIP = RemountAdvice(30.0, 90.0, 50.0, 60.0, 0.6, "Tip it over.")
 PATIENCE_S = 60.0
 
 
@@ -60,7 +62,9 @@ class Script:
         return self._answers.pop(0)(request)
 
 
-def passes(within: float, predicted: float, *table_deg: float, quota: int = 30) -> Callable[[AssessmentRequest], Assessment]:
+def passes(
+    within: float, predicted: float, *table_deg: float, quota: int = 30, remount: RemountAdvice | None = None
+) -> Callable[[AssessmentRequest], Assessment]:
     """So much is within, and views at those angles come next."""
 
     def answer(request: AssessmentRequest) -> Assessment:
@@ -72,7 +76,7 @@ def passes(within: float, predicted: float, *table_deg: float, quota: int = 30) 
                 first_id += 12
             views.append(ViewPlan(angle, tuple(rows), quota, 6.0))
         report = CoverageReport(request.wanted_um, np.zeros(4, np.uint8), within, within, ())
-        return Assessment(report, NextPass(tuple(views), quota * len(views), 1.0, within, predicted))
+        return Assessment(report, NextPass(tuple(views), quota * len(views), 1.0, within, predicted, remount))
 
     return answer
 
@@ -155,7 +159,7 @@ def store(tmp_path: Path) -> Iterator[CaseStore]:
 
 
 def test_the_budget_ends_it(store: CaseStore) -> None:
-    script = Script(passes(0.5, 0.9, 33.0, 123.0, 213.0, 303.0, quota=50), passes(0.7, 0.9, 10.0))
+    script = Script(passes(0.5, 0.9, 33.0, 123.0, 213.0, 303.0, quota=50), passes(0.7, 0.9))
     told = Bench(store, script).run()
     assert told.end is PassesEnd.POINTS_SPENT
     assert [(one.points, one.seconds) for one in told.passes] == [(100, 8.0), (200, 8.0)]
@@ -164,8 +168,25 @@ def test_the_budget_ends_it(store: CaseStore) -> None:
 
 
 def test_passes_that_bring_nothing_end_it(store: CaseStore) -> None:
-    told = Bench(store, Script(*[passes(0.5, 0.9, 33.0)] * 3)).run()
+    script = Script(*[passes(0.6, 0.9, 33.0)] * 3)
+    told = Bench(store, script).run()
     assert (told.end, len(told.passes)) == (PassesEnd.NO_GAIN, 3)
+    aims = [asked.aim_um for asked in script.asked]
+    assert 40.0 > aims[0] > aims[1] > aims[2]  # what fell short is made up for by a margin
+
+
+@pytest.mark.parametrize(
+    ("shares", "end"),
+    [
+        ([(0.9, 0.91), (0.903, 0.91), (0.906, 0.91), (0.909, 0.91)], PassesEnd.NO_GAIN),
+        ([(0.9, 0.95), (0.91, 0.95), (0.92, 0.95), (0.93, 0.95)], PassesEnd.POINTS_SPENT),
+        ([(0.0, 0.1), (0.0, 0.1), (0.0, 0.1), (0.0, 0.1)], PassesEnd.POINTS_SPENT),  # out of reach: all points are spent where they help most
+    ],
+    ids=["little", "enough", "out of reach"],
+)
+def test_passes_that_bring_little_end_it_once_most_is_as_wanted(store: CaseStore, shares: list[tuple[float, float]], end: PassesEnd) -> None:
+    told = Bench(store, Script(*[passes(*share, 33.0, quota=50) for share in shares], passes(*shares[-1]))).run()
+    assert told.end is end
 
 
 def test_a_plan_holds_no_more_views_than_a_case(store: CaseStore) -> None:
@@ -195,7 +216,7 @@ def test_what_the_case_keeps_of_the_passes_comes_back(store: CaseStore) -> None:
 @pytest.fixture(scope="module")
 def steered(tmp_path_factory: pytest.TempPathFactory) -> tuple[ScanResult, Script, Path, list[tuple[int, float | None]]]:
     """A scan of three passes, with what its status told."""
-    script = Script(passes(0.5, 0.9, 33.0, 200.0), passes(0.8, 1.0, 77.0), passes(1.0, 1.0))
+    script = Script(passes(0.5, 0.9, 33.0, 200.0), passes(0.8, 1.0, 77.0), passes(1.0, 1.0, remount=TIP))
     seen: list[tuple[int, float | None]] = []
 
     def watch(runner: ScanRunner) -> None:
@@ -244,6 +265,7 @@ def test_json_and_words_tell_the_passes(steered: tuple[ScanResult, Script, Path,
     result = steered[0]
     values = json.loads(json.dumps(scan_json(result, 150.0, "a.impronta")))
     assert (values["until_um"], values["passes_end"], values["not_steered"]) == (40.0, "within", None)
+    assert (values["remount"]["tip_deg"], values["remount"]["words"]) == (90.0, "Tip it over.")
     assert values["coverage"]["reachable_within_fraction"] == 1.0
     assert [one["points"] for one in values["passes"]] == [COARSE, 60, 30]
     assert all(one["seconds"] > 0 for one in values["passes"])
@@ -252,6 +274,7 @@ def test_json_and_words_tell_the_passes(steered: tuple[ScanResult, Script, Path,
     words = "\n".join(scan_summary(result))
     assert "Pass 2 (steered): 60 points from 2 views" in words
     assert PassesEnd.WITHIN.words(40.0) in words
+    assert TIP.words in words
 
 
 def test_without_a_surface_the_rest_is_spread_evenly(store: CaseStore) -> None:
