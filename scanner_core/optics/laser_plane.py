@@ -21,6 +21,8 @@ LEAST_POINTS = 200
 _LEAST_IN_FRAME = 6
 _MOST_FITTED = 6000
 _FLOOR_MM = 5e-3
+_KNOWN = np.array([0.15, 0.15, 0.02, 0.02])
+"""Standard uncertainty of the nominal axis: its place in 100 mm, its direction in rad.  What the points do not tell stays nominal."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -94,16 +96,18 @@ def swept_planes(points: Array, sigma_mm: Array, frame: NDArray[np.int64], frame
     def residuals(parameters: Array) -> Array:
         axis = axis_of(parameters)
         angle, distance = axis.polar(fitted, towards)
-        return np.asarray(weight * distance * (angle - _per_frame(angle, their_frame, frames)[their_frame]), np.float64)
+        beside = weight * distance * (angle - _per_frame(angle, their_frame, frames)[their_frame])
+        return np.r_[beside, parameters / _KNOWN]
 
     start = np.zeros(4)
-    good = np.isfinite(residuals(start))
+    good = np.isfinite(residuals(start)[:-4])
     if good.sum() < LEAST_POINTS:
         return None
     fitted, weight, their_frame = fitted[good], weight[good], their_frame[good]
-    # a nominal axis that is off by millimetres leaves large residuals everywhere: a wide loss first
-    for scale in (20.0, 3.0):
-        start = least_squares(residuals, start, loss="soft_l1", f_scale=scale, x_scale=[0.05, 0.05, 0.01, 0.01], max_nfev=30).x
+    # a nominal axis that is off by millimetres leaves large residuals everywhere: a wide loss first, which a whole wrong piece of
+    # the line bends as far as the bounds let it, then a narrow one, which forgets it
+    for scale in (100.0, 20.0, 3.0):
+        start = least_squares(residuals, start, loss="cauchy", f_scale=scale, x_scale=_KNOWN, bounds=(-4 * _KNOWN, 4 * _KNOWN), max_nfev=30).x
     axis = axis_of(start)
     angle, distance = axis.polar(points, towards)
     planes = _per_frame(angle, frame, frames)

@@ -6,12 +6,18 @@ fitted by a Gaussian, weighted by their noise, clipped pixels left out.  Columns
 seen by the columns, and between both directions by either; so folds, where a row meets the line several times, give several
 peaks, and every piece of a line is sampled about once a pixel whatever its direction.
 
-What the lens's blur along the line does to the places is corrected afterwards, see :mod:`~scanner_core.optics.stripe_curve`.
+A lens blurs the line along itself as well as across.  Where the line is bent, the light of both sides lies on the inner side of the
+bend, and where its light grows, a slanted line's row is drawn to the brighter side: a quarter of a pixel on the cusp of a
+tooth, inwards in both images, so that the points would lie deep.  The blur between the rows is therefore taken out before a
+row is looked at (and that between the columns before a column is); the blur within the row, which makes sub-pixel places
+possible, stays.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
+from math import ceil
+from typing import NamedTuple
 
 import cv2
 import numpy as np
@@ -35,6 +41,10 @@ class StripeDetectorParameters:
     threshold_sigmas : 3 to 20; and at least so many standard deviations of the background
     least_sigma_px, most_sigma_px : of the line across itself, pixel included
     max_slope : 1 to 5; a profile more slanted than this belongs to the other direction
+    max_drawn_px : 0.05 to 5; where the lens's blur has drawn a place aside by more, the line is bent too sharply to undo that
+    blur_px : standard deviations of the image of a point along x and y, its pixel included: what the lens leaves of a small spot
+    rounds : 1 to 20; so often the blur along the line is undone: more leave less of it, and more noise
+    per_px : 1 to 4 samples of the line to a pixel along it; those beyond one are no independent ones
     max_growth : 0.05 to 3 per px; where light changes faster along the line than this, the line ends
     max_saturated_px : 0 to 20 clipped pixels of a profile
     max_misfit : 1.5 to 1000; chi square of a profile over its degrees of freedom, before what speckle does to it
@@ -46,11 +56,15 @@ class StripeDetectorParameters:
     threshold_sigmas: float = 6.0
     least_sigma_px: float = 0.4
     most_sigma_px: float = 2.5
-    max_slope: float = 2.0
+    max_slope: float = 1.1
     max_growth: float = 0.6
     max_saturated_px: int = 3
-    max_misfit: float = 6.0
+    max_misfit: float = 12.0
     speckle: float = 0.12
+    max_drawn_px: float = 0.4
+    blur_px: tuple[float, float] = (0.957, 0.777)
+    rounds: int = 5
+    per_px: int = 2
     saturation_dn: int = 254
     read_noise_dn: float = 1.4
     shot_dn: float = 0.0125
@@ -69,6 +83,9 @@ _RANGES: dict[str, tuple[float, float]] = {
     "most_sigma_px": (0.2, 10),
     "max_slope": (1, 5),
     "max_growth": (0.05, 3),
+    "max_drawn_px": (0.05, 5),
+    "rounds": (1, 20),
+    "per_px": (1, 4),
     "max_saturated_px": (0, 20),
     "max_misfit": (1.5, 1000),
     "speckle": (0, 1),
@@ -88,6 +105,7 @@ class StripePeaks:
     along_row : (n,) bool: x was measured, in a row; else y, in a column
     slope : (n,) of the line: how far the measured coordinate moves with the other one
     growth : (n,) share by which the light changes along the line, per px of the whole coordinate
+    drawn_px : (n,) by how much the lens's blur along the line had moved the measured coordinate
     sigma_px : (n,) standard deviation of the profile
     peak_dn : (n,) of the fitted profile over the background
     variance_px2 : (n,) of the measured coordinate by the pixels' noise
@@ -98,6 +116,7 @@ class StripePeaks:
     along_row: NDArray[np.bool_]
     slope: Array
     growth: Array
+    drawn_px: Array
     sigma_px: Array
     peak_dn: Array
     variance_px2: Array
@@ -138,6 +157,8 @@ _HALF = 6
 """Half width of a profile, px."""
 _BORDER = _HALF + 1
 _ROUNDS = 6
+_UNDONE = 0.3
+"""Standard uncertainty of what was taken out of a place because of the blur, as a share of it."""
 _OFFSETS = np.arange(-_HALF, _HALF + 1, dtype=np.float64)
 
 
@@ -157,11 +178,14 @@ class StripeDetector:
         if box is None:
             return StripeFrame(_NONE, {})
         left, top, right, bottom = box
-        part = np.ascontiguousarray(image[top:bottom, left:right])
-        ridges = _Derivatives.of(part)
+        part = image[top:bottom, left:right]
         found, rejected = [], dict[str, int]()
         for turned in (False, True):
-            peaks, lost = self._along_rows(part.T if turned else part, ridges.turned() if turned else ridges, floor, noise)
+            pixels = part.T if turned else part
+            dense = _between_rows(pixels.astype(np.float32), p.per_px)
+            sharp = deblurred_down(dense, p.per_px * p.blur_px[0 if turned else 1], p.rounds)
+            over = np.repeat(pixels >= noise.saturation_dn, p.per_px, axis=0)[: len(dense)]
+            peaks, lost = self._along_rows(dense, sharp, over, floor, noise)
             if turned:
                 peaks = StripePeaks(peaks.xy[:, ::-1], ~peaks.along_row, *(getattr(peaks, column.name) for column in fields(StripePeaks)[2:]))
             found.append(peaks)
@@ -171,8 +195,12 @@ class StripeDetector:
         peaks.xy[:] += (left, top)
         return StripeFrame(peaks, rejected)
 
-    def _along_rows(self, pixels: Image, derivatives: _Derivatives, floor: float, noise: PixelNoise) -> tuple[StripePeaks, dict[str, int]]:
+    def _along_rows(
+        self, raw: NDArray[np.float32], pixels: NDArray[np.float32], over: NDArray[np.bool_], floor: float, noise: PixelNoise
+    ) -> tuple[StripePeaks, dict[str, int]]:
+        """The peaks of rows that lie `per_px` to a pixel, before and after the blur was taken out."""
         p = self.parameters
+        derivatives = _Derivatives.of(pixels, p.per_px)
         ridge = derivatives.value
         middle = ridge[1:-1, 1:-1]
         top = (middle > ridge[1:-1, :-2]) & (middle >= ridge[1:-1, 2:]) & (middle > floor)
@@ -182,7 +210,7 @@ class StripeDetector:
         rejected = {"cut_by_edge": int((~inside).sum())}
         rows, columns = rows[inside], columns[inside]
 
-        here, s_x, s_y, s_xx, s_xy = (each[rows, columns].astype(np.float64) for each in derivatives.by_row())
+        here, s_x, s_y, s_xx, s_xy = (each[rows, columns].astype(np.float64) for each in derivatives)
         with np.errstate(divide="ignore", invalid="ignore"):
             slope = -s_xy / s_xx
             # the light's change from row to row on the ridge itself, which lies beside the middle of the pixel
@@ -193,8 +221,11 @@ class StripeDetector:
         reach = columns[:, None] + np.arange(-_HALF, _HALF + 1)
         profile = pixels[rows[:, None], reach].astype(np.float64)
         used = _own_slope(ridge[rows[:, None], reach].astype(np.float64), noise)
-        clipped = (profile >= noise.saturation_dn) & used
+        clipped = over[rows[:, None], reach] & used
         fit = _gaussian_profiles(profile - noise.background_dn, used & ~clipped, noise, np.sqrt(1 + slope**2), p.speckle)
+
+        blurred = raw[rows[:, None], reach].astype(np.float64) - noise.background_dn
+        drawn = fit.centre - _gaussian_profiles(blurred, used & ~clipped, noise, np.sqrt(1 + slope**2), p.speckle).centre
 
         across = fit.sigma / np.sqrt(1 + slope**2)
         saturated = clipped.sum(axis=1)
@@ -206,42 +237,59 @@ class StripeDetector:
             "too_dim": fit.peak < p.min_peak_dn,
             "misshapen": fit.misfit > p.max_misfit,
             "line_end": np.abs(growth) > p.max_growth,
+            "bent": np.abs(drawn) > p.max_drawn_px * np.sqrt(1 + slope**2),
         }
         good = np.ones(len(rows), np.bool_)
         for reason, which in reasons.items():
             rejected[reason] = int((good & which).sum())
             good &= ~which
-        xy = np.c_[columns + fit.centre, rows].astype(np.float64)
-        peaks = StripePeaks(xy, np.ones(len(rows), np.bool_), slope, growth, fit.sigma, fit.peak, fit.variance, saturated.astype(np.int32))
+        xy = np.c_[columns + fit.centre, rows / p.per_px]
+        variance = fit.variance + (_UNDONE * drawn) ** 2
+        whole = np.ones(len(rows), np.bool_)
+        peaks = StripePeaks(xy, whole, slope, growth, drawn, fit.sigma, fit.peak, variance, saturated.astype(np.int32))
         return peaks.select(good), {reason: count for reason, count in rejected.items() if count}
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Derivatives:
-    """A smoothed image and its derivatives, (h, w) each."""
+class _Derivatives(NamedTuple):
+    """A smoothed image and its derivatives by x and y, (h, w) each, per px; by derivatives of a Gaussian (Steger 1998)."""
 
     value: NDArray[np.float32]
     x: NDArray[np.float32]
     y: NDArray[np.float32]
     xx: NDArray[np.float32]
     xy: NDArray[np.float32]
-    yy: NDArray[np.float32]
 
     @staticmethod
-    def of(image: Image) -> _Derivatives:
-        """By derivatives of a Gaussian (Steger 1998), scaled so that those of a parabola are exact."""
-        pixels = image.astype(np.float32)
-        none, one, two = _KERNELS
-        filtered = (cv2.sepFilter2D(pixels, -1, a, b, borderType=cv2.BORDER_REPLICATE) for a, b in ((none, none), (one, none), (none, one), (two, none), (one, one), (none, two)))
-        return _Derivatives(*(np.asarray(each, np.float32) for each in filtered))
+    def of(pixels: NDArray[np.float32], per_px: int) -> _Derivatives:
+        """Of an image whose rows lie `per_px` to a pixel."""
+        none, one, two = _gaussian_kernels(_SMOOTH_PX, 4)
+        down, change = _gaussian_kernels(per_px * _SMOOTH_PX, 4 * per_px)[:2]
+        pairs = ((none, down), (one, down), (none, per_px * change), (two, down), (one, per_px * change))
+        return _Derivatives(*(np.asarray(cv2.sepFilter2D(pixels, -1, a, b, borderType=cv2.BORDER_REPLICATE), np.float32) for a, b in pairs))
 
-    def turned(self) -> _Derivatives:
-        """Of the transposed image."""
-        return _Derivatives(self.value.T, self.y.T, self.x.T, self.yy.T, self.xy.T, self.xx.T)
 
-    def by_row(self) -> tuple[NDArray[np.float32], ...]:
-        """What a row's peaks need: value, x, y, xx, xy."""
-        return self.value, self.x, self.y, self.xx, self.xy
+def _between_rows(pixels: NDArray[np.float32], per_px: int) -> NDArray[np.float32]:
+    """The image with rows between its rows, `per_px` to a pixel; the lens has left nothing finer that they could miss."""
+    if per_px == 1:
+        return pixels
+    rows = per_px * (len(pixels) - 1) + 1
+    matrix = np.array([[1.0, 0.0, 0.0], [0.0, 1.0 / per_px, 0.0]])
+    flags = cv2.INTER_LANCZOS4 | cv2.WARP_INVERSE_MAP
+    between = cv2.warpAffine(np.ascontiguousarray(pixels), matrix, (pixels.shape[1], rows), flags=flags, borderMode=cv2.BORDER_REPLICATE)
+    return np.asarray(between, np.float32)
+
+
+def deblurred_down(image: NDArray[np.float32], sigma_px: float, rounds: int) -> NDArray[np.float32]:
+    """An image (h, w) with the lens's blur along its columns mostly taken out: ``sum over k < rounds of (1 - G)^k`` of it (van Cittert 1931).
+
+    Waves of which the blur G leaves the share q keep ``1 - (1 - q)^rounds``.
+    """
+    bell = _gaussian_kernels(sigma_px, ceil(4 * sigma_px))[0]
+    rest, total = image, image.copy()
+    for _ in range(rounds - 1):
+        rest = rest - cv2.sepFilter2D(rest, -1, np.ones(1), bell, borderType=cv2.BORDER_REPLICATE)
+        total += rest
+    return total
 
 
 def _gaussian_kernels(sigma: float, half: int) -> tuple[Array, Array, Array]:
@@ -252,9 +300,6 @@ def _gaussian_kernels(sigma: float, half: int) -> tuple[Array, Array, Array]:
     first = t * bell / (t * t * bell).sum()
     second = (t * t - (t * t * bell).sum()) * bell
     return bell, first, 2 * second / (t * t * second).sum()
-
-
-_KERNELS = _gaussian_kernels(_SMOOTH_PX, 4)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -325,4 +370,4 @@ def _lit_box(image: Image, floor: float, margin: int) -> tuple[int, int, int, in
     return max(x - margin, 0), max(y - margin, 0), min(x + width + margin, columns), min(y + height + margin, rows)
 
 
-_NONE = StripePeaks(np.empty((0, 2)), np.empty(0, np.bool_), *(np.empty(0) for _ in range(5)), np.empty(0, np.int32))
+_NONE = StripePeaks(np.empty((0, 2)), np.empty(0, np.bool_), *(np.empty(0) for _ in range(6)), np.empty(0, np.int32))

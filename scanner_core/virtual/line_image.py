@@ -12,9 +12,10 @@ from scanner_core.virtual.laser_fan import FanScene
 from scanner_core.virtual.mechanics import warm_up_px
 from scanner_core.virtual.motion_state import MotionInstant, MotionTimeline
 from scanner_core.virtual.presets import VirtualPreset
-from scanner_core.virtual.projection import StereoProjection
+from scanner_core.virtual.projection import ImagePoints, StereoProjection
 
 Array = NDArray[np.float64]
+Signal = NDArray[np.float32]
 
 _REACH_SIGMA = 4.0
 _MOST_INSTANTS = 9
@@ -28,18 +29,19 @@ class LineShutter:
         self._preset = preset
         self._projection = StereoProjection(preset)
 
-    def expose(self, scene: FanScene, timeline: MotionTimeline, start_s: float, exposure_ms: float) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    def expose(self, scene: FanScene, timeline: MotionTimeline, start_s: float, exposure_ms: float) -> tuple[Signal, Signal]:
         """The noise-free signals (H, W) of the left and the right camera in DN over the black level, of an exposure that has ended."""
         lit = scene.light(self._instants(timeline, start_s, 1e-3 * exposure_ms))
-        sizes = [camera.size_px for camera in self._preset.cameras]
+        cameras = self._preset.cameras
         if lit is None:
-            return _dark(sizes[0]), _dark(sizes[1])
+            return _dark(cameras[0].size_px), _dark(cameras[1].size_px)
         shares = lit.shares * (exposure_ms / self._preset.exposure_ms)
         drifts = [warm_up_px(self._preset, index, start_s) for index in (0, 1)]
         images = self._projection.image(lit.points, lit.normals, shares, np.zeros((2, 1, 2)), drifts)
+        depths = [lit.points @ camera.rotation[2] + camera.translation[2] for camera in cameras]
         left, right = (
-            _dark(size) if image is None else self._rendered(size, image.x_px, image.y_px, image.flux_dn, camera.rotation[2] @ lit.points.T + camera.translation[2])
-            for size, image, camera in zip(sizes, images, self._preset.cameras, strict=True)
+            _dark(camera.size_px) if image is None else self._rendered(camera.size_px, image, depth)
+            for camera, image, depth in zip(cameras, images, depths, strict=True)
         )
         return left, right
 
@@ -50,11 +52,11 @@ class LineShutter:
         count = min(_MOST_INSTANTS, max(1 if first.laser_power == last.laser_power else 3, ceil(2 * smear)))
         return [timeline.instant(start_s + duration_s * (i + 0.5) / count) for i in range(count)]
 
-    def _rendered(self, size_px: tuple[int, int], x: Array, y: Array, flux: Array, depth: Array) -> NDArray[np.float32]:
+    def _rendered(self, size_px: tuple[int, int], image: ImagePoints, depth: Array) -> Signal:
         """The sum of all points' images, each as wide as the lens makes it at its depth."""
         width, height = size_px
-        bright = flux > _FAINTEST_DN
-        x, y, flux, depth = x[bright], y[bright], flux[bright], depth[bright]
+        bright = image.flux_dn > _FAINTEST_DN
+        x, y, flux, depth = image.x_px[bright], image.y_px[bright], image.flux_dn[bright], depth[bright]
         p = self._preset
         out_of_focus = (1 / depth - 1 / p.focus_mm) / (1 / p.distance_mm - 1 / p.focus_mm)
         sigma_x, sigma_y = (np.hypot(lens, defocus * out_of_focus) for lens, defocus in zip(p.lens_sigma_px, p.defocus_sigma_px, strict=True))
@@ -76,5 +78,5 @@ def _shares(place: Array, sigma: Array) -> tuple[NDArray[np.int64], Array]:
     return pixels, np.diff(ndtr(edges), axis=1)
 
 
-def _dark(size_px: tuple[int, int]) -> NDArray[np.float32]:
+def _dark(size_px: tuple[int, int]) -> Signal:
     return np.zeros(size_px[::-1], np.float32)
