@@ -97,7 +97,7 @@ def swept_planes(points: Array, sigma_mm: Array, frame: NDArray[np.int64], frame
         axis = axis_of(parameters)
         angle, distance = axis.polar(fitted, towards)
         beside = weight * distance * (angle - _per_frame(angle, their_frame, frames)[their_frame])
-        return np.r_[beside, parameters / _KNOWN]
+        return np.asarray(np.r_[beside, parameters / _KNOWN], np.float64)
 
     start = np.zeros(4)
     good = np.isfinite(residuals(start)[:-4])

@@ -59,7 +59,7 @@ class StripeDetectorParameters:
     max_slope: float = 1.1
     max_growth: float = 0.6
     max_saturated_px: int = 3
-    max_misfit: float = 12.0
+    max_misfit: float = 30.0
     speckle: float = 0.12
     max_drawn_px: float = 0.4
     blur_px: tuple[float, float] = (0.957, 0.777)
@@ -370,4 +370,9 @@ def _lit_box(image: Image, floor: float, margin: int) -> tuple[int, int, int, in
     return max(x - margin, 0), max(y - margin, 0), min(x + width + margin, columns), min(y + height + margin, rows)
 
 
-_NONE = StripePeaks(np.empty((0, 2)), np.empty(0, np.bool_), *(np.empty(0) for _ in range(6)), np.empty(0, np.int32))
+def _no_peaks() -> StripePeaks:
+    none, nothing = np.empty(0), np.empty(0, np.bool_)
+    return StripePeaks(np.empty((0, 2)), nothing, none, none, none, none, none, none, np.empty(0, np.int32))
+
+
+_NONE = _no_peaks()

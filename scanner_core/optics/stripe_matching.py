@@ -140,7 +140,8 @@ class StripeMatcher:
         covariances = np.einsum("n,ni,nj->nij", variance, by_other, by_other) + np.einsum("n,ni,nj->nij", own_variance, by_own, by_own)
         left_px, right_px = (own, crossing) if side == 0 else (crossing, own)
         found = StripeCandidates(place.astype(np.int64), left_px, right_px, points, covariances, np.abs(sine) < _LEAST_SINE)
-        return found.select(np.isfinite(points).all(axis=1))
+        finite = np.asarray(np.isfinite(points).all(axis=1), np.bool_)
+        return found.select(finite)
 
     def _points(self, side: int, own: Array, other: Array) -> Array:
         left, right = (own, other) if side == 0 else (other, own)

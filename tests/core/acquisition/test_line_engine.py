@@ -34,7 +34,7 @@ def in_plane(pan_deg: float, heights: Array, depth: float) -> Array:
     """Points (n, 3) of the table frame in the laser's plane at a pan, `depth` mm beyond the axis as seen from the laser, at these heights."""
     azimuth = np.radians(180 + pan_deg)
     out = np.hypot(*LASER[:2]) + depth
-    return np.c_[LASER[0] + out * np.cos(azimuth) + 0 * heights, LASER[1] + out * np.sin(azimuth) + 0 * heights, heights]
+    return np.asarray(np.c_[LASER[0] + out * np.cos(azimuth) + 0 * heights, LASER[1] + out * np.sin(azimuth) + 0 * heights, heights])
 
 
 def peaks_of(pieces: list[Array], side: int) -> StripePeaks:

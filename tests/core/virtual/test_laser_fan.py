@@ -15,6 +15,7 @@ from scanner_core.virtual.line_image import LineShutter
 from scanner_core.virtual.motion_state import MotionInstant
 from scanner_core.virtual.presets import PRESETS
 from scanner_core.virtual.specimens.specimen import Specimen
+from scanner_core.virtual.surface_noise import SpatialNoise
 
 PRESET = PRESETS["bench"].without("speckle", "warm_up")
 RADIUS_MM = 11.0
@@ -100,3 +101,9 @@ def test_light_is_proportional_to_power_and_exposure_and_a_moving_fan_smears_it(
     assert smeared.max() < full.max()
     assert float(smeared.sum()) == pytest.approx(float(full.sum()), rel=0.05)
     assert not shutter.expose(scene, Sweep(power=0.0), 0.0, 12.0)[1].any()
+
+
+def test_noise_of_many_places_is_that_of_each() -> None:
+    noise = SpatialNoise(3, 2, 0.2)
+    places = np.random.default_rng(0).uniform(-30, 30, (50, 3))
+    assert noise.at_many(places) == pytest.approx(np.array([noise.at(*place) for place in places.tolist()]))
