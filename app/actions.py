@@ -58,6 +58,7 @@ ACTIONS: tuple[ActionInfo, ...] = (
     ActionInfo("front", VIEW, QT_TRANSLATE_NOOP("actions", "F&ront"), "1", "front", "view_front"),
     ActionInfo("top", VIEW, QT_TRANSLATE_NOOP("actions", "&Top"), "7", "top", "view_top"),
     ActionInfo("show_points", VIEW, QT_TRANSLATE_NOOP("actions", "&Points"), "P", "points", "show_points", checkable=True),
+    ActionInfo("show_surface", VIEW, QT_TRANSLATE_NOOP("actions", "&Surface"), "L", "surface", "show_surface", checkable=True),
     ActionInfo("show_edges", VIEW, QT_TRANSLATE_NOOP("actions", "&Edges"), "E", "edges", "show_edges", checkable=True),
     ActionInfo("show_uncertainty", VIEW, QT_TRANSLATE_NOOP("actions", "&Uncertainty"), "U", "uncertainty", "show_uncertainty", checkable=True),
     ActionInfo("support", HELP, QT_TRANSLATE_NOOP("actions", "&Support bundle…"), "", "", "show_support"),

@@ -28,6 +28,7 @@ class DraftValues:
     side : a key of SIDES, or empty
     kind : a key of KINDS
     views, points : of the scan plan
+    until_um : scan on where the surface is less certain than this, with `points` as the most; 0 = spread them evenly
     triangles : at most so many, 0 = as many as the points carry
     tolerance_um : wanted tolerance, 0 = none; it goes before the number of triangles
     """
@@ -38,6 +39,7 @@ class DraftValues:
     kind: str = "ear"
     views: int = 16
     points: int = 20_000
+    until_um: int = 0
     triangles: int = 0
     tolerance_um: int = 0
 
@@ -98,6 +100,7 @@ EDIT_TEXTS = {
     "kind": QT_TRANSLATE_NOOP("draft", "Change type"),
     "views": QT_TRANSLATE_NOOP("draft", "Change number of views"),
     "points": QT_TRANSLATE_NOOP("draft", "Change number of points"),
+    "until_um": QT_TRANSLATE_NOOP("draft", "Change wanted uncertainty"),
     "triangles": QT_TRANSLATE_NOOP("draft", "Change number of triangles"),
     "tolerance_um": QT_TRANSLATE_NOOP("draft", "Change tolerance"),
 }

@@ -20,6 +20,7 @@ from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
 from app.controllers.export import ExportController
+from app.controllers.live_surface import LiveSurfaceController
 from app.controllers.reconstruction import ReconstructionController
 from app.controllers.recovery import RecoveryController
 from app.controllers.rig import RigController
@@ -80,8 +81,9 @@ class Program(QObject):
         comparing = Comparing(self.background, self.settings, self.compare_stack, cases, self.tell, self)
         recovery = RecoveryController(self.background, self.settings, cases, acquisition, self.tell, self)
         assistant = AssistantController(self.background, rig, self.tell, self)
+        live = LiveSurfaceController(self.background, acquisition, self)
         self.services = Services(
-            self.settings, draft, self.background, rig, cases, acquisition, reconstruction, export, comparing, recovery, assistant
+            self.settings, draft, self.background, rig, cases, acquisition, reconstruction, export, comparing, recovery, assistant, live
         )
         draft.load(first_order(self.settings.last_order))
         self._event_log = EventLog(self.services, self)
@@ -93,7 +95,7 @@ class Program(QObject):
         install_hooks(self._show)
         self._shading = Shading(self.background)
         pages = [page.tick for page in self.window.pages.values()]
-        for source in (self.background.drain, acquisition.drain, reconstruction.drain, comparing.drain, self._shading.tick, *pages):
+        for source in (self.background.drain, acquisition.drain, reconstruction.drain, comparing.drain, live.tick, self._shading.tick, *pages):
             self.pump.add_source(source)
         for painter in (self.window.paint_scene, *(page.paint_scene for page in self.window.pages.values())):
             self.pump.add_painter(painter)
@@ -132,6 +134,7 @@ class Program(QObject):
         self.window.put_scene(scene)
         scene.warm_up()
         self._shading.watch(scene)
+        self.services.live_surface.watch(scene)
         self.heartbeat.notes["scene_s"] = time.perf_counter() - self._started_s
         self.services.reconstruction.prewarm()
         self.heartbeat.forget()  # what is measured begins after the first 3D picture
@@ -153,6 +156,7 @@ class Program(QObject):
             ("scan", lambda: services.acquisition.shutdown(_DEADLINE_S)),
             ("assistant", lambda: services.assistant.shutdown(_DEADLINE_S)),
             ("rig", lambda: services.rig.shutdown(_DEADLINE_S)),
+            ("live surface", services.live_surface.shutdown),
             ("reconstruction", services.reconstruction.shutdown),
             ("comparison", services.comparing.shutdown),
             ("case", lambda: services.case.shutdown(_DEADLINE_S)),

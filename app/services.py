@@ -10,6 +10,7 @@ from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
 from app.controllers.export import ExportController
+from app.controllers.live_surface import LiveSurfaceController
 from app.controllers.reconstruction import ReconstructionController
 from app.controllers.recovery import RecoveryController
 from app.controllers.rig import RigController
@@ -32,3 +33,4 @@ class Services:
     comparing: Comparing
     recovery: RecoveryController
     assistant: AssistantController
+    live_surface: LiveSurfaceController

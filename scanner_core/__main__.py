@@ -29,6 +29,7 @@ _INTERRUPTED = {
 }
 """What is true when a command is interrupted that did not itself say how it ended."""
 _log = logging.getLogger("impronta")
+_UNTIL = "scan on where the surface is uncertain, until its standard uncertainty is below U um wherever light reaches, or the points are spent"
 _SPECIMENS = "ear, arch, heart, sphere, or a mesh file (STL, PLY, OBJ, VTP in millimetres, 3MF)"
 
 
@@ -99,6 +100,8 @@ def _parser() -> argparse.ArgumentParser:
     demo.add_argument("--preset", default="bench", help="bench, paper-2003 or workshop")
     demo.add_argument("--points", type=_count, default=None, metavar="N", help="wanted number of points (default 20000)")
     demo.add_argument("--views", type=_count, default=None, metavar="N", help="table positions (default 16)")
+    demo.add_argument("--marks", action="store_true", help="three balls on the table's rim that watch over the rig (a rig file: table [marks])")
+    demo.add_argument("--until-um", type=_positive, default=None, metavar="U", help=_UNTIL)
     demo.add_argument("--out", metavar="DIR", help="folder of the results (default: a new dated folder here)")
     demo.add_argument("--triangles", type=_count, default=None, metavar="N", help="at most N triangles")
     demo.add_argument("--force", action="store_true", help="overwrite results that are there")
@@ -123,15 +126,28 @@ def _parser() -> argparse.ArgumentParser:
     target.add_argument("--paper", choices=("a4", "letter", "a3"), default="a4", help="landscape (default a4)")
     target.add_argument("--force", action="store_true", help="overwrite the output")
 
-    scan = _command(commands, "scan", "acquire into a new case, or go on with an interrupted one")
+    scan = _command(commands, "scan", "acquire into a new case, go on with an interrupted one, or add another mount")
     _measuring_rig(scan)
-    scan.add_argument("--plan", metavar="PLAN.toml", help="views, points, object_radius_mm, object_height_mm")
+    scan.add_argument("--plan", metavar="PLAN.toml", help="views, points, object_radius_mm, object_height_mm, until_um")
+    scan.add_argument("--until-um", type=_positive, default=None, metavar="U", help=_UNTIL)
     scan.add_argument("--out", required=True, metavar="CASE.impronta")
     scan.add_argument("--specimen", default="ear", metavar="NAME or FILE", help=f"virtual rig only: {_SPECIMENS}")
     scan.add_argument("--treated", action="store_true", help="virtual rig only: the arch after treatment")
+    pose = "virtual rig only: how the specimen was put down, turns in degrees about the table's x, then y, then z (--pose=-90,0,20), or random:SEED"
+    scan.add_argument("--pose", metavar="RX,RY,RZ", help=pose)
     scan.add_argument("--resume", action="store_true", help="go on with the interrupted scan of CASE: known points first, then what is missing")
+    add_mount = "the object was turned or tilted: scan it into CASE as its next mount, and bring the mounts together"
+    scan.add_argument("--add-mount", action="store_true", help=add_mount)
     scan.add_argument("--force", action="store_true", help="overwrite a case that is there")
     _virtual(scan)
+
+    register = _command(commands, "register", "bring the mounts of a case into one frame again, or with picked points")
+    register.add_argument("case", metavar="CASE")
+    pairs = (
+        "at least three points of a mount, one a line: mount, x, y, z on it, and x, y, z of the same place on the first mount, mm"
+    )
+    register.add_argument("--pairs", metavar="FILE", help=pairs)
+    register.add_argument("--seed", type=_seed, default=0, metavar="N", help="of the search")
 
     reconstruct = _command(commands, "reconstruct", "points to a closed triangular mesh")
     reconstruct.add_argument("input", metavar="INPUT", help="PLY, XYZ/TXT/CSV/ASC, NPY or a case")
@@ -153,6 +169,10 @@ def _parser() -> argparse.ArgumentParser:
     export.add_argument("case", metavar="CASE")
     export.add_argument("--out", required=True, metavar="FILE", help=".stl .ply .obj .3mf .dcm for the mesh, .xyz for the points")
     export.add_argument("--force", action="store_true", help="overwrite the output")
+
+    coverage = _command(commands, "coverage", "which places of a case's surface are not as certain as wanted, and why")
+    coverage.add_argument("case", metavar="CASE")
+    coverage.add_argument("--until-um", type=_positive, default=40.0, metavar="U", help="wanted standard uncertainty (default 40)")
 
     _verify(commands)
 

@@ -6,16 +6,8 @@ filled by the error that is raised.  A code never changes its meaning; the windo
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-
-@dataclass(frozen=True, slots=True)
-class Sentence:
-    """The two halves of an error's sentence."""
-
-    what: str
-    do: str
-
+from scanner_core.finding_sentences import FINDING_SENTENCES
+from scanner_core.sentence import Sentence
 
 SENTENCES: dict[str, Sentence] = {
     # ------------------------------------------------------------------------------------------ use of the program
@@ -204,72 +196,11 @@ SENTENCES: dict[str, Sentence] = {
         "The {part} of the rig is not the one with which the scan in {path} was begun.",
         "What was measured is kept; use the rig file of that scan to resume it, or keep what is there and scan anew.",
     ),
+    "E-MARK-01": Sentence(
+        "The interrupted scan cannot go on: the marks on the table's rim are seen {shift_um} um beside where they were ({cause}).",
+        "The laser is off and what was measured before is kept; put table and cameras back as they were and resume, or scan anew.",
+    ),
     "E-SCAN-04": Sentence("{path} holds no interrupted scan.", "It was not touched; scan into a new case."),
-    # ------------------------------------------------------------------------------------------ findings while scanning
-    "H-EPI-01": Sentence(
-        "A camera was moved across the epipolar lines by about {shift_px} px ({where}; noticed after {points} points).",
-        "Points from there on may be off; see that both cameras are fixed, and calibrate before the next scan.",
-    ),
-    "H-EPI-02": Sentence(
-        "The two images of the spot disagree by {sd_px} px, where {expected_px} px are expected ({where}).",
-        "The points are noisier than they claim; look for vibration, moving reflections or a dirty lens.",
-    ),
-    "H-VIEW-01": Sentence(
-        "A camera moved or the object moved: the view at {table_deg} deg lies {shift_um} um beside the earlier ones ({direction}).",
-        "Its points are kept; fix cameras and object, then scan again.",
-    ),
-    "H-VIEW-02": Sentence(
-        "A camera moved: the views from {table_deg} deg on lie {shift_um} um beside the earlier ones ({direction}, always as seen by the cameras).",
-        "Their points are kept; fix the cameras, calibrate, and scan again.",
-    ),
-    "H-VIEW-03": Sentence(
-        "The object moved on the table: the views from {table_deg} deg on lie {shift_um} um beside the earlier ones.",
-        "Their points are kept; fix the object to the table and scan again.",
-    ),
-    "H-VIEW-04": Sentence(
-        "The turn does not close: the first view measured again lies {shift_um} um beside its first measurement.",
-        "A camera or the object moved on the way; fix both, and scan again.",
-    ),
-    "H-TAB-01": Sentence(
-        "The table lost steps: it stands {turn_deg} deg beside its reading{where}.",
-        "The views from there on are turned; see that the table moves freely, and scan again.",
-    ),
-    "H-TAB-02": Sentence(
-        "Whether the table lost steps cannot be judged on this object: {reason}.",
-        "Its points may be right; a shape without rotational symmetry would tell.",
-    ),
-    "H-CAM-01": Sentence(
-        "Camera {camera} did not deliver {count} of {exposures} frames ({share} % of the last ones).",
-        "Those measurements are missing; check its cable and port, and close other programs.",
-    ),
-    "H-CAM-02": Sentence(
-        "Camera {camera} is blind: {frames} spots in a row were seen by camera {other} alone.",
-        "Nothing is measured meanwhile; see to its lens cap, aperture and view.",
-    ),
-    "H-CAM-03": Sentence(
-        "Camera {camera} delivered {count} torn frames of {exposures}: part of each is another exposure's, or no picture.",
-        "Those measurements are missing; check its cable and port, and close other programs.",
-    ),
-    "H-LGT-01": Sentence(
-        "Room light drowns the laser spot: {frames} frames in a row of camera {camera} are too bright.",
-        "Nothing is measured meanwhile; switch the lamp off.",
-    ),
-    "H-LGT-02": Sentence(
-        "The laser spot is saturated in {frames} frames in a row of camera {camera}.",
-        "Nothing is measured meanwhile; shorten the exposure or lower the laser's power.",
-    ),
-    "H-LSR-01": Sentence(
-        "Neither camera has seen the laser spot for {frames} exposures ({seconds} s), where the object was before.",
-        "Nothing is measured meanwhile; see whether the beam is blocked, the laser is off, or the object fell over.",
-    ),
-    "H-SYN-01": Sentence(
-        "The cameras are out of step by {count} frame: camera {late} lost a trigger, and every pair since then mixes two instants.",
-        "The points since then are wrong; check the trigger cable and scan again.",
-    ),
-    "H-SYN-02": Sentence(
-        "The cameras do not expose together: camera {late} is {skew_ms} ms late.",
-        "The points are shifted along the sweep; trigger both cameras from one source.",
-    ),
     # ------------------------------------------------------------------------------------------ metrology
     "E-MET-01": Sentence("Nobody can place the artefacts of the test.", "Nothing was measured; run it where a person or the virtual bench can."),
     "E-MET-02": Sentence(
@@ -308,6 +239,11 @@ SENTENCES: dict[str, Sentence] = {
     "E-CASE-07": Sentence(
         "A mesh of {triangles} triangles is too large to be kept in {path}.", "The case is unchanged; reconstruct with fewer triangles."
     ),
+    # ------------------------------------------------------------------------------------------ coverage
+    "E-COV-01": Sentence(
+        "The mesh of {path} does not say how certain it is.", "The case is unchanged; reconstruct it with 'impronta reconstruct' and ask again."
+    ),
+    # ------------------------------------------------------------------------------------------ disk
     "E-DISK-01": Sentence(
         "There is no space left on the disk of {path}.", "The laser is off and everything written before is kept; free some space and go on."
     ),
@@ -362,6 +298,54 @@ SENTENCES: dict[str, Sentence] = {
         "{area_mm2} mm2 with a counterpart are painted as stable; at least {least_mm2} mm2 are needed.",
         "Nothing was changed; paint more, or use the automatic frame.",
     ),
+    # ------------------------------------------------------------------------------------------ mounts
+    "E-MNT-01": Sentence(
+        "The new mount fits nowhere on what was measured before: in the best pose only {agree} % of the surface that both show agrees.",
+        "Nothing was joined and all points are kept; pick three points on both, or measure another mount that shares more with the earlier ones.",
+    ),
+    "E-MNT-02": Sentence(
+        "The new mount shares too little with what was measured before: {overlap} % of it, and at least {least} % are needed.",
+        "Nothing was joined and all points are kept; pick three points on both, or measure another mount that shares more with the earlier ones.",
+    ),
+    "E-MNT-03": Sentence(
+        "The new mount fits in more than one way: a pose that is turned by {angle} degrees against the best one fits about as well.",
+        "Nothing was joined and all points are kept; pick three points on both, or measure another mount that shares more with the earlier ones.",
+    ),
+    "E-MNT-04": Sentence(
+        "The surface that both mounts show does not tell how they lie: {directions} of six directions of motion stay open, "
+        "as on a ball or a cylinder.",
+        "Nothing was joined and all points are kept; pick three points on both, or measure another mount that shares more with the earlier ones.",
+    ),
+    "E-MNT-05": Sentence(
+        "In the best pose the new mount stands where light to the earlier one passed: {share} % of it.",
+        "Nothing was joined and all points are kept; pick three points on both, or measure another mount that shares more with the earlier ones.",
+    ),
+    "E-MNT-06": Sentence(
+        "The new mount, or what was measured before, has too few points to find its place: {points}, but at least {least} are needed.",
+        "Nothing was joined and all points are kept; measure more of it.",
+    ),
+    "E-MNT-07": Sentence(
+        "The picked points do not belong to each other: after the best fit of the surfaces they lie {apart_mm} mm apart.",
+        "Nothing was joined and all points are kept; pick three points far from each other, in the same order on both.",
+    ),
+    "E-MNT-10": Sentence(
+        "Mount {mount} was not joined to the others. {reason}",
+        "All points are kept in {path}; pick three points on both mounts ('impronta register CASE --pairs FILE'), or scan another "
+        "mount that shares more with the earlier ones.",
+    ),
+    "E-MNT-11": Sentence("Its surface lies nowhere over that of the others.", "All points are kept; measure another mount that shares more."),
+    "E-MNT-12": Sentence(
+        "Over the others its surface is {residual_um} um away (noise explains {most_um} um), and {agree} % of it agrees with theirs.",
+        "Nothing was joined and all points are kept; see that the object did not change its shape, and measure the mount again.",
+    ),
+    "E-MNT-13": Sentence(
+        "It contradicts the others: the loop of mounts would close with an error of {closure_um} um.",
+        "Nothing was joined and all points are kept; see that the object did not change its shape, and measure the mount again.",
+    ),
+    "E-MNT-14": Sentence(
+        "The file of picked points {path} cannot be used: {reason}.",
+        "Nothing was changed; write one line a point: mount, x, y, z on that mount, and x, y, z of the same place on the first mount, in mm.",
+    ),
     # ------------------------------------------------------------------------------------------ comparison
     "E-CMP-10": Sentence(
         "The marked part holds {marked} measured vertices; at least {least} are needed for a motion.",
@@ -393,4 +377,5 @@ SENTENCES: dict[str, Sentence] = {
         "Everything measured so far is safe and a new worker was started; run it again.",
     ),
     "E-JOB-02": Sentence("The worker process failed: {reason}.", "Everything measured so far is safe; send the log if it happens again."),
+    **FINDING_SENTENCES,
 }

@@ -152,11 +152,11 @@ class AcquisitionController(QObject):
             self._finish(runner)
 
     def _drain_points(self, runner: ScanRunner) -> None:
-        points, views = runner.live_cloud.since(self._taken)
+        points, table_deg = runner.live_cloud.since(self._taken)
         if not len(points):
             return
         self._taken += len(points)
-        towards = seen_from(views, runner.status().views)
+        towards = seen_from(table_deg)
         for sink in self._point_sinks:
             sink(points, towards)
 

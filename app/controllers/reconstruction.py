@@ -123,7 +123,7 @@ class ReconstructionController(QObject):
 
         tolerance_um = float(values.tolerance_um) if values.tolerance_um else None
         triangles = max(LEAST_TRIANGLES, values.triangles) if values.triangles and tolerance_um is None else None
-        parameters = ReconstructionParameters(triangles=triangles, tolerance_um=tolerance_um, table_mm=0.0)
+        parameters = ReconstructionParameters(triangles=triangles, tolerance_um=tolerance_um, table_mm=_table_mm(self._source))
         self._job = self._ready_worker().submit("reconstruct", ReconstructionRequest(cloud, parameters), partial(self._hear, parameters))
         if self._cancelled.is_set():
             self._job.cancel()
@@ -164,3 +164,10 @@ class ReconstructionController(QObject):
         self.ended.emit()
         if not isinstance(fault, Cancelled):
             self._tell(fault)
+
+
+def _table_mm(source: dict[str, object]) -> float | None:
+    """Height of the table that the object stands on; None when it was also seen in another mount, which shows its base."""
+    processing = source.get("processing")
+    mounts = processing.get("mounts") if isinstance(processing, dict) else None
+    return None if isinstance(mounts, list) and len(mounts) > 1 else 0.0

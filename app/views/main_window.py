@@ -25,7 +25,7 @@ from app.views.page import Page
 from app.views.pages import ASIDE, PAGES
 from app.views.parts import seam
 from app.views.rail import Rail
-from app.views.scan_page import status_words
+from app.views.scan_words import status_words
 from app.views.stage import Stage
 from app.views.status_line import StatusLine
 from app.views.support_dialog import SupportDialog
@@ -56,7 +56,9 @@ class MainWindow(QMainWindow):
         fill_menus(self.menuBar(), self.actions_by_id)
         self.banner = Banner(self.show_support)
         self.rail = Rail(PAGES, self.show_page, self.laser_off)
-        self.stage = Stage([self.actions_by_id[name] for name in ("show_points", "show_edges", "show_uncertainty", "fit", "front", "top")])
+        self.stage = Stage(
+            [self.actions_by_id[name] for name in ("show_points", "show_surface", "show_edges", "show_uncertainty", "fit", "front", "top")]
+        )
         self.pages: dict[str, Page] = {}
         self._stack = QStackedWidget()
         for info in (*PAGES, *ASIDE):
@@ -94,7 +96,8 @@ class MainWindow(QMainWindow):
         self.resize(*(size if len(size) == 2 else SIZE))
         self._connect()
         self.show_page(PAGES[0].id)
-        self.actions_by_id["show_points"].setChecked(True)
+        for name in ("show_points", "show_surface"):
+            self.actions_by_id[name].setChecked(True)
         self._show_rig()
         self._show_undo()
 
@@ -172,7 +175,13 @@ class MainWindow(QMainWindow):
             return
         self.banner.dismiss()
         self.services.acquisition.start(
-            PlanRequest(views=values.views, points=values.points, object_radius_mm=rig.specimen_radius_mm, object_height_mm=rig.specimen_height_mm)
+            PlanRequest(
+                views=values.views,
+                points=values.points,
+                object_radius_mm=rig.specimen_radius_mm,
+                object_height_mm=rig.specimen_height_mm,
+                until_um=float(values.until_um) if values.until_um else None,
+            )
         )
 
     def pause_scan(self) -> None:
@@ -207,6 +216,10 @@ class MainWindow(QMainWindow):
     def show_points(self, on: bool) -> None:
         self._with_scene(lambda scene: scene.set_points_visible(on))
         self._show_legend()
+
+    def show_surface(self, on: bool) -> None:
+        self.services.live_surface.want(on)
+        self._with_scene(lambda scene: scene.set_surface_visible(on))
 
     def show_edges(self, on: bool) -> None:
         self._with_scene(lambda scene: scene.set_edges(on))

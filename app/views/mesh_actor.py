@@ -18,6 +18,7 @@ class MeshActor:
     def __init__(self) -> None:
         self._surface: Surface | None = None
         self._uncertainty = False
+        self._on = True
         self.range_um: tuple[float, float] | None = None
         """What the ends of the colour map mean, or None when it is not shown."""
         self._mapper = vtkPolyDataMapper()
@@ -43,7 +44,7 @@ class MeshActor:
     def show(self, surface: Surface | None) -> None:
         """Draw this one from now on, or none."""
         self._surface = surface
-        self.actor.SetVisibility(surface is not None)
+        self.actor.SetVisibility(self._on and surface is not None)
         if surface is None:
             self.range_um = None
             return
@@ -59,6 +60,10 @@ class MeshActor:
         poly.GetPointData().SetNormals(copied(surface.normals))
         self._mapper.SetInputData(poly)
         self._paint()
+
+    def show_at_all(self, on: bool) -> None:
+        self._on = on
+        self.actor.SetVisibility(on and self._surface is not None)
 
     def show_edges(self, on: bool) -> None:
         self.actor.GetProperty().SetEdgeVisibility(on)

@@ -21,6 +21,7 @@ _REASONS = {
     "epipolar": QT_TRANSLATE_NOOP("reasons", "cameras saw different spots"),
     "hidden_left": QT_TRANSLATE_NOOP("reasons", "hidden from the left camera"),
     "hidden_right": QT_TRANSLATE_NOOP("reasons", "hidden from the right camera"),
+    "mark": QT_TRANSLATE_NOOP("reasons", "on a mark of the table's rim"),
     "outside_volume": QT_TRANSLATE_NOOP("reasons", "outside the volume"),
     "table": QT_TRANSLATE_NOOP("reasons", "on the table"),
     "dropped_frame": QT_TRANSLATE_NOOP("reasons", "picture lost"),

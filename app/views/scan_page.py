@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import time
 
-from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QProgressBar, QWidget
 
 from app.faults import finding_words
 from app.services import Services
 from app.views import format as fmt
 from app.views.camera_preview import CameraPreview
+from app.views.live_surface_line import live_surface_words
 from app.views.page import Page
-from app.views.parts import BigNumber, button, label, number_field, row, seam
+from app.views.parts import BigNumber, button, label, row, seam
 from app.views.reasons import reason_text
+from app.views.scan_wish import ScanWish, start_words
+from app.views.scan_words import coverage_words, step_words
 from app.views.spot_advice import show_look
 from scanner_core.acquisition.handover import Preview
 from scanner_core.acquisition.status import FinishReason, ScanState, ScanStatus
@@ -44,6 +47,12 @@ class ScanPage(Page):
         self._step = label("", "muted", wrap=True)
         box.addWidget(self._bar)
         box.addWidget(self._step)
+        self._surface = label("", "faint", wrap=True)
+        self._surface.hide()
+        box.addWidget(self._surface)
+        self.coverage = label("", wrap=True)
+        self.coverage.hide()
+        box.addWidget(self.coverage)
         self.health = label("", "bad", wrap=True)
         self.health.hide()
         box.addWidget(self.health)
@@ -66,24 +75,14 @@ class ScanPage(Page):
         box.addLayout(reasons)
         box.addStretch(1)
         box.addWidget(seam())
-        draft = services.draft
-        self._views = number_field(1, 360, 1, lambda value: draft.edit("views", value))
-        self._wanted_points = number_field(500, 2_000_000, 1000, lambda value: draft.edit("points", value))
-        plan = QGridLayout()
-        plan.setColumnStretch(0, 1)
-        for line, (name, field) in enumerate(((self.tr("Views"), self._views), (self.tr("Points"), self._wanted_points))):
-            caption = label(name, "muted")
-            caption.setBuddy(field)
-            field.setFixedWidth(120)
-            plan.addWidget(caption, line, 0)
-            plan.addWidget(field, line, 1)
-        box.addLayout(plan)
-        self._start = button(self.tr("Start scan"), "primary", lambda: self.intent.emit("start_scan"))
+        self.wish = ScanWish(services.draft)
+        box.addLayout(self.wish)
+        self.start = button(self.tr("Start scan"), "primary", lambda: self.intent.emit("start_scan"))
         self._pause = button(self.tr("Pause"), "", lambda: self.intent.emit("pause_scan"))
         self._stop = button(self.tr("Stop · laser off"), "laser", lambda: self.intent.emit("laser_off"))
         self._next = button(self.tr("Reconstruct"), "primary", self._go_on)
         box.addWidget(self._next)
-        box.addWidget(self._start)
+        box.addWidget(self.start)
         box.addLayout(row(self._pause, self._stop))
         services.acquisition.add_preview_sink(self._show_preview)
         services.acquisition.changed.connect(self._tick)
@@ -91,21 +90,18 @@ class ScanPage(Page):
         services.acquisition.began.connect(self._begin)
         services.case.opened.connect(self._show_status)
         services.rig.changed.connect(self._show_buttons_if_seen)
-        draft.changed.connect(self._show_field)
-        for name in ("views", "points"):
-            self._show_field(name)
+        services.draft.changed.connect(lambda _: self._show_buttons_if_seen())
+        services.live_surface.changed.connect(self._show_surface)
         self._show_status()
 
     def entered(self) -> None:
         self._show_status()
 
     # -------------------------------------------------------------------------------- showing
-    def _show_field(self, name: str) -> None:
-        values = self.services.draft.values
-        if name == "views":
-            self._views.setValue(values.views)
-        elif name == "points":
-            self._wanted_points.setValue(values.points)
+    def _show_surface(self) -> None:
+        words = live_surface_words(self.services.live_surface)
+        self._surface.setText(words)
+        self._surface.setVisible(bool(words))
 
     def _begin(self) -> None:
         for preview in self._previews.values():
@@ -140,8 +136,9 @@ class ScanPage(Page):
             self._rate.show_number(f"{status.rate_hz:.0f}" if status.state is ScanState.SCANNING else fmt.NO_VALUE)
             self._left.show_number(fmt.left_time(status.seconds_left))
             self._bar.setValue(round(1000 * self._fraction(status)))
-            self._step.setText(self._sentence(status))
+            self._step.setText(step_words(status))
         self._show_health(status)
+        self._show_coverage()
         self._show_rejected(status)
         self._show_buttons()
 
@@ -154,6 +151,14 @@ class ScanPage(Page):
         self.health.setToolTip("\n\n".join(told))
         self.health.setVisible(bool(told))
 
+    def _show_coverage(self) -> None:
+        """At the end of an error-driven scan: what it has come to."""
+        result = self.services.acquisition.result
+        steering = None if result is None else result.steering
+        words = "" if steering is None else coverage_words(steering)
+        self.coverage.setText(words)
+        self.coverage.setVisible(bool(words))
+
     def _fraction(self, status: ScanStatus) -> float:
         """By points while they are counted against a wish, by trigger ids otherwise."""
         if status.finish_reason is not None:
@@ -163,22 +168,6 @@ class ScanPage(Page):
         if status.seconds_left is not None:
             return status.seconds / max(status.seconds + status.seconds_left, 1e-9)
         return 0.0
-
-    def _sentence(self, status: ScanStatus) -> str:
-        if status.finish_reason is FinishReason.COMPLETED:
-            return self.tr("Complete: {views} views").format(views=status.views)
-        if status.finish_reason is FinishReason.CANCELLED:
-            return self.tr("Stopped; what was measured is kept")
-        if status.finish_reason is FinishReason.FAILED:
-            return self.tr("Ended by a fault; what was measured is kept")
-        return {
-            ScanState.IDLE: self.tr("Starting…"),
-            ScanState.PREPARING: self.tr("Finding the object, view {view} of {views}"),
-            ScanState.SCANNING: self.tr("View {view} of {views}"),
-            ScanState.PAUSED: self.tr("Paused in view {view} of {views}; the laser is dark"),
-            ScanState.FINISHING: self.tr("Bringing the views together…"),
-            ScanState.FAULT: self.tr("A fault: the laser is off"),
-        }[status.state].format(view=min(status.view + 1, status.views), views=status.views)
 
     def _show_rejected(self, status: ScanStatus | None) -> None:
         rejected = {} if status is None else status.counts.rejected
@@ -209,17 +198,16 @@ class ScanPage(Page):
         running = acquisition.running
         done = not running and self.services.case.cloud is not None
         self._next.setVisible(done)
-        self._start.setVisible(not running)
-        self._start.setText(self.tr("Scan again") if done else self.tr("Start scan"))
-        self._set_role(self._start, "" if done else "primary")
-        self._start.setEnabled(rig.connected and not rig.busy and rig.calibration is not None)
+        self.start.setVisible(not running)
+        self.start.setText(start_words(self.services.draft.values, again=done))
+        self._set_role(self.start, "" if done else "primary")
+        self.start.setEnabled(rig.connected and not rig.busy and rig.calibration is not None)
         if self.services.acquisition.status is None and not running:
             self._step.setText(self._readiness())
         self._pause.setEnabled(running)
         self._pause.setText(self.tr("Resume") if acquisition.paused else self.tr("Pause"))
         self._stop.setEnabled(running or rig.connected)
-        for field in (self._views, self._wanted_points):
-            field.setEnabled(not running)
+        self.wish.let_edit(not running)
 
     def _set_role(self, widget: QWidget, role: str) -> None:
         if widget.property("role") != role:
@@ -229,10 +217,3 @@ class ScanPage(Page):
 
     def _go_on(self) -> None:
         self.wanted.emit("reconstruct")
-
-
-def status_words(status: ScanStatus) -> str:
-    """One line about a scan for the header of the 3D view."""
-    return QCoreApplication.translate("ScanPage", "{points} points  ·  view {view} of {views}").format(
-        points=fmt.count(status.counts.measured), view=min(status.view + 1, max(status.views, 1)), views=status.views
-    )

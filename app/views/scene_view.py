@@ -11,12 +11,14 @@ from PySide6.QtWidgets import QWidget
 
 from app.theme import MUTED, SEAM
 from app.views.cloud_actor import CloudActor
+from app.views.holed_actor import HoledActor
+from app.views.holed_surface import HoledSurface
 from app.views.interactor import InteractorView
 from app.views.mesh_actor import MeshActor
 from app.views.parts import label
 from app.views.surface import Surface
 from scanner_core.geometry.point_cloud import PointCloud
-from scanner_core.geometry.view_directions import seen_from
+from scanner_core.geometry.view_directions import outward, seen_from
 
 GRID_MM = 10.0
 _REFIT = 1.15
@@ -34,13 +36,15 @@ class SceneView(InteractorView):
         self._scale.hide()
         self.cloud = CloudActor()
         self.mesh = MeshActor()
+        self.holed = HoledActor()
         self._table: pv.Actor | None = None
         self._live = False
         self._follow = True
         self._fitted_mm: NDArray[np.float64] | None = None
         engine = self._open()
         engine.add_actor(self.cloud.actor, render=False)
-        engine.add_actor(self.mesh.actor, render=False)
+        for actor in (self.mesh.actor, *self.holed.actors):
+            engine.add_actor(actor, render=False)
         engine.add_axes(line_width=2, color=MUTED, x_color="#e0857a", y_color="#7fc98f", z_color="#7aa7e8", viewport=(0.0, 0.0, 0.14, 0.17))
 
     # -------------------------------------------------------------------------------- what is shown
@@ -72,20 +76,34 @@ class SceneView(InteractorView):
 
     def show_cloud(self, cloud: PointCloud) -> None:
         """All points of a case at once."""
-        views = np.zeros(len(cloud), np.int32) if cloud.views is None else cloud.views
-        self.append_points(cloud.points, seen_from(views, int(views.max(initial=0)) + 1))
+        self.append_points(cloud.points, outward(cloud.points) if cloud.table_deg is None else seen_from(cloud.table_deg))
 
     def clear(self) -> None:
         """No points, no mesh; the camera follows what comes next."""
         self._open()
         self.cloud.clear()
         self.mesh.show(None)
+        self.holed.show(None)
         self._follow, self._fitted_mm = True, None
+        self._dirty = True
+
+    def show_live_surface(self, surface: HoledSurface | None) -> None:
+        """The coarse surface of the points so far; none while there is a mesh."""
+        self._open()
+        self.holed.show(surface if self.mesh.surface is None else None)
+        self._dirty = True
+
+    def set_surface_visible(self, on: bool) -> None:
+        """Whether mesh and live surface are shown."""
+        self.mesh.show_at_all(on)
+        self.holed.show_at_all(on)
         self._dirty = True
 
     def show_mesh(self, surface: Surface | None) -> None:
         self._open()
         self.mesh.show(surface)
+        if surface is not None:
+            self.holed.show(None)
         if surface is not None and not len(self.cloud):
             self._follow_bounds(np.array(surface.mesh.bounds()))
         self._dirty = True

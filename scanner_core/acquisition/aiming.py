@@ -27,6 +27,13 @@ def beam_angles(laser: LaserConfig, points: Array) -> Array:
     return angles
 
 
+def beam_directions(laser: LaserConfig, angles_deg: Array) -> Array:
+    """Unit vectors (n, 3) of the beam in the table frame at pan X and tilt Y, (n, 2): the reverse of :func:`beam_angles`."""
+    azimuth0, elevation0 = _angles((np.array(laser.target_mm) - np.array(laser.position_mm))[None])
+    azimuth, elevation = np.radians(azimuth0 + angles_deg[:, 0]), np.radians(elevation0 + angles_deg[:, 1])
+    return np.stack([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)], axis=1)
+
+
 def cylinder_outline(radius_mm: float, height_mm: float) -> Array:
     """Points (n, 3) mm on the surface of a cylinder that stands on the middle of the table."""
     turn = np.linspace(0, 2 * np.pi, 48, endpoint=False)

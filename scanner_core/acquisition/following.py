@@ -15,7 +15,9 @@ from scanner_core.acquisition.engine import EvaluatedPairs, StereoEngine
 from scanner_core.acquisition.handover import PointLog
 from scanner_core.acquisition.health import HealthMonitor
 from scanner_core.acquisition.keeping import Keeper
-from scanner_core.acquisition.plan import Row, ScanPlan, ViewPlan
+from scanner_core.acquisition.mark_findings import mark_findings
+from scanner_core.acquisition.mark_visitor import MarkVisitor
+from scanner_core.acquisition.plan import ScanPlan, ViewPlan
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.acquisition.row_scan import RowScan
 from scanner_core.acquisition.simultaneous import Counting, rows_in_step
@@ -51,6 +53,8 @@ class PlanFollower:
         """The controller's newest report."""
         self.view = 0
         self.exposures = 0
+        self.marks: MarkVisitor | None = None
+        """Who looks at the marks on the table's rim at the start of each view."""
 
     def follow(self, run: Pass, left: CaptureThread, right: CaptureThread) -> None:
         """Scan every view of a plan that has rows; a quota that a view could not fill is carried to the next."""
@@ -65,6 +69,7 @@ class PlanFollower:
                 self._rig.motion.rotate_to(view.table_deg)
                 table_deg = self.ask().table_deg
                 self._store.put_view(run.scan_id, self.view, table_deg)
+                self._visit_marks(table_deg, left, right)
                 wanted = None if view.quota is None else view.quota + owed
                 measured = self._scan_view(run, view, table_deg, wanted, left, right)
                 owed = 0 if wanted is None else wanted - measured
@@ -81,7 +86,16 @@ class PlanFollower:
         self._asked_s = time.monotonic()
         return self.motion
 
+    def rests(self) -> bool:
+        """While the rig rests: go on asking the controller; True when the scan was ended."""
+        self._poll()
+        return self._control.cancelled.is_set()
+
     # ------------------------------------------------------------------------------------------ inner
+    def _visit_marks(self, table_deg: float, left: CaptureThread, right: CaptureThread) -> None:
+        if self.marks is not None and self.marks.visit(self.view, table_deg, left, right, self._poll):
+            self._health.tell(mark_findings(self.marks.watch))
+
     def _scan_view(self, run: Pass, view: ViewPlan, table_deg: float, wanted: int | None, left: CaptureThread, right: CaptureThread) -> int:
         measured = 0
         for row in view.rows:
@@ -99,7 +113,7 @@ class PlanFollower:
                         seen = seen.until(wanted - measured)
                         scan.stop()
                     measured += len(seen.points)
-                    self._record(run, row, seen)
+                    self._record(run, table_deg, seen)
                     self._health.add(pairs, seen, row.view, table_deg)
                     if wanted is not None and measured >= wanted:
                         break
@@ -108,9 +122,9 @@ class PlanFollower:
             at_rest()
         return measured
 
-    def _record(self, run: Pass, row: Row, seen: EvaluatedPairs) -> None:
+    def _record(self, run: Pass, table_deg: float, seen: EvaluatedPairs) -> None:
         self.exposures += len(seen.observations)
-        run.cloud.append(seen.points, row.view)
+        run.cloud.append(seen.points, table_deg)
         run.tally.add((observation.verdict for observation in seen.observations), self._rig.clock.now_s())
         self._keeper.add(run.scan_id, seen.observations)
 

@@ -51,25 +51,25 @@ class PointLog:
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._points = np.empty((4096, 3))
-        self._views = np.empty(4096, np.int32)
+        self._table_deg = np.empty(4096)
         self._count = 0
 
     def __len__(self) -> int:
         return self._count
 
-    def append(self, points: NDArray[np.float64], view: int) -> None:
-        """Add points (n, 3) mm of one view."""
+    def append(self, points: NDArray[np.float64], table_deg: float | NDArray[np.float64]) -> None:
+        """Add points (n, 3) mm that were measured at a table angle, or at one each (n,)."""
         with self._lock:
             end = self._count + len(points)
             if end > len(self._points):
                 room = max(end, 2 * len(self._points))
                 self._points = np.concatenate([self._points, np.empty((room - len(self._points), 3))])
-                self._views = np.concatenate([self._views, np.empty(room - len(self._views), np.int32)])
+                self._table_deg = np.concatenate([self._table_deg, np.empty(room - len(self._table_deg))])
             self._points[self._count : end] = points
-            self._views[self._count : end] = view
+            self._table_deg[self._count : end] = table_deg
             self._count = end
 
-    def since(self, count: int) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
-        """Copies of the points and views that came after the first `count`."""
+    def since(self, count: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Copies of the points and their table angles that came after the first `count`."""
         with self._lock:
-            return self._points[count : self._count].copy(), self._views[count : self._count].copy()
+            return self._points[count : self._count].copy(), self._table_deg[count : self._count].copy()

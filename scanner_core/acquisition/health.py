@@ -7,7 +7,7 @@ sentences with a code, a place and a size.  It changes nothing about the scan.
 from __future__ import annotations
 
 import threading
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -108,9 +108,13 @@ class HealthMonitor:
         elif phase != "check" and plan.views[0].rows:
             self._first_id = plan.views[0].rows[0].first_id
             self._first.clear()
+        self.expect(plan)
+
+    def expect(self, plan: ScanPlan) -> None:
+        """What is swept next, of the pass that has begun."""
         rows = [row.count for view in plan.views for row in view.rows]
         if rows:
-            self._frames.expect_light(2 * plan.planned // len(plan.views) if phase == "locate" else max(200, 4 * max(rows)))
+            self._frames.expect_light(2 * plan.planned // len(plan.views) if self._phase == "locate" else max(200, 4 * max(rows)))
 
     def add(self, pairs: Sequence[StereoPair], seen: EvaluatedPairs, view: int, table_deg: float) -> None:
         """A batch of pairs as it was evaluated; `seen` may end before `pairs`, where a quota was reached."""
@@ -141,6 +145,12 @@ class HealthMonitor:
                 self._views.end_view(number, planned.table_deg)
         first = known.of_view(0)
         self._first = dict(zip(first.trigger_ids.tolist(), first.points, strict=True))
+
+    def tell(self, findings: Iterable[tuple[Finding, tuple[object, ...]]]) -> None:
+        """What another watch has found, each with the key under which a later one replaces it."""
+        if not self._out_of_step:
+            for finding, key in findings:
+                self._tell(finding, *key)
 
     def go_on(self) -> None:
         """The known points were measured again: what comes now belongs to the scan."""

@@ -12,7 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.acquisition.view_motion import reference_surface, view_motion
+from scanner_core.acquisition.view_motion import view_motion
+from scanner_core.geometry.local_surface import reference_surface
 
 Array = NDArray[np.float64]
 

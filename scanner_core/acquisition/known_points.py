@@ -71,11 +71,17 @@ class KnownPoints:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CheckPlan:
-    """Rows of known views under new trigger ids; `begins` are a row's first id now and before, (rows, 2), `turn` is the number of all views."""
+    """Rows of known views under new trigger ids.
+
+    Attributes
+    ----------
+    begins : (rows, 2) first ids of the rows, now and before
+    table_deg : (views,) of all views of the plan
+    """
 
     plan: ScanPlan
     begins: NDArray[np.int64]
-    turn: int
+    table_deg: Array
 
     def known_ids(self, trigger_ids: NDArray[np.int64]) -> NDArray[np.int64]:
         """Trigger ids (n,) of the check as they were before."""
@@ -86,7 +92,8 @@ class CheckPlan:
 
 def check_plan(plan: ScanPlan, known: KnownPoints, first_id: int) -> CheckPlan:
     """The rows of the views to check that hold known points, in the order of the plan."""
-    views, begins = [], []
+    views: list[ViewPlan] = []
+    begins: list[tuple[int, int]] = []
     for number in known.views_to_check(len(plan.views)):
         rows: list[Row] = []
         for row in plan.views[number].rows:
@@ -95,8 +102,8 @@ def check_plan(plan: ScanPlan, known: KnownPoints, first_id: int) -> CheckPlan:
             rows.append(replace(row, first_id=first_id))
             begins.append((first_id, row.first_id))
             first_id += row.count
-        views.append(ViewPlan(plan.views[number].table_deg, tuple(rows), min(CHECK_POINTS, len(known.of_view(number)))))
-    return CheckPlan(ScanPlan(tuple(views), plan.sweep_speed_deg_s), np.array(begins, np.int64), len(plan.views))
+        views.append(replace(plan.views[number], rows=tuple(rows), quota=min(CHECK_POINTS, len(known.of_view(number)))))
+    return CheckPlan(ScanPlan(tuple(views), plan.sweep_speed_deg_s), np.array(begins, np.int64), np.array([view.table_deg for view in plan.views]))
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,16 +143,16 @@ def agreement(
         points, before = again.points[seen[here]], known.points[then[here]]
         closure = compare(points, before)
         if np.isnan(closure.shift_um):
-            depth_mm, limit_mm = _depth(points, before, int(view), check.turn)
+            depth_mm, limit_mm = _depth(points, before, float(check.table_deg[view]))
             shift_um, agrees = max(shift_um, 1e3 * depth_mm), agrees and depth_mm <= limit_mm
         else:
             shift_um, agrees = max(shift_um, closure.shift_um), agrees and closure.closes
     return Agreement(aimed, len(seen), float(shift_um), bool(agrees))
 
 
-def _depth(points: Array, before: Array, view: int, turn: int) -> tuple[float, float]:
+def _depth(points: Array, before: Array, table_deg: float) -> tuple[float, float]:
     """By how much points lie nearer or farther on the middle, and how much of that their noise may be, mm."""
-    towards = seen_from(np.array([view], np.int32), turn)[0]
+    towards = seen_from(np.array([table_deg]))[0]
     along = (points - before) @ towards
     middle = float(np.median(along))
     spread = 1.4826 * float(np.median(np.abs(along - middle)))

@@ -8,7 +8,7 @@ the time left are honest.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,6 +17,16 @@ from numpy.typing import NDArray
 from scanner_core.acquisition.aiming import beam_angles, cylinder_outline, row_range
 from scanner_core.acquisition.plan import COARSE_TO_FINE, PlanRequest, Row, ScanPlan, ViewPlan
 from scanner_core.devices.rig import RigConfig
+
+Span = tuple[float, float, float]
+"""A part of a row: y, x low, x high in degrees."""
+
+COARSE_SHARE = 1 / 3
+"""Of the points, for the first pass of an error-driven scan ..."""
+COARSE_VIEWS = 8
+"""... from so many angles at most ..."""
+COARSE_LEAST = 4
+"""... and at least: from fewer no body is closed."""
 
 CLOSING_POINTS = 250
 """Points of the first view that are measured again after the turn; coarse to fine, so they lie all over it."""
@@ -38,6 +48,13 @@ def table_angles_deg(views: int) -> list[float]:
     return [360.0 * view / views for view in range(views)]
 
 
+def nearest_turn(table_deg: float, from_deg: float, allowed: Callable[[float], bool]) -> float:
+    """The same place of the table by the shortest way from where it stands, forwards where both are as long; as it is where none is allowed."""
+    near = table_deg + 360.0 * round((from_deg - table_deg) / 360.0)
+    turns = sorted((near + turn for turn in (-360.0, 0.0, 360.0)), key=lambda to_deg: (round(abs(to_deg - from_deg), 6), -to_deg))
+    return next((to_deg for to_deg in turns if allowed(to_deg)), table_deg)
+
+
 def locating_plan(rig: RigConfig, request: PlanRequest, rate_hz: float, first_id: int = 0) -> ScanPlan:
     """The coarse pass over the cylinder that may hold the object; `rate_hz` is the cameras' frame rate."""
     raster = _coarse_raster(rig, request, rate_hz)
@@ -52,6 +69,11 @@ def locating_plan(rig: RigConfig, request: PlanRequest, rate_hz: float, first_id
     return ScanPlan(tuple(views), raster.step_deg * rate_hz)
 
 
+def coarse_request(request: PlanRequest) -> PlanRequest:
+    """What the first pass of an error-driven scan is asked for: a part of the points from fewer angles."""
+    return replace(request, views=min(max(request.views, COARSE_LEAST), COARSE_VIEWS), points=max(1, round(COARSE_SHARE * request.points)))
+
+
 def scan_plan(rig: RigConfig, request: PlanRequest, rate_hz: float, located: ScanPlan, hits: NDArray[np.int64], first_id: int) -> ScanPlan:
     """The plan that covers what the locating pass found.
 
@@ -61,24 +83,20 @@ def scan_plan(rig: RigConfig, request: PlanRequest, rate_hz: float, located: Sca
     hits : (n,) trigger ids of it that gave a point
     first_id : of the new plan
     """
-    hit_ids = set(hits.tolist())
-    covers = [_cover(view, hit_ids) for view in located.views]
-    areas = np.array([_area(view, hit_ids) for view in located.views])
-    total = float(areas.sum())
-    # The located area is a count of hits: two and a half of its standard deviations are planned on top.
-    spare = _SPARE + 2.5 / np.sqrt(max(len(hits), 1))
-    step = float(np.sqrt(total / (spare * request.points)))
-    step = min(step, rig.limits.sweep_speed_deg_s / rate_hz)
-    quotas = _quotas(areas, request.points)
-    views, next_id = [], first_id
-    for view, table_deg in enumerate(table_angles_deg(request.views)):
-        rows = []
-        for y_deg, low, high in _coarse_to_fine(covers[view], step):
-            count = max(3, int(np.ceil((high - low) / step)) + 1)
-            rows.append(Row(view, next_id, count, y_deg, low, low + (count - 1) * step))
-            next_id += count
-        views.append(ViewPlan(table_deg, tuple(rows), int(quotas[view])))
-    return ScanPlan(tuple(views), step * rate_hz)
+    return _rasters(rig, request, rate_hz, _Found.by(located, hits), 0, first_id)
+
+
+def even_views(
+    rig: RigConfig, request: PlanRequest, rate_hz: float, located: ScanPlan, hits: NDArray[np.int64], first_view: int, first_id: int
+) -> tuple[ViewPlan, ...]:
+    """More views over the whole object, half way between those of the locating pass; what either neighbour has found is covered.
+
+    Parameters
+    ----------
+    first_view, first_id : numbers of the first view and the first trigger id
+    """
+    plan = _rasters(rig, request, rate_hz, _Found.by(located, hits).between(), first_view, first_id)
+    return tuple(replace(view, sweep_speed_deg_s=plan.sweep_speed_deg_s) for view in plan.views)
 
 
 def closing_plan(plan: ScanPlan, first_id: int, table_deg: float) -> ScanPlan:
@@ -87,10 +105,51 @@ def closing_plan(plan: ScanPlan, first_id: int, table_deg: float) -> ScanPlan:
     for row in first.rows:
         rows.append(replace(row, first_id=first_id))
         first_id += row.count
-    return ScanPlan((ViewPlan(table_deg, tuple(rows), CLOSING_POINTS),), plan.sweep_speed_deg_s)
+    return ScanPlan((replace(first, table_deg=table_deg, rows=tuple(rows), quota=CLOSING_POINTS),), plan.sweep_speed_deg_s)
 
 
 # ------------------------------------------------------------------------------------------ inner
+@dataclass(frozen=True, slots=True, eq=False)
+class _Found:
+    """What the locating pass has found in each view: the angle, what is to be covered, and the solid angle that gave points, square degrees."""
+
+    table_deg: list[float]
+    covers: list[list[Span]]
+    areas: NDArray[np.float64]
+    hits: int
+
+    @staticmethod
+    def by(located: ScanPlan, hits: NDArray[np.int64]) -> _Found:
+        hit_ids = set(hits.tolist())
+        areas = np.array([_area(view, hit_ids) for view in located.views])
+        return _Found([view.table_deg for view in located.views], [_cover(view, hit_ids) for view in located.views], areas, len(hits))
+
+    def between(self) -> _Found:
+        """Half way from each view to the next: what either of the two has found."""
+        table_deg = [angle + 180.0 / len(self.table_deg) for angle in self.table_deg]
+        covers = [_joined(one, other) for one, other in zip(self.covers, self.covers[1:] + self.covers[:1], strict=True)]
+        return _Found(table_deg, covers, 0.5 * (self.areas + np.roll(self.areas, -1)), self.hits)
+
+
+def _rasters(rig: RigConfig, request: PlanRequest, rate_hz: float, found: _Found, first_view: int, first_id: int) -> ScanPlan:
+    """Rows over what is to be covered in each view, with the step that gives the wanted number of points."""
+    total = float(found.areas.sum())
+    # The located area is a count of hits: two and a half of its standard deviations are planned on top.
+    spare = _SPARE + 2.5 / np.sqrt(max(found.hits, 1))
+    step = float(np.sqrt(total / (spare * request.points)))
+    step = min(step, rig.limits.sweep_speed_deg_s / rate_hz)
+    quotas = _quotas(found.areas, request.points)
+    views, next_id = [], first_id
+    for view, table_deg in enumerate(found.table_deg):
+        rows = []
+        for y_deg, low, high in _coarse_to_fine(found.covers[view], step):
+            count = max(3, int(np.ceil((high - low) / step)) + 1)
+            rows.append(Row(first_view + view, next_id, count, y_deg, low, low + (count - 1) * step))
+            next_id += count
+        views.append(ViewPlan(table_deg, tuple(rows), int(quotas[view])))
+    return ScanPlan(tuple(views), step * rate_hz)
+
+
 def _coarse_raster(rig: RigConfig, request: PlanRequest, rate_hz: float) -> _Raster:
     radius = request.object_radius_mm or rig.volume.radius_mm
     height = request.object_height_mm or rig.volume.height_mm
@@ -121,7 +180,16 @@ def _dense_outline(angles: NDArray[np.float64], step: float) -> NDArray[np.float
     return np.concatenate(parts)
 
 
-def _cover(view: ViewPlan, hits: set[int]) -> list[tuple[float, float, float]]:
+def _joined(one: Sequence[Span], other: Sequence[Span]) -> list[Span]:
+    """What either of two covers has, row by row."""
+    rows: dict[float, tuple[float, float]] = {}
+    for y_deg, low, high in (*one, *other):
+        before = rows.get(y_deg, (low, high))
+        rows[y_deg] = min(before[0], low), max(before[1], high)
+    return [(y_deg, *rows[y_deg]) for y_deg in sorted(rows)]
+
+
+def _cover(view: ViewPlan, hits: set[int]) -> list[Span]:
     """(y, x low, x high) in degrees per coarse row: what the object meets, one coarse step wider on every side."""
     spans: list[tuple[float, float] | None] = []
     for row in view.rows:
@@ -155,7 +223,7 @@ def _quotas(areas: NDArray[np.float64], points: int) -> NDArray[np.int64]:
     return quotas
 
 
-def _coarse_to_fine(cover: Sequence[tuple[float, float, float]], step: float) -> list[tuple[float, float, float]]:
+def _coarse_to_fine(cover: Sequence[Span], step: float) -> list[Span]:
     """Rows (y, x low, x high) every `step` degrees over the cover, in eight interleaved combs.
 
     A row between two coarse rows is as wide as both together.

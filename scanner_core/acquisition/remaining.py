@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.acquisition.plan import Row, ScanPlan, ViewPlan
+from scanner_core.acquisition.plan import Row, ScanPlan
 
 _SHORTEST = 3
 """Exposures of a row that are worth a sweep."""
@@ -28,7 +28,7 @@ class Remaining:
     complete: int
 
 
-def remaining_plan(plan: ScanPlan, exposed: NDArray[np.int64], measured: NDArray[np.int64]) -> Remaining:
+def remaining_plan(plan: ScanPlan, exposed: NDArray[np.int64], measured: NDArray[np.int64], begins: Sequence[int] = (0,)) -> Remaining:
     """The part of `plan` that is missing.
 
     A scan follows its rows in order, so all before the last one that was exposed is done: what it lacks there was cut off
@@ -38,6 +38,7 @@ def remaining_plan(plan: ScanPlan, exposed: NDArray[np.int64], measured: NDArray
     ----------
     exposed : (n,) trigger ids that have a verdict
     measured : (views,) points of each view
+    begins : the first view of each pass; what a pass lacks is not carried into the next one, which was planned knowing of it
     """
     latest = -1
     for number, view in enumerate(plan.views):
@@ -46,6 +47,8 @@ def remaining_plan(plan: ScanPlan, exposed: NDArray[np.int64], measured: NDArray
     owed, views = 0, []
     for number, view in enumerate(plan.views):
         rows, quota = view.rows, view.quota
+        if number in begins:
+            owed = 0
         if number <= latest and quota is not None:
             quota += owed - int(measured[number])
             owed = quota
@@ -57,7 +60,7 @@ def remaining_plan(plan: ScanPlan, exposed: NDArray[np.int64], measured: NDArray
                 owed = 0  # the follower carries on what this view cannot fill
         elif quota is not None:
             quota, owed = quota + owed, 0
-        views.append(ViewPlan(view.table_deg, rows, quota if rows else 0))
+        views.append(replace(view, rows=rows, quota=quota if rows else 0))
     complete = next((number for number in range(latest + 1) if views[number].rows), latest + 1)
     return Remaining(ScanPlan(tuple(views), plan.sweep_speed_deg_s), complete)
 

@@ -29,7 +29,8 @@ def resumption(store: CaseStore, interruption: Interruption, known: KnownPoints)
     if record.kind != "scan" or not known.views_to_check(len(plan.views)):
         return None
     measured = np.bincount(known.views, minlength=len(plan.views))
-    return Resumption(remaining_plan(plan, store.exposed_ids(record.id), measured), store.verdict_counts(record.id))
+    begins = [one.first_view for one in interruption.passes]
+    return Resumption(remaining_plan(plan, store.exposed_ids(record.id), measured, begins), store.verdict_counts(record.id))
 
 
 def expect_same_rig(store: CaseStore, interruption: Interruption, config: RigConfig, calibration: StereoCalibration) -> None:

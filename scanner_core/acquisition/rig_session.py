@@ -198,18 +198,18 @@ def _open(
     with _Ahead(config, clock, opened) as ahead:
         motion = open_controller(controller, clock, config.limits)
         opened.insert(0, motion.close)
-        bench, faults = (None, None) if preset is None or timeline is None else _virtual(preset, specimen, clock, timeline, seed)
+        bench, faults = (None, None) if preset is None or timeline is None else _virtual(preset, config, specimen, clock, timeline, seed)
         left, right = (ahead.take(camera) or _open_camera(camera, clock, bench, opened) for camera in (config.left, config.right))
     return OpenRig(config, left, right, motion, clock, config.calibration, bench, faults, release)
 
 
 def _virtual(
-    preset: VirtualPreset, specimen: Specimen | None, clock: Clock, timeline: Firmware | RemoteTimeline, seed: int
+    preset: VirtualPreset, config: RigConfig, specimen: Specimen | None, clock: Clock, timeline: Firmware | RemoteTimeline, seed: int
 ) -> tuple[VirtualBench, FaultInjection]:
     from scanner_core.virtual.bench import VirtualBench
     from scanner_core.virtual.injection import FaultInjection
 
-    bench = VirtualBench(preset, specimen, clock, timeline, seed)
+    bench = VirtualBench(preset, specimen, clock, timeline, seed, marks=config.marks)
     return bench, FaultInjection(clock, bench, timeline)
 
 

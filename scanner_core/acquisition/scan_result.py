@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from scanner_core.acquisition.health import HealthReport
+from scanner_core.acquisition.mark_visits import MarksReport
+from scanner_core.acquisition.passes import SteeringResult
 from scanner_core.acquisition.status import FinishReason, ScanCounts
 from scanner_core.acquisition.views import RegisteredViews
 from scanner_core.errors import ImprontaError
@@ -20,8 +22,10 @@ class ScanResult:
     exposures : trigger ids that were exposed this time, of all passes
     wall_s, rig_s : duration on the wall and on the rig's clock, all passes, without the registration
     resumed : points that were there before; None when nothing was resumed
+    steering : what came of an error-driven scan; None of a uniform one
     views : the registered cloud and its residuals, None when there was nothing to register
     health : what was noticed on the way
+    marks : what the marks on the table's rim say, None without them
     """
 
     finish_reason: FinishReason
@@ -35,4 +39,6 @@ class ScanResult:
     views: RegisteredViews | None
     health: HealthReport
     resumed: int | None
+    steering: SteeringResult | None
     error: ImprontaError | None
+    marks: MarksReport | None = None

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from scanner_core.acquisition.finding import Finding
+from scanner_core.acquisition.passes import SteeringStatus
 from scanner_core.case.observation import MEASURED
 from scanner_core.errors import ImprontaError
 
@@ -62,6 +63,7 @@ class ScanStatus:
     rate_hz : points a second over the last two seconds
     seconds, seconds_left : on the rig's clock; `seconds_left` is None until the first row is done
     table_deg, laser_on : from the controller's own status reports
+    steering : of an error-driven scan: the pass, whether it computes, and how much of the surface is as wanted
     findings : what the health monitor has noticed so far, in the order of its first appearance
     finish_reason, error : set once the scan has ended
     """
@@ -75,6 +77,7 @@ class ScanStatus:
     seconds_left: float | None = None
     table_deg: float = 0.0
     laser_on: bool = False
+    steering: SteeringStatus | None = None
     findings: tuple[Finding, ...] = ()
     finish_reason: FinishReason | None = None
     error: ImprontaError | None = None

@@ -28,6 +28,11 @@ class Tally:
         self._before = self._verdicts.copy()
         self._recent: deque[tuple[float, int]] = deque([(started_s, self._verdicts[MEASURED])])
 
+    def extend(self, planned: int) -> None:
+        """So many more trigger ids are planned; the number of wanted points stays."""
+        with self._lock:
+            self._planned += planned
+
     def add(self, verdicts: Iterable[str], now_s: float) -> None:
         """Count verdicts; `now_s` is on the rig's clock."""
         with self._lock:

@@ -14,7 +14,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.geometry.local_surface import NEIGHBOURS, LocalSurface
+from scanner_core.geometry.feigned_information import feigned_information
+from scanner_core.geometry.local_surface import LocalSurface
 from scanner_core.geometry.rigid import RigidTransform
 
 Array = NDArray[np.float64]
@@ -23,9 +24,6 @@ MIN_POINTS = 60
 QUERIES = 800
 """Points of the view that are compared."""
 _ROUNDS = 8
-_NEIGHBOURS = (NEIGHBOURS, 40, 80, 160)
-_MOSTLY = 0.4
-"""Part of a surface's own points that must lie over it; borders never do."""
 _TUKEY = 4.685
 _MAX_DISTANCE_MM = 1.5
 _FEIGNED = 0.35
@@ -106,19 +104,6 @@ class ViewMotion:
         return _about(self.vector_mm, self.centre, self.radius_mm)
 
 
-def reference_surface(points: Array) -> LocalSurface:
-    """The surface under points (n, 3) mm, with as many neighbours as their noise asks for."""
-    surface = LocalSurface(points)
-    if len(points) <= NEIGHBOURS:
-        return surface
-    probe = points[:: max(1, len(points) // 150)]
-    for neighbours in _NEIGHBOURS[1:]:
-        if np.mean(surface.distance(probe).valid) >= _MOSTLY:
-            break
-        surface = LocalSurface(points, neighbours)
-    return surface
-
-
 def view_motion(points: Array, surface: LocalSurface) -> ViewMotion | None:
     """The motion of points (n, 3) mm onto a surface; None when fewer than :data:`MIN_POINTS` lie over it."""
     if len(points) > QUERIES:
@@ -184,7 +169,7 @@ def _fit(points: Array, match: Callable[[Array], _Match]) -> ViewMotion | None:
         weight = np.where(np.abs(u) < 1, (1 - u * u) ** 2, 0.0) / (residual**2 * variance)
         information = (jacobian * weight[:, None]).T @ jacobian
         scatter = residual if found.scatter_mm is None else found.scatter_mm
-        feigned = _feigned(arm, normals, weight * scatter**2 * found.slope_leverage_mm2[over])
+        feigned = feigned_information(arm, normals, weight * scatter**2 * found.slope_leverage_mm2[over])
         values, vectors = np.linalg.eigh(information)
         known = (np.einsum("ik,ij,jk->k", vectors, feigned, vectors) < _FEIGNED * values) & (values > _LEAST_KNOWN_MM**-2)
         directions = vectors[:, known]
@@ -195,18 +180,6 @@ def _fit(points: Array, match: Callable[[Array], _Match]) -> ViewMotion | None:
     uncertainties = _OVERDISPERSION / np.sqrt(values[known])
     amounts = directions.T @ vector
     return ViewMotion(centre, radius, directions, amounts, uncertainties, information, feigned, int(over.sum()), residual)
-
-
-def _feigned(arm: Array, normals: Array, weight: Array) -> Array:
-    """(6, 6): what normals with errors of variance `weight` over the residual's add to the information on average."""
-    # Both tangents t of a normal contribute (arm x t, t): their sum over t is that over all axes less that of the normal.
-    result = np.zeros((6, 6))
-    for axis in np.eye(3):
-        rows = np.hstack([np.cross(arm, axis), np.broadcast_to(axis, arm.shape)])
-        result += (rows * weight[:, None]).T @ rows
-    rows = np.hstack([np.cross(arm, normals), normals])
-    difference: Array = result - (rows * weight[:, None]).T @ rows
-    return difference
 
 
 def _about(vector: Array, centre: Array, radius: float) -> RigidTransform:

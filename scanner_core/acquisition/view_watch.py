@@ -20,7 +20,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.acquisition.jump import locate_jump
-from scanner_core.acquisition.view_motion import MIN_POINTS, ViewMotion, paired_motion, reference_surface, view_motion
+from scanner_core.acquisition.view_motion import MIN_POINTS, ViewMotion, paired_motion, view_motion
+from scanner_core.geometry.local_surface import reference_surface
 from scanner_core.geometry.rigid import RigidTransform
 
 Array = NDArray[np.float64]

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.case.observation import ObservationTable, PairTable
+from scanner_core.case.observation import ExposureTable, ObservationTable, PairTable
 from scanner_core.errors import CaseFormatError, ImprontaError
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.one_line import one_line
@@ -29,6 +29,7 @@ DEEPEST = 32
 MOST_ID = 2**53
 """Trigger ids are exact as float64 up to here."""
 MOST_VIEWS = 360
+MOST_MOUNTS = 1000
 MOST_PLANNED = 20_000_000
 """Trigger ids of a plan; at most 5 million points are asked for."""
 _MOST_PLANNED_TURN_DEG, _WIDEST_BEAM_DEG, _FASTEST_DEG_S = 1440.0, 90.0, 1000.0
@@ -154,6 +155,15 @@ def correction(value: object) -> RigidTransform:
     return RigidTransform.from_matrix(matrix)
 
 
+def mount(value: object) -> int:
+    """The number of a mount."""
+    if isinstance(value, bool) or not isinstance(value, int):
+        raise TypeError("a mount that is no whole number")
+    if not 0 <= value < MOST_MOUNTS:
+        raise ValueError(f"a mount {value}")
+    return value
+
+
 def observations(rows: Sequence[tuple[Any, ...]]) -> ObservationTable:
     """Rows of trigger id, view, table angle, centroids (left x, y, right x, y), uncertainties, sigmas (left x, y, right x, y)."""
     numbers = np.array(rows, np.float64).reshape(-1, len(_COLUMNS))
@@ -190,6 +200,17 @@ def trigger_ids(rows: Sequence[tuple[Any, ...]]) -> NDArray[np.int64]:
     if len(found) and not 0 <= found.min() <= found.max() <= MOST_ID:
         raise ValueError("a trigger id that no scan has")
     return found
+
+
+def exposures(rows: Sequence[tuple[Any, ...]]) -> ExposureTable:
+    """Rows of trigger id, table angle, centroids (left x, y, right x, y; None without a spot) and the verdict's name."""
+    numbers = np.array([row[:-1] for row in rows], np.float64).reshape(-1, 6)  # None becomes NaN
+    bounds = _BOUNDS[[0, 2, 3, 4, 5, 6]]
+    wrong = (numbers < bounds[:, 0]) | (numbers > bounds[:, 1])
+    if wrong.any() or np.isnan(numbers[:, :2]).any():
+        raise ValueError("an exposure that no rig makes")
+    verdicts = np.array([text(row[-1]) for row in rows], np.object_)
+    return ExposureTable(numbers[:, 0].astype(np.int64), numbers[:, 1].copy(), verdicts, numbers[:, 2:4].copy(), numbers[:, 4:].copy())
 
 
 def _refuse(name: str) -> float:

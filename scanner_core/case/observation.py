@@ -71,3 +71,25 @@ class PairTable:
     observations: ObservationTable
     verdict: NDArray[np.object_]
     peak_dn: NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ExposureTable:
+    """All exposures of a scan, whatever became of them, in the order of their trigger ids.
+
+    Attributes
+    ----------
+    trigger_id, table_deg : (n,)
+    verdict : (n,) of strings
+    left_px, right_px : (n, 2) centroids, NaN where a camera saw no spot
+    """
+
+    trigger_id: NDArray[np.int64]
+    table_deg: NDArray[np.float64]
+    verdict: NDArray[np.object_]
+    left_px: NDArray[np.float64]
+    right_px: NDArray[np.float64]
+
+    def select(self, which: NDArray[np.bool_]) -> ExposureTable:
+        """The rows of a mask (n,)."""
+        return ExposureTable(*(getattr(self, column.name)[which] for column in fields(self)))

@@ -9,7 +9,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from scanner_core.case.observation import ObservationTable
 from scanner_core.case.records import ScanRecord
@@ -42,7 +41,8 @@ def triangulate_observations(
     Parameters
     ----------
     rig : says what a few points do not: the detector's floor and the diameter of the laser spot
-    corrections : the registration's motion of each view (object frame to object frame), or None
+    corrections : what else moves each view, after the table's turn was undone: the registration's correction (object frame to
+        object frame), for another mount's frame followed by the mount's pose; or None
     """
     triangulator = Triangulator(calibration)
     pixels = CentroidNoise(along_axes(table.left_uncertainty_px, table.left_sigma_px), along_axes(table.right_uncertainty_px, table.right_sigma_px))
@@ -51,6 +51,8 @@ def triangulate_observations(
     seen = triangulator.triangulate(table.left_px, table.right_px, *noise.centroid_sigmas(calibration, pixels))
     points = np.empty_like(seen.points)
     covariances = np.empty_like(seen.covariances)
+    systematic = None if calibration.modes is None else systematic_covariance(calibration, seen.points)
+    from_table = calibration.rig_to_table().inverse()
     pairs = np.stack([table.view.astype(np.float64), table.table_deg])
     # One transform per table position: a view stands at one angle, which the controller may have read back differently.
     for view, table_deg in np.unique(pairs, axis=1).T:
@@ -60,26 +62,14 @@ def triangulate_observations(
             transform = corrections[int(view)] @ transform
         points[here] = transform.apply(seen.points[here])
         covariances[here] = transform.rotate_covariances(seen.covariances[here])
+        if systematic is not None:
+            systematic[here] = (transform @ from_table).rotate_covariances(systematic[here])
     surface_mm = excess_scatter_mm(points, covariances, rig.laser.spot_diameter_mm)
     covariances += surface_mm**2 * np.eye(3)
-    covariances += _by_calibration(calibration, seen.points, table.table_deg)
-    cloud = PointCloud(points, covariances, table.view.copy(), table.trigger_id.copy())
+    if systematic is not None:  # common to neighbouring points: it is no scatter, and no registration takes it out
+        covariances += systematic
+    cloud = PointCloud(points, covariances, table.view.copy(), table.trigger_id.copy(), table.table_deg.copy())
     return MeasuredCloud(cloud, replace(noise, surface_um=1e3 * surface_mm))
-
-
-def _by_calibration(calibration: StereoCalibration, in_rig: NDArray[np.float64], table_deg: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Covariances (n, 3, 3) mm^2, object frame, of points (n, 3) mm of the rig frame by the calibration's uncertainty.
-
-    It is common to neighbouring points, so it is no scatter, and no registration takes it out.  Zero where the calibration
-    does not tell its uncertainty (those of older versions).
-    """
-    if calibration.modes is None:
-        return np.zeros((len(in_rig), 3, 3))
-    systematic = systematic_covariance(calibration, in_rig)
-    for angle in np.unique(table_deg):
-        here = table_deg == angle
-        systematic[here] = RigidTransform.about_z(-float(angle)).rotate_covariances(systematic[here])
-    return systematic
 
 
 def finite(measured: MeasuredCloud, store: CaseStore) -> MeasuredCloud:

@@ -1,4 +1,4 @@
-"""Points of a case anew: with another calibration, other gates, without some views, or of several scans together.
+"""Points of a case: as scanned, of all mounts together; or anew, with another calibration, other gates, without some views, of other scans.
 
 Nothing measured is changed.  A :class:`Processing` is a person's choice, kept in the case under the key ``processing``,
 so it can be undone; the same choice gives the same points to the last bit, in the order of the trigger ids.
@@ -23,8 +23,9 @@ from scanner_core.acquisition.engine import TABLE_MM
 from scanner_core.acquisition.status import ScanCounts
 from scanner_core.case.edits import DISCARDED, PROCESSING
 from scanner_core.case.observation import MEASURED, ObservationTable, PairTable
-from scanner_core.case.points import MeasuredCloud, case_calibration, case_rig, finite, triangulate_observations
+from scanner_core.case.points import case_calibration, case_rig
 from scanner_core.case.records import ScanRecord
+from scanner_core.case.scan_parts import ScanPart, merged, placed_motions, refine_parts
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import RigConfig, dump_rig
 from scanner_core.errors import CaseError, CaseFormatError, UsageError
@@ -37,7 +38,7 @@ from scanner_core.optics.triangulation import EpipolarGate, Triangulator
 
 _GEOMETRIC = ("epipolar_sigmas", "volume_radius_mm", "volume_height_mm", "table_mm")
 """Gates that need the point."""
-_BY_GEOMETRY = (MEASURED, "epipolar", "outside_volume", "table")
+_BY_GEOMETRY = (MEASURED, "epipolar", "outside_volume", "table", "mark")
 """Verdicts that a change of those gates, or of the calibration, decides anew."""
 
 
@@ -87,7 +88,8 @@ class Processing:
     calibration : identity of a calibration that the case holds; None for the one of each scan
     gates : what a point must keep
     without_views : numbers of views that are left out
-    scans : ids of the scans that are merged; empty for the newest that has points and was not discarded
+    scans : ids of the scans that are merged; empty for the newest of every mount that has points, was not discarded, and
+        whose mount's pose was accepted
     """
 
     calibration: str | None = None
@@ -127,7 +129,9 @@ class ProcessedCase:
     Attributes
     ----------
     processing : with the scans that were taken
-    cloud : registered, object frame, mm, in the order of the trigger ids; views of later scans are numbered on
+    cloud : registered, mm, in the order of the trigger ids; views of later scans are numbered on.  The points of one mount are
+        in its object frame, those of several in that of the first mount of the case
+    mounts : that the points are of, each with where its object frame lies in the frame of the cloud
     counts : over the plans of the scans, with the verdicts as they are now
     calibrations : identities that the points were computed with
     noise : of each scan
@@ -142,12 +146,14 @@ class ProcessedCase:
     noise: tuple[NoiseModel, ...]
     registered: bool
     registration: dict[str, object] | None
+    mounts: Mapping[int, RigidTransform] = field(default_factory=lambda: {0: RigidTransform.identity()})
 
     def as_dict(self) -> dict[str, object]:
         """For JSON and a mesh's provenance."""
         counts = self.counts
         return self.processing.as_dict() | {
             "calibrations": list(self.calibrations),
+            "mounts": list(self.mounts),
             "registered_anew": self.registered,
             "registration": self.registration,
             "planned": counts.planned,
@@ -205,9 +211,10 @@ def process_case(store: CaseStore, processing: Processing, other: StereoCalibrat
         E-USE-01 the case holds no such scan, view or calibration.
     """
     scans = _scans(store, processing)
-    anew = len(scans) > 1 or not replace(processing, scans=()).as_scanned
-    taken: list[tuple[ObservationTable, RigConfig, StereoCalibration]] = []
-    corrections: list[Mapping[int, RigidTransform]] = []
+    poses = _poses(store, scans)
+    anew = len(scans) > len(poses) or not replace(processing, scans=()).as_scanned
+    taken: list[ScanPart] = []
+    corrections: dict[int, RigidTransform] = {}
     verdicts: Counter[str] = Counter()
     planned = first_view = 0
     for scan in scans:
@@ -215,25 +222,31 @@ def process_case(store: CaseStore, processing: Processing, other: StereoCalibrat
         table, counted = _gated(store, scan, rig, calibration, processing)
         planned += _planned(scan.plan)
         verdicts.update(counted)
-        taken.append((replace(table, view=(table.view + first_view).astype(np.int32)), rig, calibration))
-        corrections.append({first_view + view: motion for view, motion in ({} if anew else store.corrections(scan.id)).items()})
+        taken.append(ScanPart(scan.id, scan.mount, table, rig, calibration).numbered_from(first_view))
+        corrections |= {first_view + view: motion for view, motion in ({} if anew else store.corrections(scan.id)).items()}
         first_view += int(table.view.max(initial=-1)) + 1
     if not verdicts[MEASURED]:
         raise CaseError("E-CASE-05", path=store.path, what="points", do="scan first, or choose wider gates")
     registration: dict[str, object] | None = None
-    if anew:
-        found = register_views(_merged([finite(triangulate_observations(*part), store) for part in taken]))
+    if anew and len(poses) > 1:
+        placed = refine_parts(store, taken, poses)
+        registration = placed.refinement.as_dict()
+        poses, corrections = placed.poses, placed.corrections
+    elif anew:
+        found = register_views(merged([part.measured(store) for part in taken]))
         registration = found.as_dict()
-        corrections = [dict(enumerate(found.corrections))] * len(taken)
-    measured = [finite(triangulate_observations(*part, motions), store) for part, motions in zip(taken, corrections, strict=True)]
+        corrections = dict(enumerate(found.corrections))
+    motions = placed_motions(taken, poses, corrections) if len(poses) > 1 else corrections
+    measured = [part.measured(store, motions) for part in taken]
     return ProcessedCase(
         processing=replace(processing, scans=tuple(scan.id for scan in scans)),
-        cloud=_merged(measured),
+        cloud=merged(measured) if len(poses) == 1 else replace(merged(measured), table_deg=None),
         counts=ScanCounts.of(planned, verdicts),
-        calibrations=tuple(dict.fromkeys(calibration.identity() for _, _, calibration in taken)),
+        calibrations=tuple(dict.fromkeys(part.calibration.identity() for part in taken)),
         noise=tuple(part.noise for part in measured),
         registered=anew,
         registration=registration,
+        mounts=poses,
     )
 
 
@@ -248,10 +261,22 @@ def _scans(store: CaseStore, processing: Processing) -> list[ScanRecord]:
     discarded = store.value(DISCARDED, [])
     if not isinstance(discarded, list):
         raise CaseFormatError("E-CASE-01", path=store.path, reason=f"its choice of '{DISCARDED}' is damaged")
-    for number in sorted(known, reverse=True):
-        if number not in discarded and store.verdict_counts(number).get(MEASURED):
-            return [known[number]]
+    if counting := store.counting_scans(discarded):
+        return [known[number] for number in counting]
     raise CaseError("E-CASE-05", path=store.path, what="points", do="scan first")
+
+
+def _poses(store: CaseStore, scans: list[ScanRecord]) -> dict[int, RigidTransform]:
+    """Where the mounts of these scans lie in the first mount of the case, in the order of their numbers; one alone is in its own frame."""
+    mounts = sorted({scan.mount for scan in scans})
+    if len(mounts) == 1:
+        return {mounts[0]: RigidTransform.identity()}
+    first, known = store.first_mount(), store.mount_poses()
+    poses = {mount: RigidTransform.identity() if mount == first else known[mount].in_frame_of(first) if mount in known else None for mount in mounts}
+    if missing := [mount for mount, pose in poses.items() if pose is None]:
+        what = f"It is not known how mount {missing[0]} of the case lies to the others"
+        raise UsageError("E-USE-01", what=what, do="register it first with 'impronta register CASE', or choose scans of one mount")
+    return {mount: pose for mount, pose in poses.items() if pose is not None}
 
 
 def _planned(plan: Mapping[str, Any]) -> int:
@@ -312,7 +337,8 @@ def _by_geometry(table: ObservationTable, rig: RigConfig, calibration: StereoCal
     inside = (np.hypot(points[:, 0], points[:, 1]) <= radius) & (points[:, 2] <= height)
     above = points[:, 2] >= (TABLE_MM if gates.table_mm is None else gates.table_mm)
     matches = gate.accepts(seen.epipolar_residual_px, *sigmas)
-    return np.select([~matches, ~inside, ~above], ["epipolar", "outside_volume", "table"], MEASURED).astype(object)
+    mark = np.zeros(len(points), bool) if rig.marks is None else rig.marks.holds(points)  # a wider volume does not make them the object's
+    return np.select([~matches, ~inside, ~above, mark], ["epipolar", "outside_volume", "table", "mark"], MEASURED).astype(object)
 
 
 def _by_spots(pairs: PairTable, gates: Gates) -> list[tuple[str, NDArray[np.bool_]]]:
@@ -330,18 +356,3 @@ def _by_spots(pairs: PairTable, gates: Gates) -> list[tuple[str, NDArray[np.bool
     if gates.most_uncertainty_px is not None:
         found.append(("too_uncertain", uncertainty <= gates.most_uncertainty_px))
     return found
-
-
-def _merged(parts: list[MeasuredCloud]) -> PointCloud:
-    """One cloud in the order of the trigger ids."""
-    if len(parts) == 1:
-        return parts[0].cloud
-    clouds = [part.cloud for part in parts]
-    whole = PointCloud(
-        np.concatenate([cloud.points for cloud in clouds]),
-        np.concatenate([cloud.covariances for cloud in clouds if cloud.covariances is not None]),
-        np.concatenate([cloud.views for cloud in clouds if cloud.views is not None]),
-        np.concatenate([cloud.trigger_ids for cloud in clouds if cloud.trigger_ids is not None]),
-    )
-    assert whole.trigger_ids is not None
-    return whole.select(np.argsort(whole.trigger_ids, kind="stable"))

@@ -1,8 +1,10 @@
-"""What a case tells of its order, scans, edits, registrations and comparisons."""
+"""What a case tells of its order, scans, mounts, edits, registrations and comparisons."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+
+from scanner_core.geometry.rigid import RigidTransform
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,7 +20,7 @@ class Order:
 
 @dataclass(frozen=True, slots=True)
 class ScanRecord:
-    """A scan of a case as it was recorded; `finish_reason` is None when it was interrupted."""
+    """A scan of a case as it was recorded; `finish_reason` is None when it was interrupted; `mount` is how the object stood."""
 
     id: int
     kind: str
@@ -28,6 +30,27 @@ class ScanRecord:
     ended: str | None
     finish_reason: str | None
     counts: dict[str, object] | None
+    mount: int = 0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MountPose:
+    """Where the object frame of a mount lies, as it was found once.
+
+    Attributes
+    ----------
+    transform : object frame of the mount to that of the first mount, mm; None when it was not accepted
+    report : how it was found: overlap, residual, margin, and ``first_mount``, the mount that it refers to
+    """
+
+    mount: int
+    created: str
+    transform: RigidTransform | None
+    report: dict[str, object]
+
+    def in_frame_of(self, first: int) -> RigidTransform | None:
+        """The transform to the object frame of that mount; None when it was not accepted, or refers to another."""
+        return self.transform if self.report.get("first_mount", 0) == first else None
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from scanner_core.acquisition.passes import ScanPass, passes_of
 from scanner_core.acquisition.plan import PlanRequest, ScanPlan
 from scanner_core.acquisition.status import FinishReason, ScanCounts
 from scanner_core.case.edits import DISCARDED
@@ -31,12 +32,14 @@ class Interruption:
     plan : that it followed
     request : what was asked of the scan
     counts : what there is, over the plan
+    passes : of an error-driven scan
     """
 
     record: ScanRecord
     plan: ScanPlan
     request: PlanRequest
     counts: ScanCounts
+    passes: tuple[ScanPass, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,9 +81,12 @@ def interruption(store: CaseStore) -> Interruption | None:
     try:
         plan = ScanPlan.from_dict(record.plan)
         request = _request(record.plan, plan)
+        followed = passes_of(record.plan)
+        if record.kind == "scan" and (request.until_um is None) != (not followed):
+            raise ValueError("passes of a uniform scan, or an error-driven one without any")
     except (KeyError, TypeError, ValueError, OverflowError, ImprontaError) as fault:
         raise CaseFormatError("E-CASE-01", path=store.path, reason=f"its plan is damaged ({fault})") from fault
-    return Interruption(record, plan, request, ScanCounts.of(plan.planned, store.verdict_counts(record.id)))
+    return Interruption(record, plan, request, ScanCounts.of(plan.planned, store.verdict_counts(record.id)), followed)
 
 
 def find_interrupted(paths: Iterable[Path]) -> list[InterruptedScan]:
@@ -110,7 +116,7 @@ def describe(store: CaseStore) -> InterruptedScan | None:
     begun = [view for view in of.plan.views if any(row.holds_any(exposed) for row in view.rows)]
     measured = of.counts.measured if scanning else 0
     return InterruptedScan(
-        store.path, store.order(), measured, of.request.points, max(0, len(begun) - 1), of.request.views, of.record.started, of.record.finish_reason
+        store.path, store.order(), measured, of.request.points, max(0, len(begun) - 1), len(of.plan.views), of.record.started, of.record.finish_reason
     )
 
 

@@ -12,7 +12,7 @@ from scanner_core.acquisition.status import FinishReason, ScanCounts
 from scanner_core.case import decoding
 from scanner_core.case.database import CaseDatabase, note
 from scanner_core.case.decoding import damaged, text
-from scanner_core.case.observation import MEASURED, ObservationTable, PairTable, StereoObservation
+from scanner_core.case.observation import MEASURED, ExposureTable, ObservationTable, PairTable, StereoObservation
 from scanner_core.case.records import RegistrationRecord, ScanRecord
 from scanner_core.errors import CaseFormatError
 from scanner_core.geometry.rigid import RigidTransform
@@ -24,7 +24,7 @@ _INSERT = "INSERT INTO observation VALUES (" + ",".join("?" * 18) + ")"
 
 
 class ScanTables(CaseDatabase):
-    """The measured part of a case; nothing in it is ever changed or deleted."""
+    """The measured part of a case; nothing in it is ever changed or deleted, but a plan grows while it is followed."""
 
     # ------------------------------------------------------------------------------------------ a scan
     def next_trigger_id(self) -> int:
@@ -35,17 +35,36 @@ class ScanTables(CaseDatabase):
                 used += [row["first_id"] + row["count"] for view in decoding.plan(plan_json)["views"] for row in view["rows"]]
         return max(used)
 
-    def begin_scan(self, kind: str, rig_toml: str, calibration_id: str, calibration_toml: str, plan: dict[str, object]) -> int:
-        """Record that a scan begins; returns its id."""
+    def begin_scan(self, kind: str, rig_toml: str, calibration_id: str, calibration_toml: str, plan: dict[str, object], mount: int = 0) -> int:
+        """Record that a scan begins; returns its id.  `mount` is how the object stands on the table."""
         with self._transaction() as connection:
             connection.execute("INSERT OR IGNORE INTO calibration VALUES (?, ?)", (calibration_id, calibration_toml))
             cursor = connection.execute(
-                "INSERT INTO scan (kind, rig_toml, calibration_id, plan_json, started) VALUES (?, ?, ?, ?, ?)",
-                (kind, rig_toml, calibration_id, json.dumps(plan), stamp()),
+                "INSERT INTO scan (kind, rig_toml, calibration_id, plan_json, started, mount) VALUES (?, ?, ?, ?, ?, ?)",
+                (kind, rig_toml, calibration_id, json.dumps(plan), stamp(), mount),
             )
             number = int(cursor.lastrowid or 0)
             note(connection, "scan begun", f"scan {number}, {kind}, calibration {calibration_id}")
             return number
+
+    def extend_plan(self, scan_id: int, plan: dict[str, object]) -> None:
+        """Let the plan of a scan grow: more views after those that it has, before the first of their exposures.
+
+        Raises
+        ------
+        ValueError
+            It is not the same plan with views added, or one that cannot be read again (see :func:`decoding.plan`).
+        """
+        with self._transaction() as connection:
+            row = connection.execute("SELECT kind, plan_json FROM scan WHERE id = ?", (scan_id,)).fetchone()
+            with damaged(self.path, "plan"):
+                kind, before = text(row[0]), decoding.plan(row[1])["views"]
+            kept = json.dumps(plan)
+            views = decoding.plan(kept, kind)["views"]
+            if views[: len(before)] != before:
+                raise ValueError("a plan grows at its end only")
+            connection.execute("UPDATE scan SET plan_json = ? WHERE id = ?", (kept, scan_id))
+            note(connection, "plan extended", f"scan {scan_id}, {len(views)} views instead of {len(before)}")
 
     def append(self, scan_id: int, observations: Sequence[StereoObservation]) -> None:
         """Keep observations; once this returns they survive the death of the program and of the machine."""
@@ -72,7 +91,7 @@ class ScanTables(CaseDatabase):
 
     def scans(self) -> list[ScanRecord]:
         """All scans in the order of their beginning."""
-        rows = self._rows("SELECT id, kind, calibration_id, plan_json, started, ended, finish_reason, counts_json FROM scan ORDER BY id")
+        rows = self._rows("SELECT id, kind, calibration_id, plan_json, started, ended, finish_reason, counts_json, mount FROM scan ORDER BY id")
         with damaged(self.path, "list of scans"):
             return [
                 ScanRecord(
@@ -84,8 +103,9 @@ class ScanTables(CaseDatabase):
                     ended=None if ended is None else text(ended),
                     finish_reason=None if reason is None else text(reason),
                     counts=None if counts is None else decoding.table(counts),
+                    mount=decoding.mount(mount),
                 )
-                for number, kind, calibration, plan, started, ended, reason, counts in rows
+                for number, kind, calibration, plan, started, ended, reason, counts, mount in rows
             ]
 
     def rig_toml(self, scan_id: int) -> str:
@@ -125,6 +145,16 @@ class ScanTables(CaseDatabase):
         rows = self._rows("SELECT trigger_id FROM observation WHERE scan_id = ? ORDER BY trigger_id", (scan_id,))
         with damaged(self.path, "list of trigger ids"):
             return decoding.trigger_ids(rows)
+
+    def exposures(self, scan_id: int) -> ExposureTable:
+        """All exposures of a scan, whatever became of them, in the order of their trigger ids."""
+        rows = self._rows(
+            "SELECT trigger_id, table_deg, left_x_px, left_y_px, right_x_px, right_y_px, name "
+            "FROM observation JOIN verdict ON verdict.id = verdict WHERE scan_id = ? ORDER BY trigger_id",
+            (scan_id,),
+        )
+        with damaged(self.path, "list of observations"):
+            return decoding.exposures(rows)
 
     def observations(self, scan_id: int) -> ObservationTable:
         """The measured observations of a scan in the order of their trigger ids."""

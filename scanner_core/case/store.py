@@ -7,11 +7,11 @@ from pathlib import Path
 from scanner_core.case import connection
 from scanner_core.case.creation import SUFFIX, create_case
 from scanner_core.case.reading import open_for_reading
-from scanner_core.case.records import CaseEdit, Order, ScanRecord
+from scanner_core.case.records import CaseEdit, MountPose, Order, ScanRecord
 from scanner_core.case.scans import ScanTables
 from scanner_core.case.surfaces import SurfaceTables
 
-__all__ = ["SUFFIX", "CaseEdit", "CaseStore", "Order", "ScanRecord"]
+__all__ = ["SUFFIX", "CaseEdit", "CaseStore", "MountPose", "Order", "ScanRecord"]
 
 
 class CaseStore(ScanTables, SurfaceTables):

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scanner_core.case import decoding
 from scanner_core.case.decoding import damaged, text
 from scanner_core.case.edits import DISCARDED, PROCESSING, EditJournal
-from scanner_core.case.observation import MEASURED
+from scanner_core.case.mounts import MountTables
 from scanner_core.case.packing import LARGEST, mesh_columns, mesh_of, packed, packed_bits, unpacked, unpacked_bits
 from scanner_core.case.provenance import versions
 from scanner_core.case.records import ComparisonRecord
@@ -25,7 +25,7 @@ _ROW_BYTES = 4096
 """Of a row beside its values, generously; JSON as json.dumps makes it has one byte a character."""
 
 
-class SurfaceTables(EditJournal):
+class SurfaceTables(EditJournal, MountTables):
     """The derived part of a case that is worth keeping."""
 
     # ------------------------------------------------------------------------------------------ meshes
@@ -168,14 +168,10 @@ class SurfaceTables(EditJournal):
                 return {}
             calibration, chosen = processing.get("calibration"), processing.get("scans", [])
             chosen = [] if not isinstance(chosen, list) else sorted(int(number) for number in chosen)
+            chosen = chosen or self.counting_scans(discarded)
         except (CaseFormatError, TypeError, ValueError):
             return {}  # a choice that is damaged keeps no mesh from being kept
-        rows = self._rows(
-            "SELECT id, calibration_id FROM scan WHERE kind = 'scan' AND EXISTS (SELECT 1 FROM observation "
-            "JOIN verdict ON verdict.id = verdict WHERE scan_id = scan.id AND name = ?) ORDER BY id",
-            (MEASURED,),
-        )
-        chosen = chosen or [number for number, _ in rows if number not in discarded][-1:]
+        rows = self._rows("SELECT id, calibration_id FROM scan WHERE kind = 'scan' ORDER BY id")
         used = {identity for number, identity in rows if number in chosen}
         if not used:
             return {}

@@ -7,10 +7,11 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from scanner_core.acquisition.mark_visits import KIND, case_marks
 from scanner_core.case.decoding import damaged
 from scanner_core.case.processing import chosen_processing
 from scanner_core.case.recovery import describe
-from scanner_core.case.store import SUFFIX, CaseStore
+from scanner_core.case.store import SUFFIX, CaseStore, MountPose
 from scanner_core.commands.console import Console
 from scanner_core.comparison.keeping import KeptComparison, kept_comparisons
 from scanner_core.errors import InputFileError
@@ -42,11 +43,20 @@ def _case_words(values: dict[str, Any]) -> list[str]:
     lines = [f"Case {values['file']}", f"Order: {order or 'none'}"]
     for scan in values["scans"]:
         seen = ", ".join(f"{name} {count}" for name, count in sorted(scan["observations"].items()))
-        words = f"{scan['kind'].capitalize()} {scan['id']}: {scan['finish_reason']}, begun {scan['started']}, calibration {scan['calibration']}"
+        mount = f" of mount {scan['mount']}" if scan["mount"] else ""
+        words = (
+            f"{scan['kind'].capitalize()} {scan['id']}{mount}: {scan['finish_reason']}, begun {scan['started']}, calibration {scan['calibration']}"
+        )
         lines += [words, f"    {seen or 'nothing exposed'}"]
     if values["interrupted"] is not None:
         words = "Interrupted: {measured} of {wanted} points, {views_done} of {views} views complete; go on with 'impronta scan --resume'."
         lines.append(words.format(**values["interrupted"]))
+    if (marks := values.get("marks")) is not None:
+        rms = "unknown" if marks["marks_um"] is None else f"{marks['marks_um']:.1f} um"
+        lines.append(f"Marks on the table's rim: {rms} rms off their {marks['reference']} distances, {marks['visits']} visits")
+    for pose in values["mounts"]:
+        words = f"joined, residual {pose['residual_um']} um" if pose["accepted"] else f"kept apart: {pose['reason']}"
+        lines.append(f"Mount {pose['mount']}: {words}")
     choice = ", ".join(f"{name.replace('_', ' ')} {value}" for name, value in values["processing"].items() if value)
     lines.append(f"Points: {choice or 'as scanned'}")
     mesh = values.get("mesh")
@@ -77,12 +87,19 @@ def _comparison(path: Path, kept: KeptComparison) -> dict[str, object]:
         }
 
 
+def _mount(pose: MountPose) -> dict[str, object]:
+    """How a mount was joined to the first, or why it was not."""
+    told = {name: pose.report.get(name) for name in ("first_mount", "start", "overlap_fraction", "residual_um", "margin", "unique", "reason")}
+    return {"mount": pose.mount, "accepted": pose.transform is not None, "registered": pose.created, **told}
+
+
 def _case(path: Path) -> dict[str, object]:
     with CaseStore.open(path, read_only=True) as store:
         scans = [
             {
                 "id": scan.id,
                 "kind": scan.kind,
+                "mount": scan.mount,
                 "started": scan.started,
                 "finish_reason": scan.finish_reason or "interrupted",
                 "observations": store.verdict_counts(scan.id),
@@ -91,10 +108,14 @@ def _case(path: Path) -> dict[str, object]:
                 "registered_views": len(store.corrections(scan.id)),
             }
             for scan in store.scans()
+            if scan.kind != KIND
         ]
         values: dict[str, object] = {"kind": "case", "file": str(path), "order": asdict(store.order()), "scans": scans, "meshes": store.mesh_count()}
         values["comparisons"] = [_comparison(path, kept) for kept in kept_comparisons(store)]
         values["processing"] = chosen_processing(store).as_dict()
+        if (marks := case_marks(store)) is not None:
+            values["marks"] = marks.as_dict()
+        values["mounts"] = [_mount(pose) for _, pose in sorted(store.mount_poses().items())]
         told = describe(store)
         values["interrupted"] = told and {name: getattr(told, name) for name in ("measured", "wanted", "views_done", "views")}
         if store.mesh_id() is not None:

@@ -1,4 +1,4 @@
-"""``impronta scan``: acquire into a new case, or go on with an interrupted one."""
+"""``impronta scan``: acquire into a new case, go on with an interrupted one, or add another mount of the object to a case."""
 
 from __future__ import annotations
 
@@ -11,11 +11,14 @@ from pathlib import Path
 from scanner_core.acquisition.plan import PlanRequest, read_plan
 from scanner_core.acquisition.recording import check_recordable, recorded_plan
 from scanner_core.acquisition.rig_session import open_rig
+from scanner_core.acquisition.scan_result import ScanResult
 from scanner_core.acquisition.status import FinishReason
-from scanner_core.case.recovery import Interruption, interruption
+from scanner_core.case.mount_registration import RegisteredMounts
+from scanner_core.case.recovery import Interruption, describe, interruption
 from scanner_core.case.store import CaseStore, Order
 from scanner_core.commands.console import Console
 from scanner_core.commands.overwriting import check_case_free, overwriting
+from scanner_core.commands.register import run_registration
 from scanner_core.commands.scanning import (
     age_warnings,
     begins,
@@ -38,8 +41,12 @@ from scanner_core.virtual.specimens import Specimen
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
-    if given.resume and (given.plan is not None or given.force):
-        raise UsageError("E-USE-01", what="An interrupted scan goes on with its own plan, in its own case", do="leave --plan and --force away")
+    if given.resume and (given.plan is not None or given.until_um is not None or given.force):
+        raise UsageError(
+            "E-USE-01", what="An interrupted scan goes on with its own plan, in its own case", do="leave --plan, --until-um and --force away"
+        )
+    if given.add_mount and (given.resume or given.force):
+        raise UsageError("E-USE-01", what="Another mount is a new scan in a case that is there", do="leave --resume and --force away")
     config, calibration = calibrated_rig(given)
     known = recorded_plan(config)
     request = known or PlanRequest()
@@ -51,12 +58,16 @@ def run(given: argparse.Namespace, console: Console) -> int:
                 object_radius_mm=request.object_radius_mm or known.object_radius_mm,
                 object_height_mm=request.object_height_mm or known.object_height_mm,
             )
-        if known not in (None, request):  # frames of other table angles would pass for those that are asked for
-            raise UsageError("E-USE-01", what="The recording was made with another plan", do="leave --plan away")
+    if given.until_um is not None:
+        request = replace(request, until_um=given.until_um)
+    if known not in (None, request):  # frames of other table angles would pass for those that are asked for
+        raise UsageError("E-USE-01", what="The recording was made with another plan", do="leave --plan and --until-um away")
+    if given.record is not None and request.until_um is not None:  # a later version of this program may choose other angles
+        raise UsageError("E-USE-01", what="The plan of a scan until an uncertainty is not known beforehand", do="record one without --until-um")
     specimen = specimen_on_table(given, config) if is_rendered(config) else None
     to_come = faults(given, config)
-    if any(isinstance(fault, WorkerFault) for fault in to_come):
-        raise UsageError("E-USE-01", what="A scan has no worker process that could fail", do="let that happen in 'impronta demo'")
+    if request.until_um is None and any(isinstance(fault, WorkerFault) for fault in to_come):
+        raise UsageError("E-USE-01", what="This scan has no worker process that could fail", do="let that happen with --until-um")
     warnings = age_warnings(calibration)
     for warning in warnings:
         console.say(f"Warning: {warning}")
@@ -65,7 +76,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
     path = Path(given.out).resolve()
     old = given.force and path.exists()
     with case_as_found(path, to_come):
-        if not given.resume:
+        if not (given.resume or given.add_mount):
             check_case_free(path, given.force)
         with (
             open_rig(config, specimen, given.speed, given.seed, to_come) as rig,
@@ -73,11 +84,20 @@ def run(given: argparse.Namespace, console: Console) -> int:
             _case(path, given, specimen) as (store, interrupted),
         ):
             request = sized_for(request, specimen)
+            mount = store.next_mount() if given.add_mount else 0
+            if given.add_mount and (rest := describe(store)) is not None:
+                warnings.append(f"The scan before this one did not come to its end ({rest.measured} of {rest.wanted} points); it stays as it is.")
+                console.say(f"Warning: {warnings[-1]}")
             with recording(given, rig, request) as told:
-                result = run_scan(console, rig, request, store, interrupted, begun)
+                result = run_scan(console, rig, request, store, interrupted, begun, mount)
             values = scan_json(result, rig.left.rate_hz, str(path))
+            mounts = _registered(console, store, result, given.seed)
+            apart = None if mounts is None else mounts.error(store)
     warnings += finding_warnings(result)
     lines = scan_summary(result)
+    if mounts is not None:
+        values["mounts"] = mounts.as_dict()
+        lines += mounts.summary()
     if told is not None:
         values["recording"] = told.as_dict()
         lines.append(told.summary())
@@ -90,7 +110,17 @@ def run(given: argparse.Namespace, console: Console) -> int:
     console.result(values, [*lines, kept])
     if result.error is not None:
         console.say(str(result.error))
+    if apart is not None:
+        console.say(str(apart))
+        return 1
     return {FinishReason.COMPLETED: 0, FinishReason.CANCELLED: 130, FinishReason.FAILED: 1}[result.finish_reason]
+
+
+def _registered(console: Console, store: CaseStore, result: ScanResult, seed: int) -> RegisteredMounts | None:
+    """The mounts of the case after a scan that came to its end; None when there is one mount, or the scan is to be resumed first."""
+    if result.finish_reason is not FinishReason.COMPLETED or store.next_mount() < 2:
+        return None
+    return run_registration(console, store, {}, seed=seed)
 
 
 @contextmanager
@@ -102,6 +132,10 @@ def _case(path: Path, given: argparse.Namespace, specimen: Specimen | None) -> I
             if interrupted is None:
                 raise AcquisitionError("E-SCAN-04", path=path)
             yield store, interrupted
+        return
+    if given.add_mount:
+        with CaseStore.open(path) as store:
+            yield store, None
         return
     with CaseStore.create(path) as store:
         if specimen is not None:

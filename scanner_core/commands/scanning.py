@@ -26,7 +26,7 @@ from scanner_core.virtual.fault import Fault
 from scanner_core.virtual.faults import parse_fault
 from scanner_core.virtual.host_faults import CaseLocked
 from scanner_core.virtual.presets import GEOMETRIC_TERMS, PRESETS
-from scanner_core.virtual.specimens import Specimen, check_fits, load_specimen
+from scanner_core.virtual.specimens import Specimen, check_fits, load_specimen, remounted
 
 
 def rig_given(given: argparse.Namespace) -> RigConfig:
@@ -110,6 +110,8 @@ def without_terms(config: RigConfig, terms: Sequence[str]) -> RigConfig:
 def specimen_on_table(given: argparse.Namespace, rig: RigConfig) -> Specimen:
     """The specimen that was asked for; refused when it is larger than what both cameras see."""
     specimen = load_specimen(given.specimen, treated=getattr(given, "treated", False))
+    if (pose := getattr(given, "pose", None)) is not None:
+        specimen = remounted(specimen, pose)
     check_fits(specimen, rig.volume)
     return specimen
 
@@ -152,13 +154,14 @@ def run_scan(
     store: CaseStore,
     interrupted: Interruption | None = None,
     begun: Callable[[], None] = lambda: None,
+    mount: int = 0,
 ) -> ScanResult:
     """Run a scan, or the rest of one, to its end, also when Ctrl-C ends it; the result says how it ended.
 
-    `begun` is called, maybe more than once, when the case holds points of it.
+    `begun` is called, maybe more than once, when the case holds points of it; `mount` is how the object stands, for a new scan.
     """
     rig.concern(store)
-    runner = ScanRunner(rig, request, store, interruption=interrupted)
+    runner = ScanRunner(rig, request, store, mount=mount, interruption=interrupted)
     runner.start()
     told: set[str] = set()
     while True:
@@ -220,6 +223,10 @@ def scan_json(result: ScanResult, rate_hz: float, case: str) -> dict[str, object
         "registration": None if registration is None else registration.as_dict(),
         "health": result.health.as_dict(),
     }
+    if result.marks is not None:
+        values["marks"] = result.marks.as_dict()
+    if result.steering is not None:
+        values |= result.steering.as_dict()
     if result.resumed is not None:
         values["resumed"] = {"points_before": result.resumed}
     if result.error is not None:
@@ -237,12 +244,16 @@ def scan_summary(result: ScanResult) -> list[str]:
     ]
     if result.resumed is not None:
         lines.append(f"{result.resumed} of the points were there before the interruption.")
+    if result.steering is not None:
+        lines += result.steering.summary()
     if result.views is not None:
         said = result.views.registration
         if said.applied:
             lines.append(f"Views registered: residual {said.residual_before_um:.1f} um before, {said.residual_after_um:.1f} um after the refinement.")
         elif result.views_planned > 1:
             lines.append(f"Views brought together by the turntable's axis, residual {said.residual_before_um:.1f} um; not refined: {said.reason}.")
+    if result.marks is not None:
+        lines.append(f"Marks on the table's rim: {result.marks.words()}.")
     lines += [f"{'Warning' if found.severity == 'warning' else 'Note'}: {found.sentence} [{found.code}]" for found in result.health.findings]
     return lines
 
@@ -264,6 +275,11 @@ def _show(console: Console, runner: ScanRunner) -> None:
     elif status.state is ScanState.SCANNING:
         left = status.seconds_left
         fraction = 0.0 if left is None else status.seconds / max(status.seconds + left, 1e-9)
-        console.progress("scan", fraction, left, f"{status.counts.measured} points, view {status.view + 1} of {status.views}")
+        steering = status.steering
+        phase = "scan" if steering is None else "compute" if steering.computing else f"pass {steering.number}"
+        told = f"{status.counts.measured} points, view {status.view + 1} of {status.views}"
+        if steering is not None and steering.within is not None:
+            told += f", {100 * steering.within:.0f} % within {steering.wanted_um:g} um"
+        console.progress(phase, fraction, left, told)
     elif status.state is ScanState.FINISHING:
         console.progress("register", 1.0, None, "")

@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.comparison.alignment_uncertainty import AlignmentUncertainty, alignment_uncertainty
-from scanner_core.comparison.coarse_fit import motion_step
 from scanner_core.comparison.correlated_fit import generalized_step
 from scanner_core.comparison.fit_rows import MutualPairing
 from scanner_core.comparison.stable_region import find_stable
 from scanner_core.comparison.surface_pairing import Mask, Pairs
+from scanner_core.geometry.motion_step import motion_step
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.jobs.progress import Cancelled, IsCancelled
 

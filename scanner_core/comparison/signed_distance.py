@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-from vtkmodules.vtkCommonCore import reference, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkGenericCell, vtkPolyData, vtkStaticCellLocator
+from vtkmodules.vtkCommonCore import reference
+from vtkmodules.vtkCommonDataModel import vtkGenericCell, vtkStaticCellLocator
 
 from scanner_core.geometry.closest_point import pseudonormals
 from scanner_core.geometry.edges import EdgeTable, row_dot
 from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.poly_data import poly_data
 from scanner_core.geometry.proximity import Feet, closest_in_triangles, closest_near
 from scanner_core.geometry.weld import weld
 from scanner_core.jobs.progress import Cancelled, IsCancelled
@@ -67,7 +67,7 @@ class SignedDistance:
         self._unit = vectors / np.maximum(np.sqrt(row_dot(vectors, vectors)), 1e-300)[:, None]
         self._at_edge, self._at_vertex = pseudonormals(mesh, self._unit)
         self._border_side, self._border_corner = _borders(mesh)
-        self._poly = _poly_data(mesh)
+        self._poly = poly_data(mesh)
         self._locator = vtkStaticCellLocator()
         self._locator.SetDataSet(self._poly)
         self._locator.SetNumberOfCellsPerNode(1)
@@ -134,17 +134,3 @@ def _borders(mesh: TriangleMesh) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
     at_vertex = np.zeros(int(triangles.max()) + 1, np.bool_)
     at_vertex[table.edges[np.unique(sides[alone])].ravel()] = True
     return alone, at_vertex[triangles.ravel()]
-
-
-def _poly_data(mesh: TriangleMesh) -> vtkPolyData:
-    points = vtkPoints()
-    points.SetDataTypeToDouble()  # without it VTK keeps float32, 4 um at 60 mm
-    points.SetData(numpy_to_vtk(np.ascontiguousarray(mesh.vertices, np.float64), deep=True))
-    cells = vtkCellArray()
-    count = len(mesh.triangles)
-    offsets = np.arange(0, 3 * count + 1, 3, dtype=np.int64)
-    cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=True), numpy_to_vtkIdTypeArray(mesh.triangles.ravel().astype(np.int64), deep=True))
-    poly = vtkPolyData()
-    poly.SetPoints(points)
-    poly.SetPolys(cells)
-    return poly

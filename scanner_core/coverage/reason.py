@@ -6,13 +6,15 @@ from enum import Enum
 
 
 class Reason(Enum):
-    """The likeliest hindrance of a place, over all table angles; the value is its name in JSON.
+    """What hinders a place, over all table angles; the value is its name in JSON.
 
-    ``BEAM_SHADOWED``, ``LEFT_HIDDEN``, ``RIGHT_HIDDEN``: at the angles at which it would be measured best, the object itself
-    stands before the beam, or before that camera.  ``GRAZING``: nothing stands before it, but the beam or a camera meets it too
-    flatly.  ``OUT_OF_VIEW``: it is outside the images, the volume or the beam's range at every angle.  ``BELOW``: it faces the
-    table.  ``TOO_DARK``, ``SATURATED``: it was lit in sight of both cameras, and the spots were rejected for that.
-    ``FEW_POINTS``: it can be measured; more points would do.
+    They stand in the order in which light meets them, and each looks only at the angles at which what comes before it is well.
+    ``BELOW``: at no angle it faces the beam and both cameras, because it looks down; or it lies on the table.  ``GRAZING``: the
+    same for a place that does not look down.  ``OUT_OF_VIEW``: where it faces them it is outside the images, the volume or the
+    beam's range.  ``BEAM_SHADOWED``: there the object itself always stands before the beam.  ``LEFT_HIDDEN``, ``RIGHT_HIDDEN``:
+    wherever the beam gets there, the object stands before that camera, while the other one sees it.  ``CAMERAS_HIDDEN``: wherever
+    the beam gets there, at least one camera does not see it, and not always the same one.  ``TOO_DARK``, ``SATURATED``: all three
+    reach it, and the spots were rejected for that.  ``FEW_POINTS``: it can be measured; more points would do.
     """
 
     WITHIN = "within"
@@ -20,6 +22,7 @@ class Reason(Enum):
     BEAM_SHADOWED = "beam_shadowed"
     LEFT_HIDDEN = "left_hidden"
     RIGHT_HIDDEN = "right_hidden"
+    CAMERAS_HIDDEN = "cameras_hidden"
     GRAZING = "grazing"
     BELOW = "below"
     OUT_OF_VIEW = "out_of_view"
@@ -30,3 +33,12 @@ class Reason(Enum):
     def reachable(self) -> bool:
         """More scanning of the object as it stands can help."""
         return self in (Reason.WITHIN, Reason.FEW_POINTS)
+
+    @property
+    def needs_another_mount(self) -> bool:
+        """Light could get there if the object stood in another way."""
+        return not self.reachable and self not in (Reason.OUT_OF_VIEW, Reason.TOO_DARK, Reason.SATURATED)
+
+
+REASONS = tuple(Reason)
+"""An index into it stands for a reason in arrays."""

@@ -19,7 +19,9 @@ class Sight:
     ----------
     table_deg : the angle
     beam_deg : (v, 2) pan X and tilt Y that point the beam at each place
-    beam_free, left_free, right_free : (v,) nothing of the object or the table stands between the place and the beam's pivot, the camera
+    beam_free, left_free, right_free : (v,) nothing of the object stands between the place and the beam's pivot, the camera.  Rays are
+        cast only for what may matter: False also where the place does not face all three or is out of view, and for the cameras
+        where the beam does not get
     cosines : (v, 3) of the angle between the outward normal and the direction to the beam's pivot, the left and the right
         camera; negative where the place faces away
     in_view : (v,) inside both images, the volume and the beam's range

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from scanner_core.devices import camera_drivers
 from scanner_core.devices.camera_config import CameraConfig, TriggerSource
 from scanner_core.devices.controller_config import ControllerConfig
+from scanner_core.devices.marks_config import MarksConfig, dump_marks, read_marks
 from scanner_core.devices.null_level import NullLevel, dump_null_levels, null_levels
 from scanner_core.devices.rig_values import FAR_MM, array, axis, number, one_of, only, part, plain, port, table, text, whole
 from scanner_core.errors import UsageError
@@ -32,7 +33,7 @@ from scanner_core.toml_text import parse_toml, read_text, toml_value, without_ta
 Array = NDArray[np.float64]
 
 PRESETS = ("bench", "paper-2003", "workshop")
-_TOP = ("name", "virtual", "camera", "controller", "limits", "laser", "volume", "spot", "acceptance", "image_model", "null_comparison", "calibration")
+_TABLES = ("camera", "controller", "limits", "laser", "volume", "spot", "acceptance", "image_model", "marks", "null_comparison", "calibration")
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,6 +111,11 @@ class RigConfig:
     acceptance: AcceptanceLimits = field(default_factory=AcceptanceLimits)
     image_model: Mapping[str, Any] = field(default_factory=dict)
     null_levels: tuple[NullLevel, ...] = ()
+    marks: MarksConfig | None = None
+
+    def __post_init__(self) -> None:
+        if self.marks is not None:
+            self.marks.check_beside(self.volume.radius_mm)
 
     def without(self, terms: Sequence[str]) -> RigConfig:
         """The virtual rig with more terms of its image model switched off."""
@@ -184,7 +190,7 @@ def dump_rig(rig: RigConfig) -> str:
         lines += [f"{name} = {toml_value(value)}" for name, value in written.items() if value is not None]
     if rig.image_model:
         lines += ["", "[image_model]", *(f"{name} = {toml_value(value)}" for name, value in rig.image_model.items())]
-    lines += dump_null_levels(rig.null_levels)
+    lines += dump_marks(rig.marks) + dump_null_levels(rig.null_levels)
     if rig.calibration is not None:
         lines += ["", *_dump_calibration(rig.calibration)]
     return "\n".join(lines) + "\n"
@@ -220,7 +226,7 @@ def recalibrated(text: str, calibration: StereoCalibration) -> str:
 
 
 def _rig(tree: dict[str, Any]) -> RigConfig:
-    only(tree, _TOP)
+    only(tree, ("name", "virtual", *_TABLES))
     cameras = only(table(tree, "camera", {}), ("left", "right"), "camera")
     spot = only(table(tree, "spot", {}), SpotDetectorParameters.__dataclass_fields__, "spot")
     for key, value in spot.items():
@@ -240,6 +246,7 @@ def _rig(tree: dict[str, Any]) -> RigConfig:
         spot=SpotDetectorParameters(**spot),
         image_model={key: plain(value, key) for key, value in table(tree, "image_model", {}).items()},
         null_levels=null_levels(tree.get("null_comparison", [])),
+        marks=part(tree, "marks", read_marks) if "marks" in tree else None,
         acceptance=AcceptanceLimits(**{key: number(value, key, -1e9, 1e9) for key, value in limits.items()}),
     )
 

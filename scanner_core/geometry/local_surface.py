@@ -24,6 +24,10 @@ _MAX_FLATNESS = 0.2
 _MAX_LEVERAGE = 0.6
 """Variance of the quadratic's height over a point's: beyond, the place is badly surrounded."""
 
+_NEIGHBOURS = (NEIGHBOURS, 40, 80, 160)
+_MOSTLY = 0.4
+"""Part of a surface's own points that must lie over it; borders never do."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SurfaceDistance:
@@ -36,6 +40,7 @@ class SurfaceDistance:
     leverage : (m,) variance of the surface's height as a part of a point's variance
     slope_leverage_mm2 : (m,) variance of each of its two slopes as a part of a point's variance, 1/mm^2
     valid : (m,) False where the places are not over the view's surface
+    nearest : (m,) number of the surface's point that lies nearest
     """
 
     signed_mm: Array
@@ -43,6 +48,7 @@ class SurfaceDistance:
     leverage: Array
     slope_leverage_mm2: Array
     valid: NDArray[np.bool_]
+    nearest: NDArray[np.int64]
 
 
 class LocalSurface:
@@ -63,7 +69,7 @@ class LocalSurface:
         """Distance of places (m, 3) mm to the surface by the neighbours that are at least `apart_mm` away."""
         m = len(places)
         if self._tree is None or m == 0:
-            return SurfaceDistance(np.zeros(m), np.zeros((m, 3)), np.ones(m), np.ones(m), np.zeros(m, bool))
+            return SurfaceDistance(np.zeros(m), np.zeros((m, 3)), np.ones(m), np.ones(m), np.zeros(m, bool), np.zeros(m, np.int64))
         far, index = self._tree.query(places, self._neighbours)
         reach = far[:, -1]
         about = self.points[index] - places[:, None]  # (m, k, 3)
@@ -95,4 +101,17 @@ class LocalSurface:
             & (principal[:, 0] < _MAX_FLATNESS**2 * principal[:, 1])
             & (leverage < _MAX_LEVERAGE)
         )
-        return SurfaceDistance(-level / length, tilted / length[:, None], leverage, slope_leverage, valid)
+        return SurfaceDistance(-level / length, tilted / length[:, None], leverage, slope_leverage, valid, index[:, 0])
+
+
+def reference_surface(points: Array) -> LocalSurface:
+    """The surface under points (n, 3) mm, with as many neighbours as their noise asks for."""
+    surface = LocalSurface(points)
+    if len(points) <= NEIGHBOURS:
+        return surface
+    probe = points[:: max(1, len(points) // 150)]
+    for neighbours in _NEIGHBOURS[1:]:
+        if np.mean(surface.distance(probe).valid) >= _MOSTLY:
+            break
+        surface = LocalSurface(points, neighbours)
+    return surface

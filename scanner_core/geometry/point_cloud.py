@@ -18,12 +18,15 @@ class PointCloud:
     covariances : (n, 3, 3) float64, mm^2, or None when nothing is known of the noise (a cloud from a file)
     views : (n,) int32, the view (table position) in which a point was measured, or None
     trigger_ids : (n,) int64, the planned measurement that a point came from, or None
+    table_deg : (n,) float64, the table angle at which a point was measured; None where it tells no direction of the
+        points' frame: in a cloud from a file, or of several mounts
     """
 
     points: NDArray[np.float64]
     covariances: NDArray[np.float64] | None = None
     views: NDArray[np.int32] | None = None
     trigger_ids: NDArray[np.int64] | None = None
+    table_deg: NDArray[np.float64] | None = None
 
     def __len__(self) -> int:
         return len(self.points)
@@ -35,4 +38,5 @@ class PointCloud:
             None if self.covariances is None else self.covariances[which],
             None if self.views is None else self.views[which],
             None if self.trigger_ids is None else self.trigger_ids[which],
+            None if self.table_deg is None else self.table_deg[which],
         )

@@ -20,12 +20,11 @@ from numpy.typing import NDArray
 from scanner_core.geometry.local_surface import LocalSurface
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.geometry.small_motion import rotation_vector, shared_error_weights, turned_about
 from scanner_core.geometry.view_matching import MIN_MATCHES, ViewMatches, match_views, overlap_fractions, overlapping_pairs
 
 Array = NDArray[np.float64]
 
-_TUKEY = 4.685
-"""Residuals beyond so many standard deviations count for nothing; 95 % efficient on clean ones (Beaton & Tukey 1974)."""
 _STEPS = 4
 """Reweighted steps between two searches for correspondences."""
 _SETTLED_MM = 5e-4
@@ -177,16 +176,10 @@ def fit_rigid_to_surface(
         known = values > 1e-4 * values[-1]
         right = vectors.T @ (jacobian.T @ ((foot - moved) * normals).sum(axis=1))
         step = vectors[:, known] @ (right[known] / values[known])
-        motion = _about(step[:3] / radius, step[3:], motion.apply(centre)) @ motion
+        motion = turned_about(step[:3] / radius, step[3:], motion.apply(centre)) @ motion
         if iteration >= _SHIFTS_FIRST and float(np.abs(step).max()) < tolerance_mm:
             break
     return motion
-
-
-def _about(rotation_vector: Array, shift: Array, centre: Array) -> RigidTransform:
-    """Turn about `centre`, then shift."""
-    turn = RigidTransform.from_vector(rotation_vector, np.zeros(3))
-    return RigidTransform(turn.rotation, centre - turn.rotation @ centre + shift)
 
 
 def _residual_um(matches: list[ViewMatches]) -> float:
@@ -203,7 +196,7 @@ def _solve(
     """
     n = len(corrections)
     jacobians = [np.hstack([np.cross(m.points - centre, m.normals) / radius, m.normals]) for m in matches]
-    so_far = np.array([np.concatenate([radius * _rotation_vector(c), c.apply(centre) - centre]) for c in corrections])
+    so_far = np.array([np.concatenate([radius * rotation_vector(c), c.apply(centre) - centre]) for c in corrections])
     prior = 1.0 / np.repeat([radius * np.radians(p.prior_angle_deg), 1e-3 * p.prior_position_um], 3) ** 2
     change = np.zeros((n, 6))
     for _ in range(_STEPS):
@@ -212,7 +205,7 @@ def _solve(
         scale = max(1.4826 * float(np.median(np.abs(ratios))), 1e-5)
         normal, right = np.zeros((n, 6, n, 6)), np.zeros((n, 6))
         for m, jacobian, distance in zip(matches, jacobians, distances, strict=True):
-            weight = _weights(distance, scale**2 * m.relative_variance, 1e-3 * p.systematic_um)
+            weight = shared_error_weights(distance, scale**2 * m.relative_variance, 1e-3 * p.systematic_um)
             weighted = jacobian * weight[:, None]
             block, pull = weighted.T @ jacobian, weighted.T @ distance
             i, j = m.first, m.second
@@ -226,21 +219,5 @@ def _solve(
             normal[view, :, view] += np.diag(prior)
         right -= prior * (so_far + change)
         change += np.linalg.solve(normal.reshape(6 * n, 6 * n), right.ravel()).reshape(n, 6)
-    moved = tuple(_about(turn / radius, shift, centre) @ c for turn, shift, c in zip(change[:, :3], change[:, 3:], corrections, strict=True))
+    moved = tuple(turned_about(turn / radius, shift, centre) @ c for turn, shift, c in zip(change[:, :3], change[:, 3:], corrections, strict=True))
     return moved, float(np.linalg.norm(change, axis=1).max())
-
-
-def _weights(distance: Array, variance: Array, systematic_mm: float) -> Array:
-    """Tukey's weights over the variance, in which a common error of all n distances is shared out.
-
-    n points of a six-parameter motion so weigh no more than 6 / systematic^2.
-    """
-    u = distance / (_TUKEY * np.sqrt(variance))
-    robust = np.where(np.abs(u) < 1, (1 - u * u) ** 2, 0.0)
-    return np.asarray(robust / (variance + robust.sum() / 6 * systematic_mm**2), np.float64)
-
-
-def _rotation_vector(transform: RigidTransform) -> Array:
-    """Of a small rotation, (3,) radians."""
-    r = transform.rotation
-    return 0.5 * np.array([r[2, 1] - r[1, 2], r[0, 2] - r[2, 0], r[1, 0] - r[0, 1]])

@@ -63,7 +63,7 @@ def match_views(
 ) -> list[ViewMatches]:
     """Distances of the chosen points to the other views' surfaces, with the corrections so far."""
     found = []
-    typical = _typical_variance(cloud)
+    typical = typical_variance(cloud)
     for first, second in pairs:
         index = chosen[first]
         moved = corrections[first].apply(cloud.points[index])
@@ -81,7 +81,7 @@ def match_views(
     return found
 
 
-def _typical_variance(cloud: PointCloud) -> float:
+def typical_variance(cloud: PointCloud) -> float:
     """Median variance of a coordinate, mm^2."""
     if cloud.covariances is None:
         return 1.0

@@ -17,6 +17,7 @@ import ctypes
 import multiprocessing
 import os
 import signal
+import sys
 import threading
 from contextlib import suppress
 from multiprocessing.connection import Connection, wait
@@ -24,7 +25,12 @@ from multiprocessing.connection import Connection, wait
 BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS", "NUMEXPR_NUM_THREADS")
 
 
-def work(connection: Connection, cancelled_number: ctypes.c_int64, preload: tuple[str, ...]) -> None:
+_BELOW_NORMAL = 0x4000
+"""Windows' own number of the priority class."""
+_NICENESS = 5
+
+
+def work(connection: Connection, cancelled_number: ctypes.c_int64, preload: tuple[str, ...], gentle: bool = False) -> None:
     """Serve jobs until the pipe closes.
 
     Parameters
@@ -32,7 +38,10 @@ def work(connection: Connection, cancelled_number: ctypes.c_int64, preload: tupl
     connection : the child's end of the pipe
     cancelled_number : shared; the number of the job that shall stop
     preload : modules to import before the first job
+    gentle : give way to everything else that wants a core
     """
+    if gentle:
+        _give_way()
     for name in BLAS_THREADS:
         os.environ[name] = "1"
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches the whole group; the parent decides what it means
@@ -43,6 +52,16 @@ def work(connection: Connection, cancelled_number: ctypes.c_int64, preload: tupl
     from scanner_core.jobs.serving import serve
 
     serve(connection, cancelled_number, preload)
+
+
+def _give_way() -> None:
+    """A lower priority for this process, for good."""
+    if sys.platform == "win32":
+        kernel = ctypes.windll.kernel32
+        kernel.SetPriorityClass(kernel.GetCurrentProcess(), _BELOW_NORMAL)
+    else:
+        with suppress(OSError):
+            os.nice(_NICENESS)
 
 
 def _die_with_parent() -> None:

@@ -19,6 +19,8 @@ from scanner_core.errors import UsageError
 
 JOBS: dict[str, str] = {
     "reconstruct": "scanner_core.reconstruction.job:run",
+    "assess": "scanner_core.acquisition.assessing:run",
+    "live-surface": "scanner_core.reconstruction.live_surface:live_surface",
     "compare": "scanner_core.comparison.compare:run",
     "compare-series": "scanner_core.comparison.series:run",
     "comparison-report": "scanner_core.comparison.report.job:run",

@@ -75,10 +75,19 @@ class Worker:
     Its environment allows one BLAS thread; it ignores Ctrl-C, ends when this process ends, and previews reach it at
     most five times a second.  All methods may be called from any thread.  Use it as a context manager or call
     :meth:`close`; its listener thread keeps the program alive until then.
+
+    Parameters
+    ----------
+    name
+        Of its process and of its thread.
+    job
+        The only one that it is for, so that it starts with the imports of that one; None when it is for all.
+    gentle
+        It gives way to everything else that wants a core.
     """
 
-    def __init__(self, name: str = "worker") -> None:
-        self._name = name
+    def __init__(self, name: str = "worker", *, job: str | None = None, gentle: bool = False) -> None:
+        self._name, self._job, self._gentle = name, job, gentle
         self._context = multiprocessing.get_context("spawn")
         self._cancelled_number: ctypes.c_int64 = self._context.RawValue(ctypes.c_int64, 0)
         self._lock, self._wake_lock = threading.Lock(), threading.Lock()
@@ -304,7 +313,9 @@ class Worker:
         if self._process is not None or self._closing:
             return
         ours, theirs = self._context.Pipe()
-        process = self._context.Process(target=work, args=(theirs, self._cancelled_number, modules()), name=f"impronta-{self._name}", daemon=True)
+        preload = modules() if self._job is None else (target_of(self._job).partition(":")[0],)
+        arguments = (theirs, self._cancelled_number, preload, self._gentle)
+        process = self._context.Process(target=work, args=arguments, name=f"impronta-{self._name}", daemon=True)
         process.start()
         theirs.close()
         self._process, self._connection, self._ready = process, ours, False

@@ -36,7 +36,7 @@ _STEP = 0.4
 _LONGEST_EDGE = 1.0
 """In radii of the largest ball in the region; a plate of thickness t has edges of half of t."""
 _LEAST_EDGE_VOXELS = 1.8
-_LEAST_TRIANGLES = 1200
+LEAST_TRIANGLES = 1200
 _MOST_ITERATIONS = 1500
 _MOST_TRIANGLES = 2.5
 """A healthy balloon stays below so many times the triangles that the region's border asks for."""
@@ -110,17 +110,17 @@ def inflate(region: EnclosedRegion, pace: Pace) -> Balloon:
         wide = choose_lengths(grown, pace)
         for shorter in (1.0, 0.7) if grown.handles == 0 else ():
             again = inflate_at(grown, wide.times(shorter), pace)
-            if _fills(again):
+            if fills(again):
                 return again
         lengths = _shorter_at_gaps(region, lengths, pace)
     for _ in range(_TRIES):
-        if _fills(balloon):
+        if fills(balloon):
             return balloon
         lengths = lengths.times(0.7)
         if _triangles_to_come(region, lengths) > _TOO_MANY:
             break
         balloon = inflate_at(region, lengths, pace)
-    if _fills(balloon):
+    if fills(balloon):
         return balloon
     raise ReconstructionError(
         "E-REC-03",
@@ -129,7 +129,8 @@ def inflate(region: EnclosedRegion, pace: Pace) -> Balloon:
     )
 
 
-def _fills(balloon: Balloon) -> bool:
+def fills(balloon: Balloon) -> bool:
+    """Whether it fills its region and has not folded."""
     return _GUARD[0] <= balloon.fill <= _GUARD[1]
 
 
@@ -145,8 +146,8 @@ def unreached_share(balloon: Balloon, points: Array, scale: CloudScale) -> float
     return float((far & (far[scale.neighbours].mean(axis=1) > 0.5)).mean())
 
 
-def choose_lengths(region: EnclosedRegion, pace: Pace) -> EdgeLengths:
-    """The longest edges with which a balloon still gets into every part of the region.
+def choose_lengths(region: EnclosedRegion, pace: Pace, least_triangles: int = LEAST_TRIANGLES) -> EdgeLengths:
+    """The longest edges with which a balloon still gets into every part of the region, and has about so many triangles.
 
     A balloon of edge e passes where a ball of radius 0.6 e does.  What lies farther than another 1.2 e from what the
     centre of such a ball sweeps in one piece from the start needs shorter edges; towards thicker parts they grow slowly.
@@ -154,7 +155,7 @@ def choose_lengths(region: EnclosedRegion, pace: Pace) -> EdgeLengths:
     thin = 2 if region.depth_mm.size > _LENGTH_NODES else 1  # half the resolution is enough to choose a length
     grid = VoxelGrid(region.grid.origin, region.grid.voxel_mm * thin, region.depth_mm[::thin, ::thin, ::thin].shape)
     depth, inside = region.depth_mm[::thin, ::thin, ::thin], region.inside[::thin, ::thin, ::thin]
-    edge = min(_LONGEST_EDGE * float(depth.max()), float(np.sqrt(_border_area(region) / (0.433 * _LEAST_TRIANGLES))))
+    edge = min(_LONGEST_EDGE * float(depth.max()), float(np.sqrt(_border_area(region) / (0.433 * least_triangles))))
     least = min(edge, _LEAST_EDGE_VOXELS * region.grid.voxel_mm)
     lengths = np.full(depth.shape, edge, np.float32)
     start = np.unravel_index(int(np.argmax(depth)), depth.shape)
@@ -226,11 +227,16 @@ def inflate_at(region: EnclosedRegion, lengths: EdgeLengths, pace: Pace) -> Ball
         away = mesh.vertices - centre
         mesh = TriangleMesh(centre + radius * away / np.linalg.norm(away, axis=1)[:, None], mesh.triangles)
         pace.report(0.02, mesh)
+    return grown_into(mesh, region, lengths, pace)
+
+
+def grown_into(mesh: TriangleMesh, region: EnclosedRegion, lengths: EdgeLengths, pace: Pace, most_moves: int = _MOST_ITERATIONS) -> Balloon:
+    """Let a closed mesh that lies in a region, or about where it does, grow or shrink until it fills it."""
     target = region.volume_mm3()
     most = _MOST_TRIANGLES * _triangles_to_come(region, lengths) + 500
     volumes = [mesh.volume()]
     table = None
-    while len(volumes) <= _MOST_ITERATIONS:
+    while len(volumes) <= most_moves:
         mesh, table = _grow(mesh, table, region, lengths)
         volumes.append(mesh.volume())
         pace.report(0.05 + 0.9 * volumes[-1] / target, mesh if pace.wants_preview() else None)

@@ -133,6 +133,18 @@ def enclosed_region(points: Array, scale: CloudScale, pace: Pace, table_mm: floa
     return best
 
 
+def oriented_region(points: Array, normals: Array, scale: CloudScale, pace: Pace, most_nodes: int) -> EnclosedRegion:
+    """The region of (n, 3) points whose outward normals (n, 3) are known, on one grid; raises E-REC-02 where they enclose nothing.
+
+    The points may be a part of a surface: what is missing is closed by a level of the winding number.
+    """
+    used = ~scale.isolated
+    chosen = points[used]
+    _check_flat(chosen)
+    blur = max(scale.spacing_mm, 0.7 * scale.noise_mm)
+    return _region_on(_grid(chosen, 0.7 * blur, most_nodes), chosen, normals[used], blur, scale.spacing_mm, pace, None)
+
+
 def _oriented(points: Array, blur_mm: float, pace: Pace, table_mm: float | None) -> Array:
     """Outward normals of (n, 3) points, (n, 3), from rounds of solving and turning on a coarse grid.
 

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.clock import Clock
+from scanner_core.devices.marks_config import MarksConfig
 from scanner_core.errors import UsageError
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.board import DEFAULT_BAR, DEFAULT_TARGET, CharucoTarget, LengthBar
@@ -27,6 +28,8 @@ from scanner_core.virtual.mechanics import PlayTimeline, warm_up_px
 from scanner_core.virtual.motion_state import MotionTimeline
 from scanner_core.virtual.presets import VirtualPreset
 from scanner_core.virtual.print_errors import FAULTLESS, TYPICAL, BoardFaults
+from scanner_core.virtual.projection import ImagePoints
+from scanner_core.virtual.rim_balls import RimBalls
 from scanner_core.virtual.scene import Scene
 from scanner_core.virtual.specimens.specimen import Specimen
 
@@ -50,6 +53,7 @@ class VirtualBench:
     seed : of all noise, speckle and board poses
     target, faults : the board as it was drawn, and how the one at hand differs
     bar : the plate of known length; it is as certified
+    marks : the balls on the table's rim by the rig file, or None
     """
 
     def __init__(
@@ -62,6 +66,7 @@ class VirtualBench:
         target: CharucoTarget = DEFAULT_TARGET,
         faults: BoardFaults = TYPICAL,
         bar: LengthBar = DEFAULT_BAR,
+        marks: MarksConfig | None = None,
     ) -> None:
         self.preset, self.target, self.seed = preset, target, seed
         self._disturbed = Disturbed(preset)
@@ -74,8 +79,9 @@ class VirtualBench:
         self._board_lowest_mm = self._renderers[0].errors.lowest_mm()
         self._bar_shown = False
         self._shutter = Shutter(preset, seed)
-        self._scene = Scene(preset, specimen)
-        self._wet: tuple[ShinyPatch, Scene] | None = None
+        self._marks = marks
+        self._scene = Scene(preset, specimen, balls=self._balls(None))
+        self._changed: tuple[tuple[ShinyPatch | None, int | None], Scene] | None = None
         self._lock = threading.Lock()
         self._exposures: OrderedDict[tuple[float, float], Exposure] = OrderedDict()
         self._board: RigidTransform | Literal["table"] | None = None
@@ -106,9 +112,9 @@ class VirtualBench:
 
     def change_specimen(self, specimen: Specimen | None) -> None:
         """Put something else on the table, or nothing."""
-        scene = Scene(self.preset, specimen)
+        scene = Scene(self.preset, specimen, balls=self._balls(None))
         with self._lock:
-            self._scene, self._wet = scene, None
+            self._scene, self._changed = scene, None
             self._exposures.clear()
 
     def show_board(self, pose: RigidTransform | None) -> None:
@@ -154,9 +160,8 @@ class VirtualBench:
                 signal = self._drifted(self._board_signal(index, start_s + 0.5e-3 * exposure_ms), index, start_s)
                 return sensor.lit_frame(signal * np.float32(exposure_ms / self.preset.exposure_ms), key, gain)
             spot = self._expose(start_s, exposure_ms).spots[index]
-        dx, dy = self._disturbed.image_shift_px(index, start_s)
-        if spot is not None and (dx or dy):
-            spot = replace(spot, x_px=spot.x_px + dx, y_px=spot.y_px + dy)
+        if spot is not None:
+            spot = self._displaced(spot, index, start_s)
         room_dn = self.preset.ambient_dn + self._disturbed.ambient_dn(start_s)
         return sensor.frame(spot, key, gain, room_dn * exposure_ms / self.preset.exposure_ms)
 
@@ -170,13 +175,26 @@ class VirtualBench:
                 self._exposures.popitem(last=False)
         return exposure
 
+    def _displaced(self, spot: ImagePoints, index: int, time_s: float) -> ImagePoints:
+        """The spot in the image of a camera that was moved, or whose lens is warm."""
+        dx, dy = self._disturbed.image_shift_px(index, time_s)
+        if dx or dy:
+            spot = replace(spot, x_px=spot.x_px + dx, y_px=spot.y_px + dy)
+        if grown := self._disturbed.magnified(time_s):
+            x, y = self.preset.cameras[index].matrix[:2, 2]
+            spot = replace(spot, x_px=spot.x_px + grown * (spot.x_px - x), y_px=spot.y_px + grown * (spot.y_px - y))
+        return spot
+
     def _scene_at(self, time_s: float) -> Scene:
-        patch = self._disturbed.shiny(time_s)
-        if patch is None:
+        change = self._disturbed.shiny(time_s), self._disturbed.lost_mark(time_s)
+        if change == (None, None):
             return self._scene
-        if self._wet is None or self._wet[0] is not patch:
-            self._wet = patch, Scene(self.preset, self._scene.specimen, patch)
-        return self._wet[1]
+        if self._changed is None or self._changed[0] != change:
+            self._changed = change, Scene(self.preset, self._scene.specimen, change[0], self._balls(change[1]))
+        return self._changed[1]
+
+    def _balls(self, lost: int | None) -> RimBalls | None:
+        return None if self._marks is None else RimBalls(self._marks, lost)
 
     def _board_signal(self, index: int, time_s: float) -> NDArray[np.float32]:
         board = self._board

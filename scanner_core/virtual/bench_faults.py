@@ -182,6 +182,26 @@ class LostSteps(BenchFault):
     lost_deg: float = 0.2
 
 
+@dataclass(frozen=True, slots=True)
+class LensesWarm(BenchFault):
+    """Both lenses get longer: their images grow about the principal points, and with them everything that is measured."""
+
+    title: ClassVar[str] = "Lenses warm"
+    happens: ClassVar[str] = "both lenses get longer by a thousandth, so that everything is measured too large"
+    expected: ClassVar[str] = "goes on; H-MARK-03 where the rig has marks, else nothing tells"
+    magnified: float = 1e-3
+
+
+@dataclass(frozen=True, slots=True)
+class MarkKnockedOff(BenchFault):
+    """One of the balls on the table's rim (1, 2 or 3) is gone."""
+
+    title: ClassVar[str] = "Mark knocked off"
+    happens: ClassVar[str] = "one of the balls on the table's rim is knocked off; nothing where the rig has no marks"
+    expected: ClassVar[str] = "goes on; H-MARK-05"
+    number: int = 2
+
+
 BENCH_FAULTS: dict[str, BenchFault] = {
     fault.name: fault
     for fault in (
@@ -194,6 +214,8 @@ BENCH_FAULTS: dict[str, BenchFault] = {
         CameraSkew(),
         TriggerLost(),
         LostSteps(),
+        LensesWarm(),
+        MarkKnockedOff(),
         LampOn(),
         ShinyPatch(),
     )

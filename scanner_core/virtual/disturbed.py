@@ -20,7 +20,9 @@ from scanner_core.virtual.bench_faults import (
     CameraStalled,
     CameraUnplugged,
     LampOn,
+    LensesWarm,
     LostSteps,
+    MarkKnockedOff,
     ShinyPatch,
 )
 from scanner_core.virtual.motion_state import MotionInstant, MotionTimeline
@@ -88,6 +90,14 @@ class Disturbed:
     def shiny(self, time_s: float) -> ShinyPatch | None:
         """The patch of the object that is wet."""
         return next((fault for fault in self._given if isinstance(fault, ShinyPatch) and fault.active(time_s)), None)
+
+    def magnified(self, time_s: float) -> float:
+        """By which part both images are larger."""
+        return sum(fault.magnified for fault in self._given if isinstance(fault, LensesWarm) and fault.active(time_s))
+
+    def lost_mark(self, time_s: float) -> int | None:
+        """Number from 0 of the ball on the table's rim that is gone."""
+        return next((fault.number - 1 for fault in self._given if isinstance(fault, MarkKnockedOff) and fault.active(time_s)), None)
 
     def lost_steps(self) -> tuple[LostSteps, ...]:
         return tuple(fault for fault in self._given if isinstance(fault, LostSteps))

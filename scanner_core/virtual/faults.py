@@ -20,6 +20,8 @@ camera_bumped         a camera is turned a little and stays so        goes on, H
 camera_skew           a camera exposes 8 ms late                      goes on, H-SYN-02
 trigger_lost          a camera's frames are of the next exposure      goes on, H-SYN-01
 lost_steps            the table loses steps in its next move          goes on, H-TAB-01 (H-TAB-02 on a sphere)
+lenses_warm           everything is measured a thousandth too large   goes on, H-MARK-03 with marks on the table's rim
+mark_knocked_off      a ball on the table's rim is gone               goes on, H-MARK-05
 lamp_on               a lamp shines into the cameras                  goes on, ``too_bright``, H-LGT-01; E-SCAN-06 when no
                                                                       surface was found because of it
 shiny_patch           a wet place mirrors: glare and second spots     goes on, ``saturated`` and ``ambiguous``, or settled

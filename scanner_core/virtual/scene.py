@@ -8,7 +8,7 @@ The rays are turned by the table's angle instead of the mesh.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import atan2, cos, hypot, nan, radians, sin
+from math import atan2, cos, dist, hypot, nan, radians, sin
 from typing import Any
 
 import numpy as np
@@ -16,11 +16,13 @@ from numpy.typing import NDArray
 from vtkmodules.vtkCommonCore import reference
 from vtkmodules.vtkCommonDataModel import vtkGenericCell, vtkStaticCellLocator
 
+from scanner_core.geometry.poly_data import poly_data
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.virtual.bench_faults import ShinyPatch
 from scanner_core.virtual.motion_state import MotionInstant
 from scanner_core.virtual.presets import VirtualPreset
-from scanner_core.virtual.specimens.specimen import Specimen, poly_data
+from scanner_core.virtual.rim_balls import BALL_ALBEDO, RimBalls
+from scanner_core.virtual.specimens.specimen import Specimen
 
 Array = NDArray[np.float64]
 
@@ -57,10 +59,10 @@ _HEXAGON = 7
 
 
 class Scene:
-    """The specimen on the table, under the beam and before the cameras; `patch` is a place where it is wet."""
+    """The specimen on the table, under the beam and before the cameras; `patch` is a place where it is wet, `balls` are on the rim."""
 
-    def __init__(self, preset: VirtualPreset, specimen: Specimen | None, patch: ShinyPatch | None = None) -> None:
-        self.specimen = specimen
+    def __init__(self, preset: VirtualPreset, specimen: Specimen | None, patch: ShinyPatch | None = None, balls: RimBalls | None = None) -> None:
+        self.specimen, self._balls = specimen, balls
         self._patch = None if patch is None or specimen is None else (_patch_centre(specimen, patch), patch)
         self._preset = preset
         self._surface = None if specimen is None else _Surface(specimen)
@@ -141,20 +143,25 @@ class Scene:
     def _first_hit(self, start: list[float], towards: list[float]) -> tuple[list[float], list[float], float] | None:
         """Point, lit side's normal and albedo where a ray ends."""
         reach = _REACH_MM
-        on_table = None
+        found: tuple[list[float], list[float], float] | None = None
         if towards[2] < -1e-9:
             to_table = -start[2] / towards[2]
             x, y = start[0] + to_table * towards[0], start[1] + to_table * towards[1]
             if to_table > 0 and x * x + y * y <= TABLE_RADIUS_MM**2:
-                on_table = [x, y, 0.0]
+                found = [x, y, 0.0], [0.0, 0.0, 1.0], TABLE_ALBEDO
                 reach = to_table
         if self._surface is not None:
             hit = self._surface.first_hit(start, [s + reach * t for s, t in zip(start, towards, strict=True)])
             if hit is not None:
                 point, normal = hit
                 lit = -1.0 if sum(n * t for n, t in zip(normal, towards, strict=True)) > 0 else 1.0
-                return point, [lit * n for n in normal], self._surface.albedo
-        return None if on_table is None else (on_table, [0.0, 0.0, 1.0], TABLE_ALBEDO)
+                found = point, [lit * n for n in normal], self._surface.albedo
+        if self._balls is not None:
+            if found is not None:
+                reach = dist(start, found[0])
+            on_ball = self._balls.first_hit(start, towards, reach)
+            found = found if on_ball is None else (*on_ball, BALL_ALBEDO)
+        return found
 
     def _stray(self, point: Array, normal: Array, direction: Array) -> tuple[list[float], list[float], float] | None:
         """Where the mirrored part of the light hits again; the matt table mirrors nothing."""
@@ -165,12 +172,13 @@ class Scene:
 
     def _seen(self, points: Array, normals: Array, eyes: Array) -> NDArray[np.bool_]:
         facing: NDArray[np.bool_] = np.einsum("ij,kij->ki", normals, eyes[:, None, :] - points) > 0
-        if self._surface is None:
+        solids = [solid for solid in (self._surface, self._balls) if solid is not None]
+        if not solids:
             return facing
         lifted = (points + _LIFT_MM * normals).tolist()
         for eye, row in zip(eyes.tolist(), facing, strict=True):
             for i in np.flatnonzero(row).tolist():
-                row[i] = not self._surface.meets(lifted[i], eye)
+                row[i] = not any(solid.meets(lifted[i], eye) for solid in solids)
         return facing
 
 

@@ -33,8 +33,8 @@ class Ages:
         self.ages_ms: list[float] = []
         append = PointLog.append
 
-        def timed(log: PointLog, points: NDArray[np.float64], view: int) -> None:
-            append(log, points, view)
+        def timed(log: PointLog, points: NDArray[np.float64], table_deg: float | NDArray[np.float64]) -> None:
+            append(log, points, table_deg)
             self._born_s.extend([time.perf_counter()] * len(points))
 
         setattr(PointLog, "append", timed)  # noqa: B010 - a method, which the type checker guards

@@ -47,6 +47,8 @@ ENDS: dict[str, frozenset[str | None]] = {
     "camera_skew": GOES_ON,
     "trigger_lost": GOES_ON,
     "lost_steps": GOES_ON,
+    "lenses_warm": GOES_ON,
+    "mark_knocked_off": GOES_ON,
     "lamp_on": frozenset({None, "E-SCAN-06"}),  # a lamp from the beginning: no surface is found
     "shiny_patch": GOES_ON,
     "lid_opened": frozenset({"E-MOT-16"}),

@@ -23,7 +23,7 @@ from tests.system.impronta import command, environment
 ENDING = [name for name in ENDS if ENDS[name] != GOES_ON and name != "lamp_on"]
 TOGETHER = (
     ("frames_dropped@3", "frames_late@8", "partial_lines@5", "clock_jump@9", "case_locked@4", "lost_steps@10"),
-    ("frames_torn@3", "camera_bumped@9", "camera_skew@9", "shiny_patch@4", "trigger_lost@14"),
+    ("frames_torn@3", "camera_bumped@9", "camera_skew@9", "shiny_patch@4", "trigger_lost@14", "lenses_warm@5", "mark_knocked_off@5"),
 )
 """What a scan survives; several at once, for the time that they take."""
 

@@ -8,10 +8,11 @@ from scanner_core.errors import UsageError
 from scanner_core.virtual.specimens.arch import arch
 from scanner_core.virtual.specimens.ear import ear
 from scanner_core.virtual.specimens.heart import heart
+from scanner_core.virtual.specimens.remounting import remounted
 from scanner_core.virtual.specimens.specimen import Specimen, check_fits, opening_down, stand_on_table
 from scanner_core.virtual.specimens.sphere import sphere
 
-__all__ = ["SPECIMENS", "Specimen", "check_fits", "load_specimen"]
+__all__ = ["SPECIMENS", "Specimen", "check_fits", "load_specimen", "remounted"]
 
 SPECIMENS = ("ear", "arch", "heart", "sphere")
 """Names of the built-in specimens."""

@@ -56,7 +56,7 @@ def put_down_anew(specimen: Specimen, placement: RigidTransform) -> Specimen:
     back = placement.inverse()
     exact = specimen.analytic_distance
     distance = None if exact is None else (lambda points: exact(back.apply(points)))
-    return Specimen(specimen.name, moved, specimen.albedo, specimen.true_radius_mm, distance)
+    return Specimen(specimen.name, moved, specimen.albedo, specimen.true_radius_mm, distance, placement @ specimen.pose)
 
 
 def _rod(start: Array, end: Array, radius_mm: float) -> TriangleMesh:

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkFiltersCore import vtkImplicitPolyDataDistance
 
 from scanner_core.devices.rig import VolumeConfig
 from scanner_core.errors import UsageError
 from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.poly_data import poly_data
 from scanner_core.geometry.rigid import RigidTransform
 
 Array = NDArray[np.float64]
@@ -25,7 +25,7 @@ _OPENING = 0.1
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Specimen:
-    """A specimen in the object frame: it stands on the table, centred on the axis by its bounding box.
+    """A specimen in the object frame: it stands on the table, as it was made centred on the axis by its bounding box.
 
     Attributes
     ----------
@@ -34,6 +34,7 @@ class Specimen:
     albedo : share of the light that it scatters back
     true_radius_mm : of the sphere, else None
     analytic_distance : unsigned distance of points (n, 3) to the true surface where it has a formula, else None
+    pose : how it was put down: from the object frame as it was made to the object frame now
     """
 
     name: str
@@ -41,6 +42,7 @@ class Specimen:
     albedo: float = 1.0
     true_radius_mm: float | None = None
     analytic_distance: Callable[[Array], Array] | None = None
+    pose: RigidTransform = field(default_factory=RigidTransform.identity)
 
     @property
     def radius_mm(self) -> float:
@@ -62,19 +64,6 @@ class Specimen:
         field.FunctionValue(numpy_to_vtk(np.ascontiguousarray(points, np.float64), deep=1), distance)
         unsigned: Array = np.abs(vtk_to_numpy(distance).astype(np.float64))
         return unsigned
-
-
-def poly_data(mesh: TriangleMesh) -> vtkPolyData:
-    """The mesh for VTK, coordinates in double precision."""
-    points = vtkPoints()
-    points.SetDataTypeToDouble()
-    points.SetData(numpy_to_vtk(np.ascontiguousarray(mesh.vertices), deep=1))
-    cells = vtkCellArray()
-    cells.SetData(3, numpy_to_vtkIdTypeArray(np.ascontiguousarray(mesh.triangles).ravel(), deep=1))
-    surface = vtkPolyData()
-    surface.SetPoints(points)
-    surface.SetPolys(cells)
-    return surface
 
 
 def opening_down(mesh: TriangleMesh) -> TriangleMesh:

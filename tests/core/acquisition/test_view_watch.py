@@ -9,8 +9,9 @@ import pytest
 from numpy.typing import NDArray
 
 from scanner_core.acquisition.jump import locate_jump
-from scanner_core.acquisition.view_motion import reference_surface, view_motion
+from scanner_core.acquisition.view_motion import view_motion
 from scanner_core.acquisition.view_watch import ViewWatch
+from scanner_core.geometry.local_surface import reference_surface
 from scanner_core.geometry.rigid import RigidTransform
 
 Array = NDArray[np.float64]

@@ -30,7 +30,7 @@ def test_too_few_points_keep_what_is_known() -> None:
 
 
 def test_a_view_is_seen_from_where_the_turned_table_has_the_cameras() -> None:
-    towards = seen_from(np.array([0, 2], np.int32), 8)  # the second at 90 degrees of the table
+    towards = seen_from(np.array([0.0, 90.0]))
     assert np.allclose(np.linalg.norm(towards, axis=1), 1.0)
     assert towards[0, 0] > 0.8
     assert towards[1, 1] < -0.8

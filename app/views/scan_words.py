@@ -1,0 +1,80 @@
+"""A scan in a line: where it is, and what an error-driven one has come to."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QCoreApplication
+
+from app.faults import sentence_of
+from app.views import format as fmt
+from scanner_core.acquisition.passes import PassesEnd, SteeringResult, SteeringStatus
+from scanner_core.acquisition.status import FinishReason, ScanState, ScanStatus
+
+
+def step_words(status: ScanStatus) -> str:
+    """What the scan does, or how it has ended."""
+    translate = QCoreApplication.translate
+    if status.finish_reason is FinishReason.COMPLETED:
+        return translate("ScanPage", "Complete: {views} views").format(views=status.views)
+    if status.finish_reason is FinishReason.CANCELLED:
+        return translate("ScanPage", "Stopped; what was measured is kept")
+    if status.finish_reason is FinishReason.FAILED:
+        return translate("ScanPage", "Ended by a fault; what was measured is kept")
+    steering = status.steering
+    if steering is not None and status.state is ScanState.SCANNING:
+        return _pass_words(status, steering)
+    return {
+        ScanState.IDLE: translate("ScanPage", "Starting…"),
+        ScanState.PREPARING: translate("ScanPage", "Finding the object, view {view} of {views}"),
+        ScanState.SCANNING: translate("ScanPage", "View {view} of {views}"),
+        ScanState.PAUSED: translate("ScanPage", "Paused in view {view} of {views}; the laser is dark"),
+        ScanState.FINISHING: translate("ScanPage", "Bringing the views together…"),
+        ScanState.FAULT: translate("ScanPage", "A fault: the laser is off"),
+    }[status.state].format(view=_view(status), views=status.views)
+
+
+def _pass_words(status: ScanStatus, steering: SteeringStatus) -> str:
+    translate = QCoreApplication.translate
+    if steering.computing:
+        line = translate("ScanPage", "Computing where more points are needed…")
+    elif steering.number == 1:
+        line = translate("ScanPage", "Coarse pass: view {view} of {views}")
+    else:
+        line = translate("ScanPage", "Pass {number}, where it is needed: view {view} of {views}")
+    line = line.format(number=steering.number, view=_view(status), views=status.views)
+    if steering.within is None:
+        return line
+    within = translate("ScanPage", "{share} % within {wanted} µm so far")
+    return f"{line}\n" + within.format(share=fmt.percent(steering.within), wanted=fmt.micrometres(steering.wanted_um))
+
+
+def _view(status: ScanStatus) -> int:
+    return min(status.view + 1, status.views)
+
+
+def coverage_words(result: SteeringResult) -> str:
+    """How much of the surface is as wanted, what cannot be, and why the scan did not go on."""
+    translate = QCoreApplication.translate
+    report = result.coverage
+    if report is None:
+        return "" if result.refused is None else sentence_of(result.refused)[0]
+    wanted = fmt.micrometres(report.wanted_um)
+    parts = [translate("ScanPage", "{share} % within {wanted} µm").format(share=fmt.percent(report.reachable_within_fraction), wanted=wanted)]
+    hidden = sum(not place.reason.reachable for place in report.places)
+    if hidden == 1:
+        parts.append(translate("ScanPage", "1 place cannot be seen from this mount"))
+    elif hidden:
+        parts.append(translate("ScanPage", "{count} places cannot be seen from this mount").format(count=hidden))
+    if result.end in (PassesEnd.POINTS_SPENT, PassesEnd.UNIFORM):
+        parts.append(translate("ScanPage", "all points are spent"))
+    elif result.end is PassesEnd.VIEWS_SPENT:
+        parts.append(translate("ScanPage", "no further view fits into this scan"))
+    elif result.end is PassesEnd.NO_GAIN:
+        parts.append(translate("ScanPage", "more points would not help"))
+    return "; ".join(parts)
+
+
+def status_words(status: ScanStatus) -> str:
+    """One line about a scan for the header of the 3D view."""
+    return QCoreApplication.translate("ScanPage", "{points} points  ·  view {view} of {views}").format(
+        points=fmt.count(status.counts.measured), view=min(status.view + 1, max(status.views, 1)), views=status.views
+    )

@@ -1,0 +1,1 @@
+"""Are the reasons right?  Reconstructed surfaces against rays cast at the truth."""

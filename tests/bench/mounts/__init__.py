@@ -1,0 +1,1 @@
+"""Mounts of one object that overlap in part, and how they are brought together."""
