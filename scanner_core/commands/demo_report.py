@@ -60,6 +60,7 @@ def demo_page(values: Mapping[str, Any], cloud: PointCloud, mesh: TriangleMesh) 
             ("Its residual", f"{calibration['held_out_rms_um']:.1f} µm on held-out corners"),
             ("Turntable axis", f"{calibration['axis_position_rms_um']:.1f} µm, {calibration['axis_angle_rms_deg']:.4f}° rms"),
             ("Registration", _registration(registration)),
+            *_marks(values),
         )
     )
     page.section("Surface")
@@ -89,6 +90,13 @@ def demo_page(values: Mapping[str, Any], cloud: PointCloud, mesh: TriangleMesh) 
     _plots(page, values, cloud, mesh)
     page.footer(f"{values['case']}", "page 1 of 1")
     return page
+
+
+def _marks(values: Mapping[str, Any]) -> list[tuple[str, str]]:
+    marks = values.get("marks")
+    if marks is None or marks["marks_um"] is None:
+        return []
+    return [("Marks on the rim", f"{marks['marks_um']:.1f} µm rms, {marks['visits']} visits, against {marks['reference']} distances")]
 
 
 def _registration(registration: Mapping[str, Any]) -> str:
