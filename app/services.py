@@ -9,6 +9,7 @@ from app.controllers.acquisition import AcquisitionController
 from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
+from app.controllers.coverage import CoverageController
 from app.controllers.export import ExportController
 from app.controllers.live_surface import LiveSurfaceController
 from app.controllers.reconstruction import ReconstructionController
@@ -34,3 +35,4 @@ class Services:
     recovery: RecoveryController
     assistant: AssistantController
     live_surface: LiveSurfaceController
+    coverage: CoverageController

@@ -6,7 +6,7 @@ import threading
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from app.background import Background
 from app.controllers.case import CaseController
@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from scanner_core.case.store import CaseStore
     from scanner_core.jobs.messages import JobEvent
     from scanner_core.jobs.worker import JobHandle, Worker
+
+T = TypeVar("T")
 
 
 class CaseJob:
@@ -37,20 +39,24 @@ class CaseJob:
     def start(
         self,
         request: Callable[[Path], object],
-        done: Callable[[object], None],
+        prepare: Callable[[Any], T],
+        done: Callable[[T], None],
         failed: Callable[[Exception], None],
     ) -> None:
-        """Run on the case as it stands now; `request` is made for the copy.  Then `done` or `failed` in the GUI thread.
+        """Run on the case as it stands now; `request` is made for the copy.
 
-        `failed` gets :class:`Cancelled` when it was cancelled.
+        Then `prepare` makes of the result, off the GUI thread, what `done` gets in it; or `failed` gets the fault, which is
+        :class:`Cancelled` when it was cancelled.
         """
         store = self._case.store
         if self.running or store is None:
             return
         self.running, self._handle = True, None
         self._turn += 1
-        end = partial(self._end, self._turn, done, failed)
-        self._background.run(f"{self._name}-start", partial(self._submit, self._turn, store, request, end), None, end)
+        turn = self._turn
+        end = partial(self._end, turn, failed)
+        hear = partial(self._hear, prepare, partial(self._finish, turn, done, failed), end)
+        self._background.run(f"{self._name}-start", partial(self._submit, turn, store, request, hear), None, end)
 
     def cancel(self) -> None:
         """Harmless when nothing runs."""
@@ -72,7 +78,7 @@ class CaseJob:
             worker.close()
 
     # -------------------------------------------------------------------------------- other threads
-    def _submit(self, turn: int, store: CaseStore, request: Callable[[Path], object], end: Callable[[object], None]) -> None:
+    def _submit(self, turn: int, store: CaseStore, request: Callable[[Path], object], hear: Callable[[CaseSnapshot, JobEvent], None]) -> None:
         from scanner_core.case.snapshot import CaseSnapshot
 
         snapshot = CaseSnapshot(store)
@@ -80,7 +86,7 @@ class CaseJob:
             worker = self._ready_worker()
             if worker is None or turn != self._turn:
                 raise Cancelled
-            self._handle = worker.submit(self._job_name, request(snapshot.path), partial(self._hear, snapshot, end))
+            self._handle = worker.submit(self._job_name, request(snapshot.path), partial(hear, snapshot))
         except BaseException:
             snapshot.close()
             raise
@@ -95,7 +101,9 @@ class CaseJob:
                 self._worker = Worker(self._name, job=self._job_name)
             return None if self._closed else self._worker
 
-    def _hear(self, snapshot: CaseSnapshot, end: Callable[[object], None], event: JobEvent) -> None:
+    def _hear(
+        self, prepare: Callable[[Any], T], done: Callable[[T], None], failed: Callable[[Exception], None], snapshot: CaseSnapshot, event: JobEvent
+    ) -> None:
         """In the worker's listener thread."""
         from scanner_core.jobs.messages import JobCancelled, JobDone, JobFailed, JobProgress
 
@@ -105,18 +113,20 @@ class CaseJob:
         snapshot.close()
         match event:
             case JobDone(result):
-                self._background.post(partial(end, result))
+                self._background.post(partial(done, prepare(result)))
             case JobFailed(error):
-                self._background.post(partial(end, error))
+                self._background.post(partial(failed, error))
             case JobCancelled():
-                self._background.post(partial(end, Cancelled()))
+                self._background.post(partial(failed, Cancelled()))
 
     # -------------------------------------------------------------------------------- back in the GUI thread
-    def _end(self, turn: int, done: Callable[[object], None], failed: Callable[[Exception], None], answer: object) -> None:
+    def _finish(self, turn: int, done: Callable[[T], None], failed: Callable[[Exception], None], answer: T) -> None:
         self.running = False
-        if turn != self._turn:
-            failed(Cancelled())
-        elif isinstance(answer, Exception):
-            failed(answer)
-        else:
+        if turn == self._turn:
             done(answer)
+        else:
+            failed(Cancelled())
+
+    def _end(self, turn: int, failed: Callable[[Exception], None], fault: Exception) -> None:
+        self.running = False
+        failed(fault if turn == self._turn else Cancelled())

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
@@ -65,7 +65,7 @@ class CoverageController(QObject):
             self._job.cancel()
             return
         self.phase = ""
-        self._job.start(self._request, self._done, self._failed)
+        self._job.start(self._request, _prepared, self._done, self._failed)
         self.changed.emit()
 
     def cancel(self) -> None:
@@ -94,9 +94,8 @@ class CoverageController(QObject):
 
         return CoverageRequest(path, self._wanted_um)
 
-    def _done(self, answer: object) -> None:
-        self.found = found = cast("CaseCoverage", answer)
-        self.surface = Surface.of(found.surface, growing=False)
+    def _done(self, answer: tuple[CaseCoverage, Surface]) -> None:
+        self.found, self.surface = answer
         self.changed.emit()
 
     def _failed(self, fault: Exception) -> None:
@@ -107,3 +106,7 @@ class CoverageController(QObject):
         self.changed.emit()
         if not isinstance(fault, Cancelled):
             self._tell(fault)
+
+
+def _prepared(found: CaseCoverage) -> tuple[CaseCoverage, Surface]:
+    return found, Surface.of(found.surface, growing=False)

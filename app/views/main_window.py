@@ -19,6 +19,7 @@ from app.undo import UndoHistory
 from app.views import format as fmt
 from app.views.activity import activity_words
 from app.views.banner import Banner
+from app.views.coverage_page import CoveragePage
 from app.views.file_dialogs import choose_file
 from app.views.laser_lamps import LaserLamps
 from app.views.page import Page
@@ -66,6 +67,8 @@ class MainWindow(QMainWindow):
             page.wanted.connect(self.show_page)
             page.intent.connect(self._do)
             page.noted.connect(self.banner.tell_note)
+            page.aside_changed.connect(self._show_aside)
+            page.flight.connect(lambda points, normal: self._with_scene(lambda scene: scene.fly_to(points, normal)))
             self.pages[info.id] = page
             self._stack.addWidget(page)
         self._stage_seam = seam(upright=True)
@@ -107,6 +110,7 @@ class MainWindow(QMainWindow):
         self.scene = scene
         self.stage.put_scene(scene)
         self._show_case()
+        self._show_aside()
 
     def paint_scene(self) -> float:
         """For the pump."""
@@ -130,6 +134,7 @@ class MainWindow(QMainWindow):
         self.rail.show_page(info.of or page_id)
         self._show_whose()
         page.entered()
+        self._show_aside()
 
     @property
     def page_id(self) -> str:
@@ -183,6 +188,17 @@ class MainWindow(QMainWindow):
                 until_um=float(values.until_um) if values.until_um else None,
             )
         )
+
+    def show_coverage(self) -> None:
+        self.show_page("coverage")
+
+    def fill(self) -> None:
+        """Scan on, as the object stands."""
+        page = self.pages["coverage"]
+        assert isinstance(page, CoveragePage)
+        if page.fill.isEnabled():
+            self.banner.dismiss()
+            self.services.acquisition.fill(float(page.wanted_um.value()), self.services.draft.values.points)
 
     def pause_scan(self) -> None:
         self.services.acquisition.pause_or_resume()
@@ -368,17 +384,12 @@ class MainWindow(QMainWindow):
         self._show_legend()
         self._show_actions()
 
+    def _show_aside(self) -> None:
+        self._with_scene(lambda scene: scene.show_aside(self.pages[self.page_id].aside()))
+        self._show_legend()
+
     def _show_legend(self) -> None:
-        scene = self.scene
-        bounds = None if scene is None else scene.cloud.bounds_mm
-        if scene is not None and scene.mesh.range_um is not None:
-            self.stage.legend.show_uncertainty(*scene.mesh.range_um)
-        elif bounds is not None and self.actions_by_id["show_points"].isChecked():
-            self.stage.legend.show_height(float(bounds[0, 2]), float(bounds[1, 2]))
-        elif scene is not None and scene.mesh.surface is not None and not scene.mesh.surface.growing:
-            self.stage.legend.show_support(self.tr("scanned"), self.tr("not scanned"))
-        else:
-            self.stage.legend.hide()
+        self.stage.legend.show_scene(self.scene, points=self.actions_by_id["show_points"].isChecked())
 
     def _show_actions(self) -> None:
         running, case = self.services.acquisition.running, self.services.case

@@ -82,5 +82,7 @@ def run(request: MountsRequest, *, progress: OnProgress, cancelled: IsCancelled)
             cloud = part.measured(store, own).cloud
             assert cloud.table_deg is not None
             clouds.append(MountCloud(part.mount, cloud.points, seen_from(cloud.table_deg), poses.get(part.mount)))
-        reports = [(outcome.mount, outcome.pose, outcome.as_dict(registered.first_mount)) for outcome in registered.outcomes if outcome.start != "first"]
+        reports = [
+            (outcome.mount, outcome.pose, outcome.as_dict(registered.first_mount)) for outcome in registered.outcomes if outcome.start != "first"
+        ]
         return FoundMounts(registered, tuple(reports), corrections, tuple(clouds))
