@@ -54,6 +54,8 @@ ACTIONS: tuple[ActionInfo, ...] = (
     ActionInfo("laser_off", SCAN, QT_TRANSLATE_NOOP("actions", "Stop and &laser off"), "Esc", "laser", "laser_off"),
     ActionInfo("coverage", SCAN, QT_TRANSLATE_NOOP("actions", "&Coverage"), "F8", "", "show_coverage"),
     ActionInfo("fill", SCAN, QT_TRANSLATE_NOOP("actions", "&Fill now"), "Shift+F5", "", "fill"),
+    ActionInfo("another_mount", SCAN, QT_TRANSLATE_NOOP("actions", "Another &mount"), "F9", "", "show_mounts"),
+    ActionInfo("scan_mount", SCAN, QT_TRANSLATE_NOOP("actions", "Scan &this mount"), "Shift+F9", "", "scan_mount"),
     ActionInfo("set_up_rig", SCAN, QT_TRANSLATE_NOOP("actions", "Set up a ri&g…"), "", "rig", "set_up_rig"),
     ActionInfo("reconstruct", SCAN, QT_TRANSLATE_NOOP("actions", "&Reconstruct"), "F7", "reconstruct", "start_reconstruction"),
     ActionInfo("fit", VIEW, QT_TRANSLATE_NOOP("actions", "&Fit"), "F", "fit", "view_fit"),

@@ -22,6 +22,8 @@ from app.controllers.comparing import Comparing
 from app.controllers.coverage import CoverageController
 from app.controllers.export import ExportController
 from app.controllers.live_surface import LiveSurfaceController
+from app.controllers.mount_picks import MountPicks
+from app.controllers.mounts import MountsController
 from app.controllers.reconstruction import ReconstructionController
 from app.controllers.recovery import RecoveryController
 from app.controllers.rig import RigController
@@ -84,8 +86,24 @@ class Program(QObject):
         assistant = AssistantController(self.background, rig, self.tell, self)
         live = LiveSurfaceController(self.background, acquisition, self)
         coverage = CoverageController(self.background, cases, acquisition, self.tell, self)
+        mounts = MountsController(self.background, cases, acquisition, rig, self.tell, self)
+        picks = MountPicks(self.compare_stack, mounts, self)
         self.services = Services(
-            self.settings, draft, self.background, rig, cases, acquisition, reconstruction, export, comparing, recovery, assistant, live, coverage
+            self.settings,
+            draft,
+            self.background,
+            rig,
+            cases,
+            acquisition,
+            reconstruction,
+            export,
+            comparing,
+            recovery,
+            assistant,
+            live,
+            coverage,
+            mounts,
+            picks,
         )
         draft.load(first_order(self.settings.last_order))
         self._event_log = EventLog(self.services, self)
@@ -97,7 +115,7 @@ class Program(QObject):
         install_hooks(self._show)
         self._shading = Shading(self.background)
         pages = [page.tick for page in self.window.pages.values()]
-        drains = (self.background.drain, acquisition.drain, reconstruction.drain, comparing.drain, coverage.drain)
+        drains = (self.background.drain, acquisition.drain, reconstruction.drain, comparing.drain, coverage.drain, mounts.drain)
         for source in (*drains, live.tick, self._shading.tick, *pages):
             self.pump.add_source(source)
         for painter in (self.window.paint_scene, *(page.paint_scene for page in self.window.pages.values())):
@@ -163,6 +181,7 @@ class Program(QObject):
             ("reconstruction", services.reconstruction.shutdown),
             ("comparison", services.comparing.shutdown),
             ("coverage", services.coverage.shutdown),
+            ("mounts", services.mounts.shutdown),
             ("case", lambda: services.case.shutdown(_DEADLINE_S)),
             ("shading", lambda: self._shading.close(_DEADLINE_S)),
             ("background", self._end_background),

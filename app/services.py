@@ -12,6 +12,8 @@ from app.controllers.comparing import Comparing
 from app.controllers.coverage import CoverageController
 from app.controllers.export import ExportController
 from app.controllers.live_surface import LiveSurfaceController
+from app.controllers.mount_picks import MountPicks
+from app.controllers.mounts import MountsController
 from app.controllers.reconstruction import ReconstructionController
 from app.controllers.recovery import RecoveryController
 from app.controllers.rig import RigController
@@ -36,3 +38,5 @@ class Services:
     assistant: AssistantController
     live_surface: LiveSurfaceController
     coverage: CoverageController
+    mounts: MountsController
+    mount_picks: MountPicks

@@ -22,6 +22,7 @@ from app.views.banner import Banner
 from app.views.coverage_page import CoveragePage
 from app.views.file_dialogs import choose_file
 from app.views.laser_lamps import LaserLamps
+from app.views.mounts_page import MountsPage
 from app.views.page import Page
 from app.views.pages import ASIDE, PAGES
 from app.views.parts import seam
@@ -175,18 +176,19 @@ class MainWindow(QMainWindow):
         self._undo.redo()
 
     def start_scan(self) -> None:
-        rig, values = self.services.rig.snapshot, self.services.draft.values
         if self.services.acquisition.running or self.services.reconstruction.running:
             return
         self.banner.dismiss()
-        self.services.acquisition.start(
-            PlanRequest(
-                views=values.views,
-                points=values.points,
-                object_radius_mm=rig.specimen_radius_mm,
-                object_height_mm=rig.specimen_height_mm,
-                until_um=float(values.until_um) if values.until_um else None,
-            )
+        self.services.acquisition.start(self._request())
+
+    def _request(self) -> PlanRequest:
+        rig, values = self.services.rig.snapshot, self.services.draft.values
+        return PlanRequest(
+            views=values.views,
+            points=values.points,
+            object_radius_mm=rig.specimen_radius_mm,
+            object_height_mm=rig.specimen_height_mm,
+            until_um=float(values.until_um) if values.until_um else None,
         )
 
     def show_coverage(self) -> None:
@@ -199,6 +201,17 @@ class MainWindow(QMainWindow):
         if page.fill.isEnabled():
             self.banner.dismiss()
             self.services.acquisition.fill(float(page.wanted_um.value()), self.services.draft.values.points)
+
+    def show_mounts(self) -> None:
+        self.show_page("mounts")
+
+    def scan_mount(self) -> None:
+        """The object as it stands now, into the same case."""
+        page = self.pages["mounts"]
+        assert isinstance(page, MountsPage)
+        if page.scan.isEnabled():
+            self.banner.dismiss()
+            self.services.acquisition.start_mount(self._request())
 
     def pause_scan(self) -> None:
         self.services.acquisition.pause_or_resume()
@@ -293,6 +306,7 @@ class MainWindow(QMainWindow):
         services.comparing.answers.changed.connect(self._show_activity)
         services.comparing.draft.changed.connect(self._show_whose)
         services.assistant.changed.connect(self._show_activity)
+        services.mounts.began.connect(self.show_mounts)
         self._undo.changed.connect(self._show_undo)
         self.rail.show_order(services.draft.values)
 

@@ -10,7 +10,9 @@ from app.views.compare_page import ComparePage
 from app.views.coverage_page import CoveragePage
 from app.views.export_page import ExportPage
 from app.views.home_page import HomePage
+from app.views.mounts_page import MountsPage
 from app.views.page import MakePage
+from app.views.pick_page import PickPage
 from app.views.reconstruct_page import ReconstructPage
 from app.views.rig_page import RigPage
 from app.views.scan_page import ScanPage
@@ -46,5 +48,7 @@ PAGES: tuple[PageInfo, ...] = (
 ASIDE: tuple[PageInfo, ...] = (
     PageInfo("assistant", QT_TRANSLATE_NOOP("pages", "Set up a rig"), "rig", AssistantPage, of="rig"),
     PageInfo("coverage", QT_TRANSLATE_NOOP("pages", "Coverage"), "scan", CoveragePage, stage=QT_TRANSLATE_NOOP("pages", "Coverage"), of="scan"),
+    PageInfo("mounts", QT_TRANSLATE_NOOP("pages", "Another mount"), "scan", MountsPage, stage=QT_TRANSLATE_NOOP("pages", "Mounts"), of="scan"),
+    PageInfo("pick", QT_TRANSLATE_NOOP("pages", "Pick three points"), "scan", PickPage, of="scan"),
 )
 """What is not done for every order: not in the rail."""
