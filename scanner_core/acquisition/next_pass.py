@@ -41,6 +41,9 @@ _NARROWEST_SPOTS = 0.3
 
 _NOT_MUCH_MORE = 1.3
 
+_MEAN_COSINE = 0.5
+"""Of the beam on the places that it measures: a raster is less dense on a slope."""
+
 _LEAST_POINTS = 40
 """A view with fewer points cannot be registered, and is not worth a turn."""
 
@@ -117,7 +120,8 @@ def next_pass(
     budget_points = _of_this_pass(budget_points, len(cloud))
     demand = places.demand
     view_points = rate_hz * TURN_S
-    choice = choose_views(demand, sd_um, float(budget_points), wanted_um if aim_um is None else aim_um, view_points, _MOST_VIEWS)
+    densest = _MEAN_COSINE / (_NARROWEST_SPOTS * rig.laser.spot_diameter_mm) ** 2
+    choice = choose_views(demand, sd_um, float(budget_points), wanted_um if aim_um is None else aim_um, densest, view_points, _MOST_VIEWS)
     here = np.asarray(np.isfinite(sd_um).any(axis=0), np.bool_)
     now = demand.uncertainty_um <= wanted_um
     area = demand.area_mm2 * (here | now)
