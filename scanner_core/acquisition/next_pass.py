@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from scanner_core.acquisition.beam_fit import fitted_laser
 from scanner_core.acquisition.beam_rows import beam_rows
 from scanner_core.acquisition.plan import ViewPlan
 from scanner_core.acquisition.remount import RemountAdvice, remount_advice
@@ -98,6 +99,7 @@ def next_pass(
     check : raises when the caller asked to stop
     """
     places = SurfacePlaces.of(surface, cloud)
+    rig = replace(rig, laser=fitted_laser(rig.laser, done, cloud))
     if noise is not None and noise.angle_rad <= 0:  # residuals that show nothing beside the pixels' noise would make points exact
         noise = replace(noise, angle_rad=NoiseModel.prior(calibration, rig.spot.floor_px).angle_rad)
     sightlines = Sightlines(rig, calibration, surface, places.points, places.normals, noise)
