@@ -100,6 +100,7 @@ def _parser() -> argparse.ArgumentParser:
     demo.add_argument("--preset", default="bench", help="bench, paper-2003 or workshop")
     demo.add_argument("--points", type=_count, default=None, metavar="N", help="wanted number of points (default 20000)")
     demo.add_argument("--views", type=_count, default=None, metavar="N", help="table positions (default 16)")
+    demo.add_argument("--marks", action="store_true", help="three balls on the table's rim that watch over the rig (a rig file: table [marks])")
     demo.add_argument("--until-um", type=_positive, default=None, metavar="U", help=_UNTIL)
     demo.add_argument("--out", metavar="DIR", help="folder of the results (default: a new dated folder here)")
     demo.add_argument("--triangles", type=_count, default=None, metavar="N", help="at most N triangles")

@@ -87,10 +87,11 @@ class ExportController(QObject):
     def write(self, path: Path, *, points: bool, replace: bool) -> None:
         """Write mesh or points of the open case; an existing file only with `replace`."""
         mesh = None if self._case.surface is None else self._case.surface.mesh
-        cloud = self._case.cloud
+        cloud, store = self._case.cloud, self._case.store
         self.busy = True
 
         def work() -> WrittenFile:
+            from scanner_core.acquisition.mark_visits import case_marks
             from scanner_core.errors import UsageError
             from scanner_core.files import storage_error
             from scanner_core.mesh_io import write_mesh, write_points
@@ -102,7 +103,8 @@ class ExportController(QObject):
             if points and cloud is not None:
                 write_points(path, cloud, force=replace)
             elif not points and mesh is not None:
-                write_mesh(path, mesh, force=replace)
+                marks = None if store is None else case_marks(store)
+                write_mesh(path, mesh, force=replace, remark="" if marks is None else marks.brief())
             else:
                 raise UsageError("E-USE-01", what="There is nothing to export yet", do="scan and reconstruct first")
             return WrittenFile(path, path.stat().st_size)

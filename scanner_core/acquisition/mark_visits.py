@@ -6,6 +6,7 @@ them which scan it belongs to, what it was for, and which balls were to be seen.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -96,8 +97,12 @@ class MarksReport:
             "scale_uncertainty_ppm": self.scale_uncertainty_ppm,
         }
 
+    def brief(self) -> str:
+        """As the headers of files tell it."""
+        return f"marks_um={'unknown' if self.marks_um is None else f'{self.marks_um:.1f}'} visits={self.visits}"
+
     def words(self) -> str:
-        """As files tell it."""
+        """For a person."""
         rms = "unknown" if self.marks_um is None else f"{self.marks_um:.1f}"
         return f"marks_um {rms} ({self.visits} visits, against the {self.reference} distances)"
 
@@ -123,8 +128,18 @@ def recalled(store: CaseStore, scan_id: int, rig: RigConfig, calibration: Stereo
     return watch
 
 
+def case_marks(store: CaseStore, scans: Sequence[int] = ()) -> MarksReport | None:
+    """The check value of some scans of a case, of several the worst; by default of the newest.  None when they had no marks."""
+    known = [scan for scan in store.scans() if scan.kind == "scan"]
+    asked = [scan for scan in known if scan.id in scans] or known[-1:]
+    reports = [report for scan in asked if (report := marks_report(store, scan)) is not None]
+    return max(reports, key=lambda report: report.marks_um or 0.0, default=None)
+
+
 def marks_report(store: CaseStore, scan: ScanRecord, calibration: StereoCalibration | None = None) -> MarksReport | None:
     """The check value of a scan of a case, with its own calibration or another; None when it was scanned without marks."""
+    if not any(visit.scan_id == scan.id for record in store.scans() if (visit := VisitPlan.of(record)) is not None):
+        return None
     rig, used = case_rig(store, scan)
     watch = recalled(store, scan.id, rig, calibration or used)
     if watch is None or rig.marks is None:

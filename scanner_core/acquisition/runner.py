@@ -197,6 +197,8 @@ class ScanRunner:
             if scan_id is not None:
                 for finding in self._health.findings:
                     self._store.audit(f"health {finding.code}", json.dumps(finding.as_dict()))
+                if self._follower.marks is not None and (marks := self._follower.marks.report()) is not None:
+                    self._store.audit("marks", json.dumps(marks.as_dict()))
                 if counts.measured and not isinstance(error, StorageError):
                     views = register_case(self._store, scan_id, self._rig.config, self.calibration)
                 # Last: a scan that is killed before its views are registered must not count as complete.

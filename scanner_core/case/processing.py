@@ -131,7 +131,7 @@ class ProcessedCase:
     processing : with the scans that were taken
     cloud : registered, mm, in the order of the trigger ids; views of later scans are numbered on.  The points of one mount are
         in its object frame, those of several in that of the first mount of the case
-    mounts : that the points are of
+    mounts : that the points are of, each with where its object frame lies in the frame of the cloud
     counts : over the plans of the scans, with the verdicts as they are now
     calibrations : identities that the points were computed with
     noise : of each scan
@@ -146,7 +146,7 @@ class ProcessedCase:
     noise: tuple[NoiseModel, ...]
     registered: bool
     registration: dict[str, object] | None
-    mounts: tuple[int, ...] = (0,)
+    mounts: Mapping[int, RigidTransform] = field(default_factory=lambda: {0: RigidTransform.identity()})
 
     def as_dict(self) -> dict[str, object]:
         """For JSON and a mesh's provenance."""
@@ -246,7 +246,7 @@ def process_case(store: CaseStore, processing: Processing, other: StereoCalibrat
         noise=tuple(part.noise for part in measured),
         registered=anew,
         registration=registration,
-        mounts=tuple(poses),
+        mounts=poses,
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import replace
 from pathlib import Path
 
 from scanner_core.acquisition.plan import ScanPlan
@@ -14,6 +15,7 @@ from scanner_core.coverage.covering import cover
 from scanner_core.coverage.exposures import exposures_of
 from scanner_core.coverage.report import CoverageReport
 from scanner_core.errors import CaseError
+from scanner_core.geometry.mesh import TriangleMesh
 
 _TOLD = 12
 """Places that are told to a person; JSON has all."""
@@ -28,7 +30,12 @@ def run(given: argparse.Namespace, console: Console) -> int:
         processed = process_case(store, chosen_processing(store))
         scan = next(scan for scan in store.scans() if scan.id == processed.processing.scans[-1])
         rig, calibration = case_rig(store, scan)
-        observed = exposures_of(store.exposures(scan.id), ScanPlan.from_dict(scan.plan), processed.cloud, rig)
+        cloud = processed.cloud
+        if len(processed.mounts) > 1:  # of interest is how the object stands now: in the newest mount, in whose frame it was seen
+            vertices = processed.mounts[scan.mount].inverse().apply(mesh.vertices)
+            mesh = TriangleMesh(vertices, mesh.triangles, mesh.vertex_attributes)
+            cloud = process_case(store, replace(processed.processing, scans=(scan.id,))).cloud
+        observed = exposures_of(store.exposures(scan.id), ScanPlan.from_dict(scan.plan), cloud, rig)
     report = cover(mesh, rig, calibration, given.until_um, observed)
     console.result({"case": str(path)} | report.as_dict(), coverage_summary(report))
     return 0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import replace
 from pathlib import Path
 
 from scanner_core import wall_clock
@@ -17,6 +18,7 @@ from scanner_core.commands.demo_report import write_demo_report
 from scanner_core.commands.overwriting import check_case_free, overwriting
 from scanner_core.commands.reconstructing import reconstruction_summary, run_reconstruction
 from scanner_core.commands.scanning import begins, faults, run_scan, scan_json, scan_summary, sized_for, specimen_on_table, without_terms
+from scanner_core.devices.marks_config import shipped_marks
 from scanner_core.devices.rig import load_preset
 from scanner_core.errors import StorageError, UsageError
 from scanner_core.files import replaced_when_whole
@@ -30,6 +32,8 @@ CASE, MESHES, REPORT = "case.impronta", ("mesh.stl", "mesh.ply"), "report.pdf"
 
 def run(given: argparse.Namespace, console: Console) -> int:
     config = without_terms(load_preset(given.preset), given.without)
+    if given.marks:
+        config = replace(config, marks=shipped_marks(given.preset))
     if given.treated and given.specimen != "arch":
         raise UsageError("E-USE-01", what="Only the arch can be scanned after treatment", do="use --specimen arch --treated")
     specimen = specimen_on_table(given, config)
@@ -60,7 +64,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
             report = surface.report.as_dict()
             store.put_mesh(surface.mesh, {"parameters": parameters.as_dict(), "report": report, "seed": given.seed})
             for name in MESHES:
-                write_mesh(folder / name, surface.mesh, force=given.force)
+                write_mesh(folder / name, surface.mesh, force=given.force, remark="" if scan.marks is None else scan.marks.brief())
             error = truth_error(specimen, scan.views.cloud, surface.mesh, given.seed).as_dict()
             values |= {"reconstruct": report, "error_vs_truth_um": error}
             with replaced_when_whole(folder / REPORT, given.force) as partial:

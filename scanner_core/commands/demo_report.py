@@ -60,6 +60,7 @@ def demo_page(values: Mapping[str, Any], cloud: PointCloud, mesh: TriangleMesh) 
             ("Its residual", f"{calibration['held_out_rms_um']:.1f} µm on held-out corners"),
             ("Turntable axis", f"{calibration['axis_position_rms_um']:.1f} µm, {calibration['axis_angle_rms_deg']:.4f}° rms"),
             ("Registration", _registration(registration)),
+            *_marks(values),
             *_steering(values),
         )
     )
@@ -102,6 +103,13 @@ def _steering(values: Mapping[str, Any]) -> list[tuple[str, str]]:
         within = 100 * values["coverage"]["reachable_within_fraction"]
         told.append((f"Within {values['until_um']:g} µm", f"{within:.1f} % of what can be measured"))
     return told
+
+
+def _marks(values: Mapping[str, Any]) -> list[tuple[str, str]]:
+    marks = values.get("marks")
+    if marks is None or marks["marks_um"] is None:
+        return []
+    return [("Marks on the rim", f"{marks['marks_um']:.1f} µm rms, {marks['visits']} visits, against {marks['reference']} distances")]
 
 
 def _registration(registration: Mapping[str, Any]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from scanner_core.acquisition.mark_visits import case_marks
 from scanner_core.case.processing import case_cloud
 from scanner_core.case.store import CaseStore
 from scanner_core.commands.console import Console
@@ -30,12 +31,15 @@ def run(given: argparse.Namespace, console: Console) -> int:
             write_points(out, cloud, force=given.force)
             console.result({"file": str(out), "points": len(cloud)}, [f"{len(cloud)} points written to {out}."])
         else:
-            mesh, _ = store.mesh()
+            mesh, provenance = store.mesh()
+            scans = provenance.get("scans")
+            marks = case_marks(store, scans if isinstance(scans, list) else ())
             if dicom_wanted:
                 write_encapsulated_stl(out, mesh, _subject(store), "Surface", force=given.force)
             else:
-                write_mesh(out, mesh, force=given.force)
-            console.result({"file": str(out), "triangles": len(mesh.triangles)}, [f"{len(mesh.triangles)} triangles written to {out}."])
+                write_mesh(out, mesh, force=given.force, remark="" if marks is None else marks.brief())
+            told: dict[str, object] = {} if marks is None else {"marks": marks.as_dict()}
+            console.result({"file": str(out), "triangles": len(mesh.triangles)} | told, [f"{len(mesh.triangles)} triangles written to {out}."])
     return 0
 
 

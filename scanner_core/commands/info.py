@@ -7,6 +7,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from scanner_core.acquisition.mark_visits import KIND, case_marks
 from scanner_core.case.decoding import damaged
 from scanner_core.case.processing import chosen_processing
 from scanner_core.case.recovery import describe
@@ -50,6 +51,9 @@ def _case_words(values: dict[str, Any]) -> list[str]:
     if values["interrupted"] is not None:
         words = "Interrupted: {measured} of {wanted} points, {views_done} of {views} views complete; go on with 'impronta scan --resume'."
         lines.append(words.format(**values["interrupted"]))
+    if (marks := values.get("marks")) is not None:
+        rms = "unknown" if marks["marks_um"] is None else f"{marks['marks_um']:.1f} um"
+        lines.append(f"Marks on the table's rim: {rms} rms off their {marks['reference']} distances, {marks['visits']} visits")
     for pose in values["mounts"]:
         words = f"joined, residual {pose['residual_um']} um" if pose["accepted"] else f"kept apart: {pose['reason']}"
         lines.append(f"Mount {pose['mount']}: {words}")
@@ -104,10 +108,13 @@ def _case(path: Path) -> dict[str, object]:
                 "registered_views": len(store.corrections(scan.id)),
             }
             for scan in store.scans()
+            if scan.kind != KIND
         ]
         values: dict[str, object] = {"kind": "case", "file": str(path), "order": asdict(store.order()), "scans": scans, "meshes": store.mesh_count()}
         values["comparisons"] = [_comparison(path, kept) for kept in kept_comparisons(store)]
         values["processing"] = chosen_processing(store).as_dict()
+        if (marks := case_marks(store)) is not None:
+            values["marks"] = marks.as_dict()
         values["mounts"] = [_mount(pose) for _, pose in sorted(store.mount_poses().items())]
         told = describe(store)
         values["interrupted"] = told and {name: getattr(told, name) for name in ("measured", "wanted", "views_done", "views")}

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from scanner_core.acquisition.mark_visits import case_marks
 from scanner_core.case.recovery import describe
 from scanner_core.case.store import SUFFIX, CaseStore
 from scanner_core.commands.console import Console
@@ -44,7 +45,9 @@ def run(given: argparse.Namespace, console: Console) -> int:
             made_of = processed.provenance()
             surface = run_reconstruction(console, processed.cloud, parameters)
             provenance = {"parameters": parameters.as_dict(), "report": surface.report.as_dict(), "seed": given.seed} | made_of
-            warnings = _write(surface.mesh, out, given.force)  # first: what cannot be delivered changes no case
+            marks = case_marks(store, processed.processing.scans)
+            remark = "" if marks is None else marks.brief()
+            warnings = _write(surface.mesh, out, given.force, remark)  # first: what cannot be delivered changes no case
             if (rest := describe(store)) is not None:
                 warnings.append(
                     f"The scan did not come to its end: {rest.measured} of {rest.wanted} points, {rest.views_done} of {rest.views} views "
@@ -52,7 +55,8 @@ def run(given: argparse.Namespace, console: Console) -> int:
                 )
             asked.keep(store)
             store.put_mesh(surface.mesh, provenance)
-        _tell(surface, out, warnings, console, {"processing": made_of["processing"]})
+        more: dict[str, object] = {"processing": made_of["processing"]}
+        _tell(surface, out, warnings, console, more if marks is None else more | {"marks": marks.as_dict()})
     else:
         surface = run_reconstruction(console, _in_mm(read_points(source), _MM[given.units]), parameters)
         _tell(surface, out, _write(surface.mesh, out, given.force), console, {})
@@ -66,10 +70,10 @@ def _in_mm(cloud: PointCloud, scale: float) -> PointCloud:
     return PointCloud(cloud.points * scale, covariances, cloud.views, cloud.trigger_ids)
 
 
-def _write(mesh: TriangleMesh, out: Path, force: bool) -> list[str]:
+def _write(mesh: TriangleMesh, out: Path, force: bool, remark: str = "") -> list[str]:
     """Write the file, and return the warnings."""
     warnings = _rounding(out, mesh)
-    write_mesh(out, mesh, force=force)
+    write_mesh(out, mesh, force=force, remark=remark)
     return warnings
 
 

@@ -27,7 +27,7 @@ BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "V
 
 _BELOW_NORMAL = 0x4000
 """Windows' own number of the priority class."""
-_NICENESS = 10
+_NICENESS = 5
 
 
 def work(connection: Connection, cancelled_number: ctypes.c_int64, preload: tuple[str, ...], gentle: bool = False) -> None:

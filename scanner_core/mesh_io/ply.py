@@ -12,6 +12,7 @@ from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.mesh_io.malformed import MalformedError, checked_triangles, checked_vertices, line_of, shown
 from scanner_core.mesh_io.polygons import triangulated
 from scanner_core.mesh_io.precision import single_is_enough
+from scanner_core.one_line import one_line
 
 _TYPES = {
     "char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4", "float": "f4", "double": "f8",
@@ -93,9 +94,14 @@ def parse_ply_elements(content: bytes) -> Ply:
 
 
 def write_ply_elements(
-    file: BinaryIO, vertices: NDArray[np.float64], attributes: dict[str, Column], triangles: NDArray[np.int64] | None, coordinate_type: str = "f4"
+    file: BinaryIO,
+    vertices: NDArray[np.float64],
+    attributes: dict[str, Column],
+    triangles: NDArray[np.int64] | None,
+    coordinate_type: str = "f4",
+    remark: str = "",
 ) -> None:
-    """Binary little endian PLY of vertices (v, 3) mm with one property for each attribute (v,), and triangles (t, 3)."""
+    """Binary little endian PLY of vertices (v, 3) mm with one property for each attribute (v,), and triangles (t, 3); `remark` is a comment."""
     fields = [(axis, "<" + coordinate_type) for axis in "xyz"]
     fields += [(name, "<" + column.dtype.str[1:]) for name, column in attributes.items()]
     rows = np.zeros(len(vertices), np.dtype(fields))
@@ -104,10 +110,11 @@ def write_ply_elements(
     for name, column in attributes.items():
         rows[name] = column
     header = ["ply", "format binary_little_endian 1.0", "comment Impronta, unit: mm", f"element vertex {len(rows)}"]
+    header[3:3] = [f"comment {one_line(remark)}"] if remark else []
     header += [f"property {_NAMES[kind[1:]]} {name}" for name, kind in fields]
     if triangles is not None:
         header += [f"element face {len(triangles)}", "property list uchar int vertex_indices"]
-    file.write(("\n".join([*header, "end_header"]) + "\n").encode("ascii"))
+    file.write(("\n".join([*header, "end_header"]) + "\n").encode("ascii", "replace"))
     file.write(rows.tobytes())
     if triangles is not None:
         faces = np.zeros(len(triangles), np.dtype([("length", "u1"), ("corners", "<i4", (3,))]))
@@ -115,9 +122,9 @@ def write_ply_elements(
         file.write(faces.tobytes())
 
 
-def write_ply(file: BinaryIO, mesh: TriangleMesh) -> None:
+def write_ply(file: BinaryIO, mesh: TriangleMesh, remark: str = "") -> None:
     """Binary little endian PLY in millimetres with the mesh's vertex attributes as properties
-    (``standard_uncertainty_um`` as float, ``supported`` as uchar).
+    (``standard_uncertainty_um`` as float, ``supported`` as uchar); `remark` is a comment.
 
     Coordinates are float, and double where the origin is so far away that float would move vertices visibly."""
     attributes: dict[str, Column] = {}
@@ -127,7 +134,7 @@ def write_ply(file: BinaryIO, mesh: TriangleMesh) -> None:
         elif column.dtype.str[1:] not in _NAMES or name == "standard_uncertainty_um":
             column = np.asarray(column, np.float32)
         attributes[name] = column
-    write_ply_elements(file, mesh.vertices, attributes, mesh.triangles, "f4" if single_is_enough(mesh.vertices) else "f8")
+    write_ply_elements(file, mesh.vertices, attributes, mesh.triangles, "f4" if single_is_enough(mesh.vertices) else "f8", remark)
 
 
 def _header(content: bytes) -> tuple[str, list[_Element], int]:

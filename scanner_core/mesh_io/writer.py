@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import BinaryIO, TypeVar
 
@@ -22,8 +23,12 @@ MESH_WRITERS: dict[str, Callable[[BinaryIO, TriangleMesh], None]] = {".stl": wri
 POINT_WRITERS: dict[str, Callable[[BinaryIO, PointCloud], None]] = {".xyz": write_xyz_points, ".ply": write_ply_points}
 
 
-def write_mesh(path: Path | str, mesh: TriangleMesh, *, force: bool = False) -> None:
+def write_mesh(path: Path | str, mesh: TriangleMesh, *, force: bool = False, remark: str = "") -> None:
     """Write a mesh in mm as STL, PLY, OBJ or 3MF.
+
+    Parameters
+    ----------
+    remark : one short line for the header of STL (51 characters) and PLY; the other formats have no place for it
 
     Raises
     ------
@@ -32,7 +37,8 @@ def write_mesh(path: Path | str, mesh: TriangleMesh, *, force: bool = False) -> 
     StorageError
         E-DISK-01 no space, E-DISK-02 not allowed, E-DISK-03 exists and not `force`; `path` is then as it was.
     """
-    _written(Path(path), mesh, MESH_WRITERS, force)
+    writers = MESH_WRITERS | {".stl": partial(write_stl, remark=remark), ".ply": partial(write_ply, remark=remark)}
+    _written(Path(path), mesh, writers, force)
 
 
 def write_points(path: Path | str, cloud: PointCloud, *, force: bool = False) -> None:
@@ -52,5 +58,5 @@ def _written(path: Path, value: T, writers: dict[str, Callable[[BinaryIO, T], No
     writer = writers.get(path.suffix.lower())
     if writer is None:
         raise InputFileError("E-FILE-06", suffix=path.suffix, known=", ".join(writers))
-    with replaced_when_whole(path, force) as partial, partial.open("wb") as file:
+    with replaced_when_whole(path, force) as unfinished, unfinished.open("wb") as file:
         writer(file, value)

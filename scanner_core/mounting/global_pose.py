@@ -14,13 +14,14 @@ from scanner_core.mounting.mount_start import MountStart
 from scanner_core.mounting.mount_surface import CELLS, MountSurface
 from scanner_core.mounting.oriented_sample import OrientedSample, spacing_for
 from scanner_core.mounting.pair_voting import voted_poses
-from scanner_core.mounting.pose_fit import fit_samples, fit_surface, sample_score
+from scanner_core.mounting.sample_fit import fit_samples, sample_score
+from scanner_core.mounting.surface_fit import ALL_POINTS, fit_surface
 
 Array = NDArray[np.float64]
 
 _VOTED, _TRIED, _IMPROVED = 40, 24, 6
 """Poses: from the votes; of these, improved on the samples; of these, improved on the surfaces."""
-_ROUGH_QUERIES, _LAST_QUERIES = 800, 6000
+_ROUGH_QUERIES = 800
 _DIFFERENT = 1.0
 """In spacings, rms over the moving cloud: nearer poses are one."""
 
@@ -72,17 +73,17 @@ def find_pose(
     for number, start in enumerate(_unlike(improved, target, thin, spacing)[:_IMPROVED]):
         _check(cancelled)
         progress(Progress("improving", 0.6 + 0.3 * number / _IMPROVED))
-        fit = fit_surface(target, source, start, queries=_ROUGH_QUERIES, rounds=8)
+        fit = fit_surface(target, source, start, queries=_ROUGH_QUERIES // 2, rounds=8)
         tried.append(TriedPose(fit, agreement(target, source, fit.transform, _ROUGH_QUERIES)))
     tried.sort(key=lambda pose: -pose.agreement.score)
     if not tried:
-        return judged(None, [])
+        return judged(None, [], moving.points)
     _check(cancelled)
     progress(Progress("refining", 0.9))
-    fit = fit_surface(target, source, tried[0].fit.transform, queries=_LAST_QUERIES, rounds=6)
+    fit = fit_surface(target, source, tried[0].fit.transform, queries=ALL_POINTS, rounds=6, near=True)
     best = TriedPose(fit, agreement(target, source, fit.transform, 2 * _ROUGH_QUERIES))
     different = [pose for pose in tried[1:] if _apart_mm(pose.fit.transform, fit.transform, thin.points) > _DIFFERENT * spacing]
-    return judged(best, different)
+    return judged(best, different, moving.points)
 
 
 def _unlike(poses: list[RigidTransform], target: MountSurface, source: OrientedSample, spacing: float) -> list[RigidTransform]:

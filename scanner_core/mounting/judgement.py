@@ -9,11 +9,14 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.mounting.agreement import Agreement
 from scanner_core.mounting.mount_start import MountStart, Rival, Verdict
-from scanner_core.mounting.pose_fit import SurfaceFit
+from scanner_core.mounting.surface_fit import SurfaceFit
+
+Array = NDArray[np.float64]
 
 LEAST_POINTS = 300
 _LEAST_OVERLAP = 0.08
@@ -40,8 +43,8 @@ def too_few(points: int) -> MountStart:
     return MountStart(RigidTransform.identity(), Verdict.NO_FIT, code="E-MNT-06", fields={"points": points, "least": LEAST_POINTS})
 
 
-def judged(best: TriedPose | None, others: list[TriedPose], *, picked: bool = False) -> MountStart:
-    """The verdict on the best pose, given the best different ones; None when there was none at all.
+def judged(best: TriedPose | None, others: list[TriedPose], moving: Array, *, picked: bool = False) -> MountStart:
+    """The verdict on the best pose, given the best different ones; None when there was none at all.  `moving` are that mount's points (n, 3) mm.
 
     Directions that stay open are no reason to refuse what a person `picked`: along them the picked points count.
     """
@@ -70,6 +73,7 @@ def judged(best: TriedPose | None, others: list[TriedPose], *, picked: bool = Fa
         centre=knowledge.centre,
         radius_mm=knowledge.radius_mm,
         uncertainties_um=1e3 * knowledge.uncertainties_mm[knowledge.known],
+        uncertainty_um=1e3 * knowledge.uncertainty_mm(start.transform.apply(moving)),
     )
     if found.agree < _LEAST_AGREE or found.misfit > _MOST_MISFIT:
         return refused(start, Verdict.NO_FIT, "E-MNT-01", agree=round(100 * found.agree))

@@ -58,6 +58,7 @@ class MountStart:
         (three rows), shift (three rows), mm
     centre : (3,) mm, fixed frame
     uncertainties_um : (6 - k,) standard uncertainty along the other directions, of independent points
+    uncertainty_um : of where the pose lays the moving cloud's points, rms over them, by the same
     """
 
     transform: RigidTransform
@@ -74,6 +75,7 @@ class MountStart:
     centre: NDArray[np.float64] = field(default_factory=lambda: np.zeros(3))
     radius_mm: float = 1.0
     uncertainties_um: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
+    uncertainty_um: float = float("inf")
     code: str = ""
     fields: Mapping[str, object] = field(default_factory=dict)
 
@@ -118,6 +120,7 @@ class MountStart:
                 "angle_deg": round((rival.transform @ self.transform.inverse()).angle_deg(), 1),
             },
             "undetermined": self.undetermined.T.round(4).tolist(),
+            "uncertainty_um": _finite(self.uncertainty_um, 2),
             "uncertainties_um": self.uncertainties_um.round(2).tolist(),
         }
 

@@ -13,11 +13,12 @@ from scanner_core.mounting.judgement import LEAST_POINTS, TriedPose, judged, ref
 from scanner_core.mounting.mount_start import MountStart, Verdict
 from scanner_core.mounting.mount_surface import CELLS, MountSurface
 from scanner_core.mounting.oriented_sample import spacing_for
-from scanner_core.mounting.pose_fit import fit_samples, fit_surface
+from scanner_core.mounting.sample_fit import fit_samples
+from scanner_core.mounting.surface_fit import ALL_POINTS, fit_surface
 
 Array = NDArray[np.float64]
 
-_QUERIES, _LAST_QUERIES = 800, 8000
+_QUERIES = 800
 _PICKED_MM = 3.0
 """Picks that lie farther apart after the fit (or by more than three spacings of the sample) meant another place."""
 
@@ -58,8 +59,8 @@ def pose_from_points(
     if cancelled():
         raise Cancelled
     best = max(near, key=lambda fit: agreement(target, source, fit.transform, _QUERIES).score)
-    fit = fit_surface(target, source, best.transform, queries=_LAST_QUERIES, rounds=6)
-    found = judged(TriedPose(fit, agreement(target, source, fit.transform, 2 * _QUERIES)), [], picked=True)
+    fit = fit_surface(target, source, best.transform, queries=ALL_POINTS, rounds=6, near=True)
+    found = judged(TriedPose(fit, agreement(target, source, fit.transform, 2 * _QUERIES)), [], moving.points, picked=True)
     one, other = np.asarray(fixed_points, np.float64), fit.transform.apply(np.asarray(moving_points, np.float64))
     apart = float(np.sqrt(np.mean(np.sum((one - other) ** 2, axis=1))))
     if found.accepted and apart > max(_PICKED_MM, 3 * spacing):

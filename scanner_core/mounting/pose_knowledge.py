@@ -40,6 +40,18 @@ class PoseKnowledge:
         """(6, k) the directions that stay open, turn times radius and shift, mm."""
         return self.directions[:, ~self.known]
 
+    def uncertainty_mm(self, points: Array) -> float:
+        """Standard uncertainty of where the pose lays points (n, 3) mm, fixed frame, rms over them, by the known directions.
+
+        What lies far from the common surface is laid the less certainly.
+        """
+        arm = (points - self.centre) / self.radius_mm
+        total = 0.0
+        for direction, uncertainty in zip(self.directions.T[self.known], self.uncertainties_mm[self.known], strict=True):
+            shifts = np.cross(direction[:3], arm) + direction[3:]
+            total += float(uncertainty**2 * np.mean(np.sum(shifts**2, axis=1)))
+        return float(np.sqrt(total))
+
 
 def pose_step(points: Array, normals: Array, distances: Array, weights: Array, slope_variance: Array) -> tuple[RigidTransform, PoseKnowledge]:
     """The small motion that takes `distances` (n,) along `normals` (n, 3) off `points` (n, 3), along what they determine.

@@ -39,7 +39,7 @@ class LiveSurface:
     Attributes
     ----------
     mesh : object frame, mm, with `supported` (v,) uint8: whether points bear it out
-    supported_area : share of its area that they do
+    supported_area : share of its area in triangles whose corners all are
     points : number of points that it was made from
     followed : whether it came from the surface of the time before
     """

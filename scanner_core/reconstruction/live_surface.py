@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from scanner_core.errors import ReconstructionError
+from scanner_core.geometry.edges import row_dot
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_normals import point_normals
 from scanner_core.jobs.progress import IsCancelled, OnProgress
@@ -81,7 +82,7 @@ def live_surface(request: LiveSurfaceRequest, *, progress: OnProgress, cancelled
     balloon, followed = _balloon(before, region, means, scale, pace)
     if not fills(balloon):
         return NoSurfaceYet(NoSurfaceReason.NOT_FILLED)
-    mesh, share = _supported(balloon.mesh, means, scale, pace)
+    mesh, share = _supported(balloon.mesh, means, facing, scale, pace)
     return LiveSurface(TriangleMesh(mesh.vertices + centre, mesh.triangles, mesh.vertex_attributes), share, len(points), followed)
 
 
@@ -108,16 +109,19 @@ def _balloon(before: TriangleMesh | None, region: EnclosedRegion, points: Array,
     return inflate_at(region, choose_lengths(region, pace, _FIRST_TRIANGLES), pace), False
 
 
-def _supported(mesh: TriangleMesh, points: Array, scale: CloudScale, pace: Pace) -> tuple[TriangleMesh, float]:
+def _supported(mesh: TriangleMesh, points: Array, facing: Array, scale: CloudScale, pace: Pace) -> tuple[TriangleMesh, float]:
     """A mesh moved once towards the points, with `supported` for each vertex, and the share of its area."""
     surface = DiscreteSurface(mesh, pace.check)
     association = associate(surface, observations_of(points, None), 0.0, softly=False)
-    robust = (np.abs(association.distances_mm) < _REJECTED * surface.edge_mm).astype(np.float64)
+    near = np.abs(association.distances_mm) < _REJECTED * surface.edge_mm
+    # nothing is seen from behind: points at the rim of a view do not bear out the cap that begins there
+    robust = (near & (row_dot(association.normals, facing) > 0)).astype(np.float64)
     density = density_share(surface, association.interpolation, robust, scale.spacings_mm)
     supported = density >= MEASURED
     moved = mesh.vertices + _offsets(association, robust, supported)[:, None] * surface.normals
-    share = float(surface.area[supported].sum() / surface.area.sum())
-    return TriangleMesh(moved, mesh.triangles, {"supported": supported.astype(np.uint8)}), share
+    made = TriangleMesh(moved, mesh.triangles, {"supported": supported.astype(np.uint8)})
+    areas = made.areas()
+    return made, float(areas[supported[mesh.triangles].all(axis=1)].sum() / areas.sum())
 
 
 def _offsets(association: Association, robust: Array, supported: NDArray[np.bool_]) -> Array:

@@ -30,12 +30,15 @@ from scanner_core.coverage.placing import vertex_areas
 from scanner_core.coverage.reason import REASONS, Reason
 from scanner_core.coverage.sightlines import Sightlines
 from scanner_core.devices.rig import RigConfig, load_preset
+from scanner_core.geometry.checks import check_mesh
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.reconstruction.pipeline import reconstruct
 from scanner_core.virtual.specimens import load_specimen
 from tests.bench.coverage.simulated_scan import simulated_scan
 
+OPEN_MM = 2.0
+"""Farther from an open true surface the reconstruction closes it."""
 FEW = REASONS.index(Reason.FEW_POINTS)
 
 
@@ -63,8 +66,10 @@ def judge(name: str, truth: TriangleMesh, surface: TriangleMesh, observed: Expos
     normals = surface.vertex_normals()
     places, true_normals = counterparts(surface.vertices, normals, truth)
     true = hindrances(Sightlines(observed.rig if observed else rig, rig.calibration, truth, places, true_normals))
-    # an open truth has nothing where the reconstruction closes it
-    area = vertex_areas(surface) * (np.einsum("ij,ij->i", normals, true_normals) > 0)
+    area = vertex_areas(surface)
+    if not check_mesh(truth).closed:  # it has nothing where the reconstruction closes it
+        away_mm = np.linalg.norm(places - surface.vertices, axis=1)
+        area = area * ((np.einsum("ij,ij->i", normals, true_normals) > 0.5) & (away_mm < OPEN_MM))
 
     def agreement(same: NDArray[np.bool_], over: NDArray[np.bool_]) -> float:
         return float(area[same & over].sum() / max(area[over].sum(), 1e-12))

@@ -8,18 +8,16 @@ smaller mount.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
-from vtkmodules.vtkCommonCore import reference
-from vtkmodules.vtkCommonDataModel import vtkGenericCell, vtkStaticCellLocator
 
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
-from scanner_core.geometry.poly_data import poly_data
+from scanner_core.geometry.ray_caster import RayCaster
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.virtual.presets import PRESETS
 
@@ -76,13 +74,7 @@ class BenchSight:
         self.normals = area / np.maximum(np.linalg.norm(area, axis=1), 1e-30)[:, None]
         preset = PRESETS["bench"]
         self._eyes = np.stack([preset.laser_position_mm, *(camera.centre_mm() for camera in preset.cameras)])
-        self._locator = vtkStaticCellLocator()
-        self._locator.SetDataSet(poly_data(mesh))
-        self._locator.BuildLocator()
-        self._cell = vtkGenericCell()
-        self._t: Any = reference(0.0)
-        self._sub: Any = reference(0)
-        self._id: Any = reference(0)
+        self._rays = RayCaster(mesh)
 
     def eyes(self, pose: RigidTransform, view: int) -> Array:
         """Pivot of the beam and the cameras' centres (3, 3), frame of the mesh, for its `pose` in the object frame."""
@@ -90,25 +82,23 @@ class BenchSight:
         return pose.inverse().apply(turn.apply(self._eyes))
 
     def seen(self, points: Array, normals: Array, eyes: Array) -> Mask:
-        """(n,) whether the beam and both cameras of `eyes` (n, 3, 3) reach the points (n, 3), frame of the mesh."""
+        """(n,) whether the beam and both cameras of `eyes` (3, 3) reach the points (n, 3), frame of the mesh."""
         to_eyes = eyes - points[:, None]
         to_eyes /= np.linalg.norm(to_eyes, axis=2, keepdims=True)
-        seen: Mask = (np.einsum("nij,nj->ni", to_eyes, normals) > _GRAZING).all(axis=1)
+        left = np.flatnonzero((np.einsum("nij,nj->ni", to_eyes, normals) > _GRAZING).all(axis=1))
         lifted = points + _LIFT_MM * normals
-        for i in np.flatnonzero(seen):
-            seen[i] = not any(self._blocked(lifted[i].tolist(), eye) for eye in eyes[i].tolist())
+        for eye in eyes[::-1]:  # the cameras stand aside and are hidden more often
+            left = left[~self._rays.blocked(lifted[left], eye)] if len(left) else left
+        seen = np.zeros(len(points), np.bool_)
+        seen[left] = True
         return seen
-
-    def _blocked(self, start: list[float], end: list[float]) -> bool:
-        where, parametric = [0.0] * 3, [0.0] * 3
-        return bool(self._locator.IntersectWithLine(start, end, 0.0, self._t, where, parametric, self._sub, self._id, self._cell))
 
     def reached(self, points: Array, normals: Array, pose: RigidTransform) -> Mask:
         """(n,) whether any view reaches the points."""
         reached = np.zeros(len(points), np.bool_)
         for view in range(VIEWS):
             rest = np.flatnonzero(~reached)
-            reached[rest] = self.seen(points[rest], normals[rest], np.broadcast_to(self.eyes(pose, view), (len(rest), 3, 3)))
+            reached[rest] = self.seen(points[rest], normals[rest], self.eyes(pose, view))
         return reached
 
 
@@ -171,7 +161,9 @@ def _cut(along: Array, by_first: Mask, by_second: Mask, overlap: float) -> tuple
     return best if best is not None and abs(best[2] - overlap) < 0.02 else None
 
 
-def _measure(sight: BenchSight, pose: RigidTransform, kept: Any, count: int, noise: Noise, rng: np.random.Generator) -> MountedCloud:
+def _measure(
+    sight: BenchSight, pose: RigidTransform, kept: Callable[[Array], Mask], count: int, noise: Noise, rng: np.random.Generator
+) -> MountedCloud:
     eyes = np.stack([sight.eyes(pose, view) for view in range(VIEWS)])
     parts: list[tuple[Array, Array, NDArray[np.int64]]] = []
     found = 0
@@ -182,7 +174,9 @@ def _measure(sight: BenchSight, pose: RigidTransform, kept: Any, count: int, noi
         to_beam = eyes[view, 0] - points
         facing = np.einsum("ij,ij->i", to_beam, normals) / np.linalg.norm(to_beam, axis=1)
         chosen = np.flatnonzero(kept(points) & (rng.random(len(points)) < facing))
-        good = chosen[sight.seen(points[chosen], normals[chosen], eyes[view[chosen]])]
+        at_view = [chosen[view[chosen] == number] for number in range(VIEWS)]
+        good = np.concatenate([at[sight.seen(points[at], normals[at], eyes[number])] for number, at in enumerate(at_view)])
+        good = rng.permutation(good)
         parts.append((points[good], normals[good], view[good]))
         found += len(good)
     true, seen_by = (np.concatenate([part[i] for part in parts])[:count] for i in (0, 2))

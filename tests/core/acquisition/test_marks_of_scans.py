@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from scanner_core.acquisition.mark_visits import KIND, VisitPlan, marks_report
+from scanner_core.acquisition.mark_visits import KIND, VisitPlan, case_marks, marks_report
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.acquisition.runner import ScanRunner
@@ -86,6 +86,8 @@ def test_marks_are_visited_and_everything_of_them_can_be_computed_again(case: Pa
             if record.kind == KIND and counts is not None:
                 assert counts["planned"] == counts["measured"] + sum(counts["rejected"].values()) + counts["skipped"]
         assert "where they were" in next(line.detail for line in store.audit_trail() if line.event == "marks visited again")
+        assert "marks_um" in next(line.detail for line in store.audit_trail() if line.event == "marks" and "calibrated" in line.detail)
+        assert case_marks(store) == report
         assert len(case_cloud(store).points) == POINTS
         wide = process_case(store, Processing(gates=Gates(volume_radius_mm=140.0))).cloud.points
         away = np.linalg.norm(wide[:, None] - true_centres_mm(MARKS), axis=2).min(axis=1)

@@ -38,6 +38,8 @@ def state(store: CaseStore) -> State:
         "centroids": [digest(store.observations(scan.id).left_px) for scan in store.scans()],
         "corrections": [len(store.corrections(scan.id)) for scan in store.scans()],
         "registrations": [len(store.registrations(scan.id)) for scan in store.scans()],
+        "mounts": [(scan.id, scan.mount) for scan in store.scans()],
+        "poses": [(mount, pose.transform is None, pose.report) for mount, pose in store.mount_poses().items()],
         "meshes": (store.mesh_count(), store.mesh_id()),
         "journal": (store.undoable, store.redoable, store.value("processing")),
         "audit": len(store.audit_trail()),
@@ -93,9 +95,11 @@ def live(path: Path, kept: Callable[[CaseStore], None], batches: int = 3, batch:
         kept(store)
         store.edit("processing", {"calibration": None, "gates": {"epipolar_sigmas": 2.5}}, "Gate changed")
         kept(store)
-        again = store.begin_scan("scan", "name = 'rig'", "def", "another", PLAN)
+        again = store.begin_scan("scan", "name = 'rig'", "def", "another", PLAN, 1)
         kept(store)
         store.append(again, observations(1_000_000, batch))
+        kept(store)
+        store.put_mount_poses([(1, RigidTransform.about_z(30.0), {"first_mount": 0}), (2, None, {})], {again: {0: RigidTransform.about_z(0.01)}})
         kept(store)
 
 

@@ -121,7 +121,7 @@ def test_a_second_mount_joins_when_its_pose_was_accepted(store: CaseStore) -> No
     assert pose is not None
     assert _error_um(pose) < 15
     done = process_case(store, Processing())
-    assert done.mounts == (0, 1)
+    assert tuple(done.mounts) == (0, 1)
     assert not done.registered
     assert done.processing.scans == (1, second)
     cloud = done.cloud
@@ -133,9 +133,9 @@ def test_a_second_mount_joins_when_its_pose_was_accepted(store: CaseStore) -> No
     off_mm = radius - np.linalg.norm(_shape(directions, 1.0), axis=1)
     assert 1.4826 * np.median(np.abs(off_mm)) < 0.06
     own = process_case(store, Processing(scans=(second,)))
-    assert own.mounts == (1,)
+    assert tuple(own.mounts) == (1,)
     assert np.abs(pose.apply(own.cloud.points) - cloud.points[cloud.views >= VIEWS]).max() < 1e-9
-    assert process_case(store, Processing(without_views=(0,))).mounts == (0, 1)
+    assert process_case(store, Processing(without_views=(0,))).mounts.keys() == {0, 1}
 
 
 def test_the_pose_and_the_report_survive_and_older_ones_stay(store: CaseStore) -> None:

@@ -54,7 +54,7 @@ def _measured(mount: int, wrong_axis: bool = False, other_shape: float = 0.0) ->
         points.append(placed + rng.normal(0, 0.02, placed.shape))
         views.append(np.full(len(placed), view, np.int32))
     cloud = PointCloud(np.concatenate(points), None, np.concatenate(views))
-    return MountedCloud(cloud, 360 / VIEWS * np.arange(VIEWS), RigidTransform.identity())
+    return MountedCloud(cloud, 360.0 / VIEWS * np.arange(VIEWS, dtype=np.float64), RigidTransform.identity())
 
 
 def _true(mount: int) -> RigidTransform:

@@ -23,6 +23,7 @@ from scanner_core.geometry.checks import check_mesh
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.mesh_io import check_suffix, read_mesh, write_mesh
 from scanner_core.mesh_io.polygons import triangulated
+from scanner_core.mesh_io.stated_unit import stated_unit
 from tests.core.geometry.solids import box, joined, moved, sphere, torus
 
 BODIES = [box(10.0), torus(), joined(sphere(3.0), moved(box(), (9.5, 0, 0)))]
@@ -293,3 +294,19 @@ def test_an_existing_file_and_an_unknown_suffix(tmp_path: Path) -> None:
         with pytest.raises(InputFileError, match=r"'\.step'.*\.stl, \.ply, \.obj, \.3mf.*E-FILE-06"):
             call()
     assert [path.name for path in tmp_path.iterdir()] == ["a.stl"]
+
+
+@pytest.mark.parametrize(
+    ("suffix", "head"), [(".stl", b"Impronta binary STL UNITS=mm marks_um=12.3 visits=17"), (".ply", b"comment marks_um=12.3 visits=17\n")]
+)
+def test_a_remark_stands_in_the_header_and_changes_nothing_else(suffix: str, head: bytes, tmp_path: Path) -> None:
+    mesh = sphere()
+    bare, remarked = tmp_path / f"bare{suffix}", tmp_path / f"remarked{suffix}"
+    write_mesh(bare, mesh)
+    write_mesh(remarked, mesh, remark="marks_um=12.3 visits=17")
+    assert head in remarked.read_bytes()[:200]
+    assert b"marks" not in bare.read_bytes()
+    a, b = read_mesh(bare), read_mesh(remarked)
+    np.testing.assert_array_equal(a.vertices, b.vertices)
+    np.testing.assert_array_equal(a.triangles, b.triangles)
+    assert stated_unit(suffix, remarked.read_bytes()) == "mm"

@@ -69,11 +69,11 @@ def cube(count: int, rng: np.random.Generator) -> tuple[Array, Array]:
 
 
 def rock(count: int, rng: np.random.Generator, shape: int = 1) -> tuple[Array, Array]:
-    """A body without any symmetry: a ball with a few bumps of its own, another one for every `shape`."""
+    """A body without any symmetry: a ball with bumps of its own, another one for every `shape`."""
     unit = rng.normal(size=(count, 3))
     unit /= np.linalg.norm(unit, axis=1)[:, None]
     own = np.random.default_rng(shape)
-    at, width, height = own.normal(size=(9, 3)), own.uniform(3, 9, 9), own.uniform(-2, 3, 9)
+    at, width, height = own.normal(size=(24, 3)), own.uniform(6, 18, 24), own.uniform(-2, 3, 24)
     at /= np.linalg.norm(at, axis=1)[:, None]
     bump = height * np.exp(width * (unit @ at.T - 1))
     radius = 10 + bump.sum(axis=1)

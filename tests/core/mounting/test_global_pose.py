@@ -18,7 +18,7 @@ from tests.core.mounting.mounts import Mount, any_pose, ball, barrel, cube, moun
 Array = NDArray[np.float64]
 Body = Callable[[int, np.random.Generator], tuple[Array, Array]]
 
-POINTS = 9000
+POINTS = 7000
 
 
 def two_mounts(body: Body, seed: int, cut_mm: float = np.inf) -> tuple[Mount, Mount, RigidTransform]:
@@ -58,10 +58,11 @@ def test_mounts_in_any_orientation_come_together(seed: int) -> None:
     found = find(fixed, moving, seed)
     assert found.accepted, found.reason
     assert found.reason == ""
-    assert error_um(found.transform, true, moving) < min(60.0, 4 * float(np.linalg.norm(found.uncertainties_um)))
+    assert error_um(found.transform, true, moving) < 40
     assert found.margin > 0
     assert found.undetermined.shape == (6, 0)
     assert 15 < found.residual_um < 45
+    assert error_um(found.transform, true, moving) < 4 * found.uncertainty_um
 
 
 @pytest.mark.parametrize(("body", "open_directions"), [(ball, 3), (barrel, 1)])
@@ -80,7 +81,7 @@ def test_a_cube_is_refused_until_points_are_picked() -> None:
     found = find(fixed, moving)
     assert found.verdict is Verdict.AMBIGUOUS
     assert found.code == "E-MNT-03"
-    on_moving = moving.cloud.points[[0, 700, 1400, 2100]]
+    on_moving = moving.cloud.points[::600]
     rng = np.random.default_rng(5)
     on_fixed = true.apply(on_moving) + rng.normal(0, 0.5, on_moving.shape)
     picked = pose_from_points(
