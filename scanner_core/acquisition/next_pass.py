@@ -58,7 +58,7 @@ class NextPass:
     points : that it is expected to measure
     seconds : of the rig's time
     within_now, within_predicted : share of the area within the wanted uncertainty, of all that is, or can be measured as the object stands
-    remount : how to set the object down anew for what cannot be measured as it stands; told with the last pass, which has no views
+    remount : how to set the object down anew for what cannot be measured as it stands; None when nothing is worth it
     """
 
     views: tuple[ViewPlan, ...]
@@ -144,10 +144,8 @@ def next_pass(
         view += 1
         views.append(plan)
     within_now, within_then = float(area @ now) / total, float(area @ after) / total
-    if views:
-        return NextPass(tuple(views), points, seconds, within_now, within_then)
     advice = remount_advice(surface, places.points, places.normals, demand.area_mm2, here, rig, calibration, check=check)
-    return NextPass((), 0, 0.0, within_now, within_now, advice)
+    return NextPass(tuple(views), points, seconds, within_now, within_then if views else within_now, advice)
 
 
 def _of_this_pass(budget_points: int, so_far: int) -> int:
