@@ -51,6 +51,7 @@ class CoveragePage(Page):
         self._bar = QProgressBar()
         self._bar.setRange(0, 0)
         self._bar.setTextVisible(False)
+        self._bar.setAccessibleName(self.tr("Computing"))
         box.addWidget(self._bar)
         self._step = label("", "muted", wrap=True)
         box.addWidget(self._step)

@@ -306,6 +306,8 @@ class MainWindow(QMainWindow):
         services.comparing.answers.changed.connect(self._show_activity)
         services.comparing.draft.changed.connect(self._show_whose)
         services.assistant.changed.connect(self._show_activity)
+        for controller in (services.coverage, services.mounts):
+            controller.changed.connect(self._show_activity)
         services.mounts.began.connect(self.show_mounts)
         self._undo.changed.connect(self._show_undo)
         self.rail.show_order(services.draft.values)

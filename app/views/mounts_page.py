@@ -51,6 +51,7 @@ class MountsPage(Page):
         self._bar = QProgressBar()
         self._bar.setRange(0, 0)
         self._bar.setTextVisible(False)
+        self._bar.setAccessibleName(self.tr("Registration"))
         self._step = label("", "muted", wrap=True)
         box.addWidget(self._bar)
         box.addWidget(self._step)
@@ -67,7 +68,7 @@ class MountsPage(Page):
         services.case.opened.connect(self._show_answer)
         services.rig.changed.connect(self._show_buttons)
         services.acquisition.began.connect(self._begin)
-        services.acquisition.ended.connect(self._show_answer)
+        services.acquisition.ended.connect(self._end)
         self._show_answer()
 
     def entered(self) -> None:
@@ -88,6 +89,13 @@ class MountsPage(Page):
     def _begin(self) -> None:
         """What was advised is about to be done, or about another object."""
         self._advice = None
+
+    def _end(self) -> None:
+        """An error-driven scan tells what would come next."""
+        result = self.services.acquisition.result
+        if result is not None and result.steering is not None:
+            self._advice = result.steering.remount
+        self._show_answer()
 
     # -------------------------------------------------------------------------------- parts
     def _make_strip(self) -> QFrame:

@@ -205,6 +205,8 @@ class ScanPage(Page):
         self._next.setVisible(done)
         self.missing.setVisible(done)
         self.another.setVisible(done)
+        for made in (self._pause, self._stop):  # the rail has the stop on every page
+            made.setVisible(not done)
         self.start.setVisible(not running)
         self.start.setText(start_words(self.services.draft.values, again=done))
         self._set_role(self.start, "" if done else "primary")
