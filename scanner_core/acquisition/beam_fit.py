@@ -52,8 +52,8 @@ def fitted_laser(laser: LaserConfig, done: Sequence[ViewPlan], cloud: PointCloud
 
     def residuals(values: Array) -> Array:
         off = (beam_angles(moved(values), in_table) - beams_deg) / _SCATTER_DEG
-        prior = np.r_[values[:3] / _PRIOR_MM, values[3:] / _PRIOR_DEG]
-        return np.r_[off.ravel(), prior]
+        prior = np.concatenate([values[:3] / _PRIOR_MM, values[3:] / _PRIOR_DEG])
+        return np.concatenate([off.ravel(), prior])
 
     found = least_squares(residuals, np.zeros(5), loss="soft_l1")
     return moved(np.asarray(found.x, np.float64))

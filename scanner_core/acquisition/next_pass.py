@@ -41,6 +41,9 @@ _NARROWEST_SPOTS = 0.3
 
 _NOT_MUCH_MORE = 1.3
 
+_MEAN_COSINE = 0.5
+"""Of the beam on the places that it measures: a raster is less dense on a slope."""
+
 _LEAST_POINTS = 40
 """A view with fewer points cannot be registered, and is not worth a turn."""
 
@@ -55,7 +58,7 @@ class NextPass:
     points : that it is expected to measure
     seconds : of the rig's time
     within_now, within_predicted : share of the area within the wanted uncertainty, of all that is, or can be measured as the object stands
-    remount : how to set the object down anew for what cannot be measured as it stands; told with the last pass, which has no views
+    remount : how to set the object down anew for what cannot be measured as it stands; None when nothing is worth it
     """
 
     views: tuple[ViewPlan, ...]
@@ -117,7 +120,8 @@ def next_pass(
     budget_points = _of_this_pass(budget_points, len(cloud))
     demand = places.demand
     view_points = rate_hz * TURN_S
-    choice = choose_views(demand, sd_um, float(budget_points), wanted_um if aim_um is None else aim_um, view_points, _MOST_VIEWS)
+    densest = _MEAN_COSINE / (_NARROWEST_SPOTS * rig.laser.spot_diameter_mm) ** 2
+    choice = choose_views(demand, sd_um, float(budget_points), wanted_um if aim_um is None else aim_um, densest, view_points, _MOST_VIEWS)
     here = np.asarray(np.isfinite(sd_um).any(axis=0), np.bool_)
     now = demand.uncertainty_um <= wanted_um
     area = demand.area_mm2 * (here | now)
@@ -140,10 +144,8 @@ def next_pass(
         view += 1
         views.append(plan)
     within_now, within_then = float(area @ now) / total, float(area @ after) / total
-    if views:
-        return NextPass(tuple(views), points, seconds, within_now, within_then)
     advice = remount_advice(surface, places.points, places.normals, demand.area_mm2, here, rig, calibration, check=check)
-    return NextPass((), 0, 0.0, within_now, within_now, advice)
+    return NextPass(tuple(views), points, seconds, within_now, within_then if views else within_now, advice)
 
 
 def _of_this_pass(budget_points: int, so_far: int) -> int:

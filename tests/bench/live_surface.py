@@ -34,6 +34,7 @@ from scanner_core.reconstruction.live_request import LiveSurface, LiveSurfaceReq
 from scanner_core.reconstruction.live_surface import live_surface
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.reconstruction.pipeline import reconstruct
+from scanner_core.virtual.specimens.specimen import opening_down, stand_on_table
 from tests.bench.reconstruction.clouds import area_uniform
 from tests.bench.reconstruction.truth import truth_mesh
 
@@ -77,10 +78,9 @@ class SeenCloud:
 
 
 def scan(mesh: TriangleMesh, count: int) -> SeenCloud:
-    """Points of all views of a mesh, mm, z up."""
+    """Points of all views of a mesh, mm, that stands upright."""
     rng = np.random.default_rng(SEED)
-    middle = 0.5 * (mesh.vertices.min(axis=0) + mesh.vertices.max(axis=0))
-    mesh = TriangleMesh(mesh.vertices - (middle[0], middle[1], mesh.vertices[:, 2].min()), mesh.triangles)
+    mesh = stand_on_table(mesh)
     candidates = area_uniform(mesh, _CANDIDATES, rng)
     _, triangles = cKDTree(mesh.vertices).query(candidates)
     normals = mesh.vertex_normals()
@@ -165,7 +165,7 @@ def surface(name: str, mesh: TriangleMesh) -> None:
     """All rows of one object."""
     cloud = scan(mesh, max(COUNTS))
     points, _ = cloud.of(20_000, VIEWS)
-    made = reconstruct(PointCloud(points), ReconstructionParameters(table_mm=0.0), progress=lambda progress: None, cancelled=lambda: False)
+    made = reconstruct(PointCloud(points), ReconstructionParameters(), progress=lambda progress: None, cancelled=lambda: False)
     final = ClosestPoint(made.mesh)
     kept = np.asarray(made.mesh.vertex_attributes["supported"], np.bool_)
     own = 1e3 * np.sqrt(np.mean(ClosestPoint(cloud.truth).distance(made.mesh.vertices[kept]) ** 2))
@@ -180,11 +180,11 @@ def surface(name: str, mesh: TriangleMesh) -> None:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("names", nargs="*", default=["ear", "arch", "heart"])
-    parser.add_argument("--real", type=Path, help="a mesh file, mm, z up")
+    parser.add_argument("--real", type=Path, help="a mesh file, mm")
     given = parser.parse_args()
     print("object points views  cold: CPU wall  warm: CPU wall  triangles  to final um  genus  crossings  scanned mm2, true  right")
     if given.real is not None:
-        surface("real", read_mesh(given.real))
+        surface("real", opening_down(read_mesh(given.real)))
         return
     for name in given.names:
         surface(name, truth_mesh(name))

@@ -27,7 +27,7 @@ from scanner_core.devices.rig import load_preset
 from scanner_core.metrology.truth_error import truth_error
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.reconstruction.pipeline import reconstruct
-from scanner_core.virtual.specimens import load_specimen
+from scanner_core.virtual.specimens import Specimen, load_specimen
 from tests.bench.adaptive.truth import SeeableTruth
 
 _UNIFORM_VIEWS = 16
@@ -67,16 +67,16 @@ def main() -> None:
             print(json.dumps(rows[-1]), flush=True)
     first = rows[0]
     for row in rows[1:]:
-        ratio, share = float(row["seen_rms_um"]) / float(first["seen_rms_um"]), int(row["points"]) / int(first["points"])  # type: ignore[arg-type]
+        ratio, share = float(str(row["seen_rms_um"])) / float(str(first["seen_rms_um"])), int(str(row["points"])) / int(str(first["points"]))
         print(f"{specimen.name} {row['plan']}: {share:.2f} of the points, {ratio:.2f} of the error, {row['rig_s']} s instead of {first['rig_s']} s")
 
 
-def _judged(result: ScanResult, truth: SeeableTruth, specimen: object, given: argparse.Namespace) -> dict[str, object]:
+def _judged(result: ScanResult, truth: SeeableTruth, specimen: Specimen, given: argparse.Namespace) -> dict[str, object]:
     assert result.views is not None
     cloud = result.views.cloud
     surface = reconstruct(cloud, ReconstructionParameters(seed=given.seed, table_mm=0.0), progress=lambda _: None, cancelled=lambda: False)
     seen = truth.judge(surface.mesh, cloud, given.within_um)
-    contract = truth_error(specimen, cloud, surface.mesh, given.seed)  # type: ignore[arg-type]
+    contract = truth_error(specimen, cloud, surface.mesh, given.seed)
     return {
         "points": len(cloud),
         "exposures": result.exposures,

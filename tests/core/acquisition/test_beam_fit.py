@@ -43,7 +43,7 @@ def _hit(x_deg: float, y_deg: float) -> np.ndarray:
     direction = np.array([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)])
     to_middle = position - [0, 0, 25.0]
     b = float(direction @ to_middle)
-    return position + (-b - np.sqrt(b * b - float(to_middle @ to_middle) + 15.0**2)) * direction
+    return np.asarray(position + (-b - np.sqrt(b * b - float(to_middle @ to_middle) + 15.0**2)) * direction)
 
 
 def test_beams_hit_where_they_are_sent_with_the_fitted_laser() -> None:

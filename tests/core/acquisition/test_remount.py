@@ -22,7 +22,7 @@ AREA = np.full(len(NORMALS), 4 * np.pi * 100 / len(NORMALS))
 
 def seen(surface: TriangleMesh, normals: np.ndarray) -> np.ndarray:
     lines = Sightlines(RIG, CALIBRATION, surface, normals=normals)
-    return np.logical_or.reduce([lines.at(angle).measurable for angle in range(0, 360, 30)])
+    return np.asarray(np.stack([lines.at(angle).measurable for angle in range(0, 360, 30)]).any(axis=0))
 
 
 def advised(reached: np.ndarray) -> RemountAdvice | None:
