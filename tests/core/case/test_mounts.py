@@ -12,12 +12,15 @@ import pytest
 
 from scanner_core.acquisition.engine import StereoEngine, StereoPair
 from scanner_core.acquisition.status import FinishReason, ScanCounts
+from scanner_core.case import mount_registration
 from scanner_core.case.edits import DISCARDED
 from scanner_core.case.mount_registration import register_mounts
 from scanner_core.case.processing import Processing, case_cloud, process_case
+from scanner_core.case.scan_parts import PlacedMounts
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import dump_rig
 from scanner_core.errors import CaseFormatError, ComparisonError, UsageError
+from scanner_core.geometry.mount_refinement import MountRefinement, PairFit
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.spot import Spot
@@ -154,6 +157,42 @@ def test_the_pose_and_the_report_survive_and_older_ones_stay(store: CaseStore) -
     with sqlite3.connect(path) as raw:
         assert raw.execute("SELECT count(*) FROM mount_pose").fetchone()[0] == 3
     raw.close()
+
+
+def test_the_search_is_told_where_the_light_of_each_point_came_from(store: CaseStore) -> None:
+    _scan(store, 1, 2)
+    asked: list[Mapping[str, object]] = []
+
+    def find(fixed: PointCloud, moving: PointCloud, **told: object) -> Told:
+        asked.append({"fixed": fixed, "moving": moving, **told})
+        return Told(TRUE, False, "E-MNT-03", {"angle": 180})
+
+    register_mounts(store, find=find)
+    for which in ("fixed", "moving"):
+        cloud, towards = asked[0][which], asked[0][f"{which}_towards"]
+        assert isinstance(cloud, PointCloud)
+        assert isinstance(towards, np.ndarray)
+        assert cloud.table_deg is not None
+        for table_deg in (0.0, 270.0):
+            point = int(np.flatnonzero(np.isclose(cloud.table_deg, table_deg))[0])
+            to_pivot = RigidTransform.about_z(-table_deg).apply(np.array([RIG.laser.position_mm]))[0] - cloud.points[point]
+            np.testing.assert_allclose(towards[point], to_pivot / np.linalg.norm(to_pivot), atol=1e-12)
+
+
+def test_a_mount_that_the_others_contradict_is_kept_apart(store: CaseStore, monkeypatch: pytest.MonkeyPatch) -> None:
+    _scan(store, 1, 2)
+    pair = PairFit(0, 1, 0.4, 0.99, 20.0, 24.0, 900)
+
+    def refined(*_: object, **__: object) -> PlacedMounts:
+        found = MountRefinement((TRUE, TRUE), ((), ()), np.zeros((1, 4)), 20.0, (pair,), False, 12)
+        return PlacedMounts((0, 1), found, {0: RigidTransform.identity(), 1: TRUE}, {})
+
+    monkeypatch.setattr(mount_registration, "refine_parts", refined)
+    result = register_mounts(store, find=near_the_truth)
+    (outcome,) = result.refused
+    assert outcome.code == "E-MNT-13"
+    assert "24" in outcome.reason
+    assert store.mount_poses()[1].transform is None
 
 
 def test_an_ambiguous_mount_is_kept_apart_and_said(store: CaseStore) -> None:
