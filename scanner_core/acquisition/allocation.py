@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 EXPONENT = 0.7
 """An ear with 170 um of noise: 3,500 to 20,000 points take its error from 68.6 to 37.1 um."""
 
-_UNCERTAIN = 2.5
+_UNCERTAIN = 8.0
 """An uncertainty is believed up to so many times that of the surface as a whole: at a free rim it can run away."""
 
 _SPARSE = 0.05
@@ -71,14 +71,14 @@ class Demand:
         return np.asarray(self.information * (excess ** (2 / EXPONENT) - 1))
 
 
-def water_fill(demand: Demand, point_sd_um: Array, budget_points: float, wanted_um: float) -> Array:
+def water_fill(demand: Demand, point_sd_um: Array, budget_points: float, wanted_um: float, densest_mm2: float = np.inf) -> Array:
     """Information (n,) to add with points of standard deviations `point_sd_um` (n,) along the normals, infinite where none is possible.
 
-    The sum of points, ``area information sd^2``, is `budget_points` at most.
+    The sum of points, ``area information sd^2``, is `budget_points` at most, and on no square millimetre are they more than `densest_mm2`.
     """
     can = np.isfinite(point_sd_um)
     variance = np.where(can, point_sd_um, 1.0) ** 2
-    most = np.where(can, demand.most(wanted_um), 0.0)
+    most = np.where(can, np.minimum(demand.most(wanted_um), densest_mm2 / variance), 0.0)
     cost = demand.area_mm2 * variance
     if float(cost @ most) <= budget_points:
         return most

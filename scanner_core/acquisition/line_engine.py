@@ -65,7 +65,7 @@ class LineEngine:
     per_px : samples of the line that the detector takes of one pixel; those beyond one are no independent ones
     """
 
-    def __init__(self, rig: RigConfig, calibration: StereoCalibration, floor_px: float = 0.03, per_px: int = 2) -> None:
+    def __init__(self, rig: RigConfig, calibration: StereoCalibration, floor_px: float = 0.03, per_px: int = 3) -> None:
         self._calibration, self._volume, self._per_px = calibration, rig.volume, per_px
         self._matcher = StripeMatcher(calibration, floor_px)
         to_rig = calibration.rig_to_table().inverse()

@@ -61,7 +61,8 @@ class ScanStatus:
     ----------
     view, views : the table position being scanned (from 0) and their number
     rate_hz : points a second over the last two seconds
-    seconds, seconds_left : on the rig's clock; `seconds_left` is None until the first row is done
+    seconds, seconds_left : on the rig's clock; `seconds_left` is None until the first row is done, and the most that an error-driven
+        scan may take, which ends before its points are spent when the surface is as wanted
     table_deg, laser_on : from the controller's own status reports
     steering : of an error-driven scan: the pass, whether it computes, and how much of the surface is as wanted
     findings : what the health monitor has noticed so far, in the order of its first appearance

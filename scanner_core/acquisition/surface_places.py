@@ -9,12 +9,19 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from scanner_core.acquisition.allocation import Demand
+from scanner_core.geometry.closest_point import ClosestPoint
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
 
 Array = NDArray[np.float64]
 
 _PLACES = 2500
+_EXPLAINED = 4.0
+"""A distance of so many standard deviations is no noise any more."""
+_FARTHEST_MM = 1.0
+_FEW = 3.0
+"""A single stray point among fewer than these does not speak for a place."""
+
 _NEAR = 6
 """Places whose points are counted together: with some ten points the density of a place is a matter of chance."""
 
@@ -53,6 +60,7 @@ class SurfacePlaces:
         u_um = np.asarray(surface.vertex_attributes["standard_uncertainty_um"], np.float64)
         supported = (np.asarray(surface.vertex_attributes["supported"]) > 0).astype(np.float64)
         squares = _sums(members, share * u_um**2, len(at))
+        squares += _unexplained(surface, members, cloud, len(at))
         borne_out = _sums(members, share * supported, len(at)) > 0.5
         information = _information(surface.vertices[at], normals[at], place_area, cloud, reach)
         demand = Demand.of(place_area, information, np.sqrt(squares), borne_out)
@@ -90,6 +98,21 @@ def _information(places: Array, normals: Array, area: Array, cloud: PointCloud, 
     _, around = cKDTree(np.hstack([places, reach_mm * normals])).query(np.hstack([places, reach_mm * normals]), k=min(_NEAR, len(places)))
     around = around.reshape(len(places), -1)
     return np.asarray(total[around].sum(axis=1) / np.maximum(area[around].sum(axis=1), 1e-12))
+
+
+def _unexplained(surface: TriangleMesh, members: NDArray[np.int64], cloud: PointCloud, count: int) -> Array:
+    """Mean square by which points lie farther off the surface than their noise explains, at every place, (count,), um^2.
+
+    Where the fit has bridged a gap or has not got into a hollow it does not doubt itself; the points that it has left aside do.
+    """
+    foot, distance_mm, triangle = ClosestPoint(surface).query(cloud.points)
+    corners = surface.triangles[triangle]
+    nearest = np.argmin(np.linalg.norm(surface.vertices[corners] - foot[:, None], axis=2), axis=1)
+    home = members[corners[np.arange(len(corners)), nearest]]
+    typical_mm = 1.4826 * float(np.median(distance_mm))
+    excess = np.clip(distance_mm, 0, _FARTHEST_MM) ** 2 - (_EXPLAINED * typical_mm) ** 2
+    points = np.maximum(_sums(home, np.ones(len(home)), count), _FEW)
+    return np.asarray(1e6 * _sums(home, np.maximum(excess, 0), count) / points)
 
 
 def _sums(groups: NDArray[np.int64], values: Array, count: int) -> Array:

@@ -34,12 +34,15 @@ class ViewChoice:
     uncertainty_um: Array
 
 
-def choose_views(demand: Demand, point_sd_um: Array, budget_points: float, wanted_um: float, view_points: float, most_views: int) -> ViewChoice:
+def choose_views(
+    demand: Demand, point_sd_um: Array, budget_points: float, wanted_um: float, densest_mm2: float, view_points: float, most_views: int
+) -> ViewChoice:
     """Choose among candidate angles.
 
     Parameters
     ----------
     point_sd_um : (angles, n) of a point along the normal, infinite where it cannot be measured
+    densest_mm2 : the most points on a square millimetre that a pass may bring
     view_points : exposures that fit into the time of turning to one more view
     most_views : at most so many
     """
@@ -53,7 +56,7 @@ def choose_views(demand: Demand, point_sd_um: Array, budget_points: float, wante
                 trials.append(np.inf)
                 continue
             sd = np.minimum(best, point_sd_um[angle])
-            trials.append(_squares(demand, water_fill(demand, sd, budget_points, wanted_um)))
+            trials.append(_squares(demand, water_fill(demand, sd, budget_points, wanted_um, densest_mm2)))
         angle = int(np.argmin(trials))
         worth = EXPONENT * view_points / max(budget_points, 1.0) if chosen else 0.0
         if not trials[angle] < squares * (1 - max(worth, 1e-6)):
@@ -62,7 +65,7 @@ def choose_views(demand: Demand, point_sd_um: Array, budget_points: float, wante
         best, squares = np.minimum(best, point_sd_um[angle]), trials[angle]
     if not chosen:
         return ViewChoice((), np.zeros((0, n)), demand.after(np.zeros(n)))
-    added = water_fill(demand, best, budget_points, wanted_um)
+    added = water_fill(demand, best, budget_points, wanted_um, densest_mm2)
     owner = np.argmin(point_sd_um[chosen], axis=0)
     wanted = demand.area_mm2 * added * np.where(np.isfinite(best), best, 0.0) ** 2
     points = np.zeros((len(chosen), n))

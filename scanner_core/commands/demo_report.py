@@ -61,6 +61,7 @@ def demo_page(values: Mapping[str, Any], cloud: PointCloud, mesh: TriangleMesh) 
             ("Turntable axis", f"{calibration['axis_position_rms_um']:.1f} µm, {calibration['axis_angle_rms_deg']:.4f}° rms"),
             ("Registration", _registration(registration)),
             *_marks(values),
+            *_steering(values),
         )
     )
     page.section("Surface")
@@ -90,6 +91,18 @@ def demo_page(values: Mapping[str, Any], cloud: PointCloud, mesh: TriangleMesh) 
     _plots(page, values, cloud, mesh)
     page.footer(f"{values['case']}", "page 1 of 1")
     return page
+
+
+def _steering(values: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """Of an error-driven scan."""
+    if "passes" not in values:
+        return []
+    steered = len(values["passes"]) - 1
+    told = [("Passes", f"a coarse one and {steered} where the surface was uncertain")]
+    if values["coverage"] is not None:
+        within = 100 * values["coverage"]["reachable_within_fraction"]
+        told.append((f"Within {values['until_um']:g} µm", f"{within:.1f} % of what can be measured"))
+    return told
 
 
 def _marks(values: Mapping[str, Any]) -> list[tuple[str, str]]:

@@ -59,12 +59,12 @@ class StripeDetectorParameters:
     max_slope: float = 1.1
     max_growth: float = 0.6
     max_saturated_px: int = 3
-    max_misfit: float = 30.0
+    max_misfit: float = 12.0
     speckle: float = 0.12
     max_drawn_px: float = 0.4
     blur_px: tuple[float, float] = (0.957, 0.777)
     rounds: int = 5
-    per_px: int = 2
+    per_px: int = 3
     saturation_dn: int = 254
     read_noise_dn: float = 1.4
     shot_dn: float = 0.0125

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from scanner_core.acquisition.allocation import Demand, water_fill
 from scanner_core.acquisition.beam_rows import beam_rows
 from scanner_core.acquisition.next_pass import NextPass, next_pass
+from scanner_core.acquisition.surface_places import SurfacePlaces
 from scanner_core.coverage.sightlines import Sightlines
 from scanner_core.devices.rig import load_preset
 from scanner_core.geometry.mesh import TriangleMesh
@@ -100,6 +101,18 @@ def test_nothing_is_planned_below_where_no_light_gets() -> None:
     assert (OUTWARD[_beam_hits(planned(np.full(len(OUTWARD), 30.0))), 2] > -0.75).all()
 
 
+def test_points_off_the_surface_make_their_place_uncertain() -> None:
+    """A fit that has bridged a gap does not doubt itself, but the points behind it do."""
+    surface, cloud = scanned(np.full(len(OUTWARD), 15.0))
+    off = np.array([0.0, 9.3, 30.0]) + np.random.default_rng(1).normal(0, 0.3, (40, 3)) * [1, 0.1, 1]
+    both = PointCloud(np.concatenate([cloud.points, off]), np.tile(4e-4 * np.eye(3), (3040, 1, 1)))
+    plain, doubted = SurfacePlaces.of(surface, cloud), SurfacePlaces.of(surface, both)
+    there = np.linalg.norm(plain.points - [0, 10, 30], axis=1) < 0.4
+    elsewhere = np.linalg.norm(plain.points - [0, 10, 30], axis=1) > 4
+    assert (doubted.demand.uncertainty_um[there] > 2 * plain.demand.uncertainty_um[there]).all()
+    np.testing.assert_allclose(doubted.demand.uncertainty_um[elsewhere], plain.demand.uncertainty_um[elsewhere], rtol=0.2)
+
+
 demands = st.integers(0, 10_000).map(
     lambda seed: (
         Demand(*np.exp(np.random.default_rng(seed).normal(size=(3, 40)) * [[0.5], [1.0], [0.7]] + [[0.0], [-5.0], [3.0]])),
@@ -120,6 +133,8 @@ def test_water_filling(demand: tuple[Demand, np.ndarray], budget: float, wanted_
     assert (added[::7] == 0).all()
     assert cost @ added <= budget * (1 + 1e-9)
     assert (known.after(added) >= np.minimum(wanted_um, known.uncertainty_um) * (1 - 1e-9)).all()
+    sparse = water_fill(known, sd_um, budget, wanted_um, densest_mm2=0.5)
+    assert (sparse * np.where(np.isfinite(sd_um), sd_um, 0) ** 2 <= 0.5 * (1 + 1e-9)).all()
     more = water_fill(known, sd_um, 1.5 * budget, wanted_um)
     assert (more >= added * (1 - 1e-6) - 1e-12).all()
     gain = np.where(cost > 0, known.area_mm2 * known.after(added) ** 2 / (known.information + added) / np.maximum(cost, 1e-300), 0.0)

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from scanner_core.acquisition.aiming import beam_angles
 from scanner_core.acquisition.plan import PlanRequest, ScanPlan, read_plan
-from scanner_core.acquisition.planning import locating_plan, scan_plan
+from scanner_core.acquisition.planning import COARSE_LEAST, COARSE_VIEWS, coarse_request, even_views, locating_plan, nearest_turn, scan_plan
 from scanner_core.devices.rig import load_preset
 from scanner_core.errors import UsageError
 
@@ -81,6 +81,37 @@ def test_rows_go_one_way_and_coarse_to_fine() -> None:
     first = y_deg[: len(y_deg) // 8]
     assert np.allclose(np.diff(first), 8 * pitch)
     assert np.ptp(first) > 0.8 * np.ptp(y_deg)
+
+
+@pytest.mark.parametrize(("views", "first"), [(1, COARSE_LEAST), (6, 6), (16, COARSE_VIEWS)])
+def test_the_first_pass_takes_a_part_of_the_points(views: int, first: int) -> None:
+    request = coarse_request(PlanRequest(views, 9000, until_um=40.0))
+    assert request.views == first
+    assert 0 < request.points < 9000
+
+
+def test_what_is_left_is_spread_half_way_between_the_views_over_what_either_neighbour_found() -> None:
+    request = PlanRequest(views=4, points=1000, object_radius_mm=20, object_height_mm=30)
+    located = locating_plan(RIG, request, RATE_HZ)
+    hits = _hits(located, 12.0, 20.0)
+    ids_of_first = {i for row in located.views[0].rows for i in range(row.first_id, row.first_id + row.count)}
+    hits = hits[~np.isin(hits, list(ids_of_first))]  # the first view has missed the object
+    views = even_views(RIG, request, RATE_HZ, located, hits, 9, 5000)
+    assert [view.table_deg for view in views] == [45.0, 135.0, 225.0, 315.0]
+    assert [{row.view for row in view.rows} for view in views] == [{9}, {10}, {11}, {12}]
+    assert sum(view.quota or 0 for view in views) == 1000
+    ids = [i for view in views for row in view.rows for i in range(row.first_id, row.first_id + row.count)]
+    assert ids == list(range(5000, 5000 + len(ids)))
+    assert min(row.x_from_deg for row in views[0].rows) == pytest.approx(min(row.x_from_deg for row in views[1].rows), abs=0.3)
+
+
+@given(st.floats(0, 360), st.floats(-700, 700), st.floats(-800, 800))
+def test_the_table_takes_the_shortest_way_that_is_allowed(place: float, stands: float, low: float) -> None:
+    free = nearest_turn(place, stands, lambda _: True)
+    assert abs(free - stands) <= 180 + 1e-6
+    assert (free - place) / 360 == pytest.approx(round((free - place) / 360), abs=1e-9)
+    bounded = nearest_turn(place, stands, lambda to_deg: to_deg >= low)
+    assert bounded in (place, free) or (bounded >= low and bounded > free)
 
 
 def test_an_object_in_one_view_only_has_its_quota_there() -> None:

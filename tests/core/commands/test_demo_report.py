@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Text
 
@@ -70,9 +71,13 @@ def test_the_report_is_one_page_with_a_picture(tmp_path: Path) -> None:
     assert b"/Subtype /Image" in content
 
 
-def test_nothing_of_the_report_lies_over_anything_else() -> None:
+STEERED = {"until_um": 40.0, "passes": [{}, {}, {}], "coverage": {"reachable_within_fraction": 0.981}}
+
+
+@pytest.mark.parametrize("more", [{}, STEERED], ids=["uniform", "error-driven"])
+def test_nothing_of_the_report_lies_over_anything_else(more: dict[str, Any]) -> None:
     with page_style():
-        figure = demo_page(VALUES, *_scanned()).figure
+        figure = demo_page(VALUES | more, *_scanned()).figure
         canvas = FigureCanvasAgg(figure)
         canvas.draw()
         pixels = np.asarray(canvas.buffer_rgba())[:, :, :3]

@@ -72,3 +72,17 @@ def test_what_cannot_be_recorded_or_replayed_is_told_before_anything_is_opened(t
     assert main(["scan", "--replay", str(tmp_path), "--out", str(case)]) == 1
     assert "E-CAM-20" in capsys.readouterr().err
     assert not case.exists()
+
+
+def test_until_an_uncertainty_nothing_is_recorded_and_nothing_resumed_otherwise(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    case = tmp_path / "a.impronta"
+    plan = tmp_path / "plan.toml"
+    plan.write_text("points = 900\nuntil_um = 40\n", encoding="utf-8")
+    for asked in (["--until-um", "40"], ["--plan", str(plan)]):
+        assert main(["scan", "--rig", "bench", *asked, "--record", str(tmp_path / "frames"), "--out", str(case)]) == 2
+        assert "not known beforehand" in capsys.readouterr().err
+    assert main(["scan", "--rig", "bench", "--until-um", "40", "--resume", "--out", str(case)]) == 2
+    assert "leave --plan, --until-um and --force away" in capsys.readouterr().err
+    assert main(["scan", "--rig", "bench", "--until-um", "0.5", "--out", str(case)]) == 2
+    assert "1 to 10,000 um" in capsys.readouterr().err
+    assert not case.exists()
