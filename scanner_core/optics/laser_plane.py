@@ -24,6 +24,10 @@ _FLOOR_MM = 5e-3
 _KNOWN = np.array([0.15, 0.15, 0.02, 0.02])
 """Standard uncertainty of the nominal axis: its place in 100 mm, its direction in rad.  What the points do not tell stays nominal."""
 
+_LEAST_RESIDUALS = 200
+_MEDIAN_OF_SQUARE = 0.4549364
+"""Of a standard normal variate."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PanAxis:
@@ -69,6 +73,19 @@ class SweptPlanes:
         """Signed distances (n,) mm of points from the planes of their frames; NaN where that is not known."""
         angle, distance = self.axis.polar(points, self.towards)
         return np.asarray(distance * np.sin(angle - self.angle_rad[frame]), np.float64)
+
+    def noise_factor(self, points: Array, covariances: Array, frame: NDArray[np.int64]) -> float:
+        """How much larger the points' variance across the planes is than their covariances (n, 3, 3) say; at least 1, and 1 of few points."""
+        if len(points) < _LEAST_RESIDUALS:
+            return 1.0
+        radial = points - self.axis.point
+        radial -= (radial @ self.axis.direction)[:, None] * self.axis.direction
+        across = np.cross(self.axis.direction, radial)
+        across /= np.linalg.norm(across, axis=1, keepdims=True)
+        variance = np.einsum("ni,nij,nj->n", across, covariances, across)
+        beside = self.beside_mm(points, frame)
+        known = np.isfinite(beside)
+        return max(1.0, float(np.median(beside[known] ** 2 / variance[known])) / _MEDIAN_OF_SQUARE) if known.any() else 1.0
 
 
 def swept_planes(points: Array, sigma_mm: Array, frame: NDArray[np.int64], frames: int, nominal: PanAxis) -> SweptPlanes | None:
