@@ -129,12 +129,12 @@ class LineEngine:
         factor = 1.0 if planes is None else planes.noise_factor(candidates.points[taken], candidates.covariances[taken], frame[taken])
         steps = (outside, table, candidates.grazing, off_plane, good, taken)
         verdict = _verdicts(place, peaks, steps, "no_plane" if planes is None else "off_plane")
-        number = place - np.array(first, np.int64)[frame] if len(frame) else place
+        peak = place - np.array(first, np.int64)[frame] if len(frame) else place
         return LinePoints(
             points[taken],
             factor * self._per_px * covariances,
             frame[taken],
-            number[taken],
+            peak[taken],
             candidates.pairs.select(taken),
             _rejected(frames, verdict),
             {str(name): int(n) for name, n in Counter(verdict.tolist()).items()},

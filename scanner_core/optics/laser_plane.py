@@ -14,6 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
+from scanner_core.geometry.variance_components import MEDIAN_SQUARE
+
 Array = NDArray[np.float64]
 
 LEAST_POINTS = 200
@@ -25,8 +27,6 @@ _KNOWN = np.array([0.15, 0.15, 0.02, 0.02])
 """Standard uncertainty of the nominal axis: its place in 100 mm, its direction in rad.  What the points do not tell stays nominal."""
 
 _LEAST_RESIDUALS = 200
-_MEDIAN_OF_SQUARE = 0.4549364
-"""Of a standard normal variate."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -85,7 +85,7 @@ class SweptPlanes:
         variance = np.einsum("ni,nij,nj->n", across, covariances, across)
         beside = self.beside_mm(points, frame)
         known = np.isfinite(beside)
-        return max(1.0, float(np.median(beside[known] ** 2 / variance[known])) / _MEDIAN_OF_SQUARE) if known.any() else 1.0
+        return max(1.0, float(np.median(beside[known] ** 2 / variance[known])) / MEDIAN_SQUARE) if known.any() else 1.0
 
 
 def swept_planes(points: Array, sigma_mm: Array, frame: NDArray[np.int64], frames: int, nominal: PanAxis) -> SweptPlanes | None:
