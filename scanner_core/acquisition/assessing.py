@@ -8,11 +8,13 @@ from __future__ import annotations
 
 import queue
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import TracebackType
 from typing import TYPE_CHECKING
 
+from scanner_core.acquisition.passes import PassesEnd, ScanPass, end_of
 from scanner_core.acquisition.plan import ScanPlan
+from scanner_core.case.decoding import MOST_VIEWS
 from scanner_core.case.observation import ExposureTable, ObservationTable
 from scanner_core.devices.rig import RigConfig
 from scanner_core.errors import ImprontaError, WorkerError
@@ -40,6 +42,8 @@ class AssessmentRequest:
     wanted_um, aim_um : standard uncertainty that is enough, and the one that the next pass is planned for
     budget_points : the most that may still be measured
     first_view, first_id : numbers that the next view and the next trigger id will have
+    passes : so far
+    last : no pass will follow, whatever is found
     """
 
     table: ObservationTable
@@ -53,6 +57,13 @@ class AssessmentRequest:
     budget_points: int
     first_view: int
     first_id: int
+    passes: tuple[ScanPass, ...] = ()
+    last: bool = False
+
+    def end(self, coverage: CoverageReport, planned: NextPass) -> PassesEnd | None:
+        """Why the scan ends with this; None when it goes on."""
+        passes = [*self.passes[:-1], *(replace(one, within_after=planned.within_now) for one in self.passes[-1:])]
+        return end_of(passes, coverage.reachable_within_fraction, self.last, len(planned.views), MOST_VIEWS - self.first_view)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -118,6 +129,9 @@ def run(request: AssessmentRequest, *, progress: OnProgress, cancelled: IsCancel
         noise=measured.noise,
         check=check,
     )
+    if request.end(coverage, planned) is not None:
+        # this one a person reads: it is worth another reconstruction
+        coverage = cover(surface, rig, calibration, request.wanted_um, observed, cancelled=cancelled)
     return Assessment(coverage, planned)
 
 

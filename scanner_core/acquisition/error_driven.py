@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from scanner_core.acquisition.assessing import Assess, Assessment, AssessmentRequest
 from scanner_core.acquisition.control import ScanControl
 from scanner_core.acquisition.following import Pass, PlanFollower
-from scanner_core.acquisition.passes import PassesEnd, PassKind, ScanPass, SteeringResult, SteeringStatus, counted, kept_passes, stalled
+from scanner_core.acquisition.passes import PassesEnd, PassKind, ScanPass, SteeringResult, SteeringStatus, counted, end_of, kept_passes
 from scanner_core.acquisition.plan import PlanRequest, ScanPlan, ViewPlan
 from scanner_core.acquisition.planning import even_views, nearest_turn
 from scanner_core.acquisition.rig_session import OpenRig
@@ -169,20 +169,12 @@ class ErrorDriven:
         self._assessment = found
         planned = found.next
         self._passes[-1] = replace(self._passes[-1], within_after=planned.within_now)
-        views = planned.views[: MOST_VIEWS - len(whole.plan.views)]
-        self._end = self._ended(found, rest, len(views))
-        return None if self._end is not None else _Step("steered", views, planned.within_now, planned.within_predicted)
-
-    def _ended(self, found: Assessment, rest: int, room: int) -> PassesEnd | None:
+        room = MOST_VIEWS - len(whole.plan.views)
+        views = planned.views[:room]
+        self._end = end_of(self._passes, found.coverage.reachable_within_fraction, self._spent(rest), len(planned.views), room)
         if self._refused is not None:
-            return PassesEnd.UNIFORM
-        if found.coverage.reachable_within_fraction >= 1.0 - _NOTHING:
-            return PassesEnd.WITHIN
-        if self._spent(rest):
-            return PassesEnd.POINTS_SPENT
-        if not found.next.views or stalled(self._passes):
-            return PassesEnd.NO_GAIN
-        return None if room else PassesEnd.VIEWS_SPENT
+            self._end = PassesEnd.UNIFORM
+        return None if self._end is not None else _Step("steered", views, planned.within_now, planned.within_predicted)
 
     def _spent(self, rest: int) -> bool:
         return rest < max(_LEAST_REST * self._request.points, _LEAST_POINTS)
@@ -204,6 +196,8 @@ class ErrorDriven:
             budget_points=max(rest, 0),
             first_view=len(whole.plan.views),
             first_id=self._store.next_trigger_id(),
+            passes=tuple(self._passes),
+            last=self._refused is not None or self._spent(rest),
         )
         self._computing = True
         try:
@@ -245,10 +239,6 @@ class ErrorDriven:
         except UsageError:
             return False
         return abs(table_deg) <= _FARTHEST_DEG
-
-
-_NOTHING = 1e-4
-"""Share of the area that is none."""
 
 
 def _scan_pass(step: _Step, first_view: int) -> ScanPass:

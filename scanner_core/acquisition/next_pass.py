@@ -39,6 +39,9 @@ _SPARE = 1.05
 _NARROWEST_SPOTS = 0.3
 """Narrowest step, in diameters of the spot: what lies closer shares its light, and errs alike."""
 
+_LEAST_YIELD = 0.25
+"""Where fewer exposures give a point, no more of them are spent on it: the sight line is likely another than it seems."""
+
 _NOT_MUCH_MORE = 1.3
 
 _MEAN_COSINE = 0.5
@@ -134,7 +137,7 @@ def next_pass(
         quota = int(min(np.floor(wanted.sum()), budget_points - points))
         if quota < _LEAST_POINTS:
             continue
-        plan = _view(sights[choice.chosen[k]], wanted, places, rig, rate_hz, view, next_id, quota)
+        plan = _view(sights[choice.chosen[k]], wanted, share[choice.chosen[k]], places, rig, rate_hz, view, next_id, quota)
         if not plan.rows:
             continue
         exposures = sum(row.count for row in plan.rows)
@@ -159,8 +162,11 @@ def _reach_deg(places: SurfacePlaces, rig: RigConfig) -> float:
     return float(np.degrees(0.8 * places.spacing_mm / distance_mm))
 
 
-def _view(sight: Sight, wanted: Array, places: SurfacePlaces, rig: RigConfig, rate_hz: float, view: int, first_id: int, quota: int) -> ViewPlan:
-    """The rows that measure `wanted` (n,) points of the places."""
+def _view(
+    sight: Sight, wanted: Array, share: Array, places: SurfacePlaces, rig: RigConfig, rate_hz: float, view: int, first_id: int, quota: int
+) -> ViewPlan:
+    """The rows that measure `wanted` (n,) points of the places, where an exposure gives a point with the probability `share` (n,)."""
+    exposures = wanted / np.maximum(share, _LEAST_YIELD)
     met = np.flatnonzero(sight.beam_free & (sight.cosines > 0).all(axis=1))
     laser = rig.laser
     distance_mm = float(np.linalg.norm(np.subtract(laser.position_mm, laser.target_mm)))
@@ -170,5 +176,6 @@ def _view(sight: Sight, wanted: Array, places: SurfacePlaces, rig: RigConfig, ra
     narrowest = float(np.degrees(_NARROWEST_SPOTS * laser.spot_diameter_mm / distance_mm))
     steps = narrowest, max(limits.sweep_speed_deg_s / rate_hz, narrowest)
     within = limits.x_deg, limits.y_deg
-    found = beam_rows(sight.beam_deg[met], wanted[met] / seen_deg2, _SPARE * quota, _reach_deg(places, rig), steps, within, view, first_id)
+    spent = _SPARE * quota * float(exposures.sum() / wanted.sum())
+    found = beam_rows(sight.beam_deg[met], exposures[met] / seen_deg2, spent, _reach_deg(places, rig), steps, within, view, first_id)
     return ViewPlan(sight.table_deg, found.rows, quota, found.step_deg * rate_hz)

@@ -165,6 +165,29 @@ def stalled(passes: Sequence[ScanPass]) -> bool:
 _BROUGHT, _LITTLE, _MOSTLY = 0.1, 0.01, 0.5
 
 
+def end_of(passes: Sequence[ScanPass], reachable_within: float, spent: bool, views: int, room: int) -> PassesEnd | None:
+    """Why there is no further pass after these; None when there is one.
+
+    Parameters
+    ----------
+    reachable_within : share of what can be reached that is within the wanted uncertainty
+    spent : too few points are left for a pass
+    views : of the pass that was planned
+    room : for so many more views
+    """
+    if reachable_within >= 1.0 - _NOTHING:
+        return PassesEnd.WITHIN
+    if spent:
+        return PassesEnd.POINTS_SPENT
+    if views == 0 or stalled(passes):
+        return PassesEnd.NO_GAIN
+    return None if room > 0 else PassesEnd.VIEWS_SPENT
+
+
+_NOTHING = 1e-4
+"""Share of the area that is none."""
+
+
 def kept_passes(passes: Sequence[ScanPass]) -> list[dict[str, object]]:
     """For the case; :func:`passes_of` reads it."""
     return [asdict(one) for one in passes]

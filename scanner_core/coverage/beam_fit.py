@@ -53,7 +53,7 @@ def fit_beam(nominal: LaserConfig, points: Array, told_deg: Array) -> BeamFit | 
         across[:, 0] *= np.cos(np.radians(told_deg[:, 1]))
         return np.asarray(across.ravel(), np.float64)
 
-    found = least_squares(residuals, np.zeros(5), loss="soft_l1", f_scale=_SCALE_MM, x_scale=(1, 1, 1, 0.1, 0.1))
+    found = least_squares(residuals, np.zeros(5), loss="soft_l1", f_scale=_SCALE_MM, x_scale=np.array([1.0, 1.0, 1.0, 0.1, 0.1]))
     left_over = residuals(found.x)
     return BeamFit(_changed(nominal, found.x), 1.4826 * float(np.median(np.abs(left_over))))
 

@@ -42,15 +42,15 @@ class Reach:
     def reasons(self, lines: Sightlines) -> NDArray[np.uint8]:
         """Index into :data:`REASONS` of what hinders each place, ``FEW_POINTS`` where nothing does, (v,).
 
-        Each looks at the angles at which all that comes before it is well: first whether the place faces all three, then the
-        view, the beam, and the cameras.
+        Each looks at the angles at which all that comes before it is well: first whether the place faces all three, then the view, the
+        beam, and the cameras; of what looks down the last two are not told apart.
         """
         hindrances = [
             (self.reached, Reason.FEW_POINTS),
             (lines.places[:, 2] < TABLE_MM, Reason.BELOW),
-            (~self.faces & (lines.normals[:, 2] < 0), Reason.BELOW),
+            (self.faces & ~self.faces_in_view, Reason.OUT_OF_VIEW),
+            (lines.normals[:, 2] < 0, Reason.BELOW),
             (~self.faces, Reason.GRAZING),
-            (~self.faces_in_view, Reason.OUT_OF_VIEW),
             (~self.lit, Reason.BEAM_SHADOWED),
             (self.left & ~self.right, Reason.RIGHT_HIDDEN),
             (self.right & ~self.left, Reason.LEFT_HIDDEN),

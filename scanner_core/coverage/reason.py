@@ -9,12 +9,13 @@ class Reason(Enum):
     """What hinders a place, over all table angles; the value is its name in JSON.
 
     They stand in the order in which light meets them, and each looks only at the angles at which what comes before it is well.
-    ``BELOW``: at no angle it faces the beam and both cameras, because it looks down; or it lies on the table.  ``GRAZING``: the
-    same for a place that does not look down.  ``OUT_OF_VIEW``: where it faces them it is outside the images, the volume or the
-    beam's range.  ``BEAM_SHADOWED``: there the object itself always stands before the beam.  ``LEFT_HIDDEN``, ``RIGHT_HIDDEN``:
-    wherever the beam gets there, the object stands before that camera, while the other one sees it.  ``CAMERAS_HIDDEN``: wherever
-    the beam gets there, at least one camera does not see it, and not always the same one.  ``TOO_DARK``, ``SATURATED``: all three
-    reach it, and the spots were rejected for that.  ``FEW_POINTS``: it can be measured; more points would do.
+    ``GRAZING``: at no angle it faces the beam and both cameras.  ``OUT_OF_VIEW``: where it faces them it is outside the images, the
+    volume or the beam's range.  ``BEAM_SHADOWED``: there the object itself always stands before the beam.  ``LEFT_HIDDEN``,
+    ``RIGHT_HIDDEN``: wherever the beam gets there, the object stands before that camera, while the other one sees it.
+    ``CAMERAS_HIDDEN``: wherever the beam gets there, at least one camera does not see it, and not always the same one.  ``BELOW``
+    stands for all of these but ``OUT_OF_VIEW`` where the place looks down, below the horizon, or lies on the table: which of them it
+    is would turn on the very slope of a surface that nobody has seen, and the help is the same.  ``TOO_DARK``, ``SATURATED``: all
+    three reach it, and the spots were rejected for that.  ``FEW_POINTS``: it can be measured; more points would do.
     """
 
     WITHIN = "within"

@@ -65,6 +65,8 @@ def corrected_by(exposures: Exposures, reasons: NDArray[np.uint8], surface: Tria
         (share[:, _UNSEEN] > _BOTH_SIDES, Reason.TOO_DARK),
     ]
     codes = np.select([here for here, _ in causes], [REASONS.index(reason) for _, reason in causes], REASONS.index(Reason.FEW_POINTS))
+    hidden = np.isin(codes, [REASONS.index(reason) for reason in (Reason.CAMERAS_HIDDEN, Reason.LEFT_HIDDEN, Reason.RIGHT_HIDDEN)])
+    codes[hidden & (lines.normals[:, 2] < 0)] = REASONS.index(Reason.BELOW)
     return np.where(wrong, codes, reasons).astype(np.uint8)
 
 

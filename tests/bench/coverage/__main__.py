@@ -7,8 +7,10 @@
 
 The scan is simulated by rays (see `simulated_scan`), or taken from a case that was rendered and reconstructed.  The truth of a
 vertex is that of its counterpart on the true surface: the nearest along its normal; its reason is by the same definition, from
-rays against the true surface.  Agreement is by area: of reachable or not over the whole surface, and of the reason over what the truth
-calls unreachable, and over what the program calls so.  Where a true surface is open, what closes it takes no part.
+rays against the true surface.  Agreement is by area: of reachable or not over the whole surface, and of the reason over the whole, over
+what the truth calls unreachable, and over what the program calls so; and of places, as a person reads them: connected parts with one
+reason from 1 mm2, right where the other surface has the same reason over most of it.  Where a true surface is open, what closes it
+takes no part.
 """
 
 from __future__ import annotations
@@ -18,6 +20,8 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import sparse
+from scipy.sparse.csgraph import connected_components
 
 from scanner_core.acquisition.plan import ScanPlan
 from scanner_core.case.points import case_rig
@@ -26,11 +30,12 @@ from scanner_core.case.store import CaseStore
 from scanner_core.coverage.covering import cover, hindrances
 from scanner_core.coverage.exposures import Exposures, exposures_of
 from scanner_core.coverage.guess import counterparts
-from scanner_core.coverage.placing import vertex_areas
+from scanner_core.coverage.placing import LEAST_MM2, vertex_areas
 from scanner_core.coverage.reason import REASONS, Reason
 from scanner_core.coverage.sightlines import Sightlines
 from scanner_core.devices.rig import RigConfig, load_preset
 from scanner_core.geometry.checks import check_mesh
+from scanner_core.geometry.edges import EdgeTable
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.reconstruction.pipeline import reconstruct
@@ -60,7 +65,7 @@ def of_case(path: Path) -> tuple[TriangleMesh, Exposures]:
 
 
 def judge(name: str, truth: TriangleMesh, surface: TriangleMesh, observed: Exposures | None, rig: RigConfig, confusion: bool) -> list[float]:
-    """Prints one row, and returns the three agreements."""
+    """Prints one row, and returns the agreements."""
     assert rig.calibration is not None
     told = cover(surface, rig, rig.calibration, 0.0, observed).reasons
     normals = surface.vertex_normals()
@@ -74,10 +79,14 @@ def judge(name: str, truth: TriangleMesh, surface: TriangleMesh, observed: Expos
     def agreement(same: NDArray[np.bool_], over: NDArray[np.bool_]) -> float:
         return float(area[same & over].sum() / max(area[over].sum(), 1e-12))
 
+    everywhere = np.ones_like(true, np.bool_)
     shares = [
-        agreement((told == FEW) == (true == FEW), np.ones_like(true, np.bool_)),
+        agreement((told == FEW) == (true == FEW), everywhere),
+        agreement(told == true, everywhere),
         agreement(told == true, true != FEW),
         agreement(told == true, told != FEW),
+        _places_right(surface, area, true, told),
+        _places_right(surface, area, told, true),
     ]
     unseen = area[true != FEW].sum()
     print(f"{name:<28} {area.sum():8.0f} {unseen:8.1f}   " + " ".join(f"{100 * share:8.2f}" for share in shares), flush=True)
@@ -87,6 +96,20 @@ def judge(name: str, truth: TriangleMesh, surface: TriangleMesh, observed: Expos
         for k in kinds:
             print(f"{REASONS[k].value:>18}" + " ".join(f"{area[(true == k) & (told == j)].sum():14.1f}" for j in kinds))
     return shares
+
+
+def _places_right(surface: TriangleMesh, area: NDArray[np.float64], these: NDArray[np.uint8], others: NDArray[np.uint8]) -> float:
+    """Share of the area of the unreachable places of `these` over most of which `others` has the same reason."""
+    edges = EdgeTable.of(surface.triangles).edges
+    same = edges[these[edges[:, 0]] == these[edges[:, 1]]]
+    count = len(these)
+    part = connected_components(sparse.coo_array((np.ones(len(same)), (same[:, 0], same[:, 1])), shape=(count, count)), directed=False)[1]
+    votes = np.zeros((part.max() + 1, len(REASONS)))
+    np.add.at(votes, (part, others), area)
+    sizes, reason = votes.sum(axis=1), np.zeros(len(votes), np.uint8)
+    reason[part] = these
+    listed = (reason != FEW) & (sizes >= LEAST_MM2)
+    return float(sizes[listed & (votes.argmax(axis=1) == reason)].sum() / max(sizes[listed].sum(), 1e-12))
 
 
 def main() -> None:
@@ -100,7 +123,7 @@ def main() -> None:
     parser.add_argument("--confusion", action="store_true")
     given = parser.parse_args()
     rig = load_preset("bench")
-    print("surface                         mm2     unseen   agreement, %: reachable or not; reason where unseen; reason where told unseen")
+    print(" " * 46 + "agreement, %: reachable  reason everywhere, where unseen, told unseen  places true, told")
     for specimen in given.specimens:
         truth = load_specimen(specimen).mesh
         for seed in given.seeds:

@@ -55,11 +55,15 @@ class Script:
     def __init__(self, *answers: Callable[[AssessmentRequest], Assessment | ImprontaError]) -> None:
         self._answers = list(answers)
         self.asked: list[AssessmentRequest] = []
+        self.ends: list[PassesEnd | None] = []
 
     def __call__(self, request: AssessmentRequest, waiting: Waiting) -> Assessment | ImprontaError:
         assert not waiting()
         self.asked.append(request)
-        return self._answers.pop(0)(request)
+        answer = self._answers.pop(0)(request)
+        if isinstance(answer, Assessment):
+            self.ends.append(request.end(answer.coverage, answer.next))
+        return answer
 
 
 def passes(
@@ -185,14 +189,17 @@ def test_passes_that_bring_nothing_end_it(store: CaseStore) -> None:
     ids=["little", "enough", "out of reach"],
 )
 def test_passes_that_bring_little_end_it_once_most_is_as_wanted(store: CaseStore, shares: list[tuple[float, float]], end: PassesEnd) -> None:
-    told = Bench(store, Script(*[passes(*share, 33.0, quota=50) for share in shares], passes(*shares[-1]))).run()
+    script = Script(*[passes(*share, 33.0, quota=50) for share in shares], passes(*shares[-1]))
+    told = Bench(store, script).run()
     assert told.end is end
+    assert script.ends == [None] * (len(script.ends) - 1) + [end]  # whoever assesses knows that this report is the last
 
 
 def test_a_plan_holds_no_more_views_than_a_case(store: CaseStore) -> None:
     script = Script(passes(0.5, 0.9, *np.linspace(0, 300, 355), quota=0), passes(0.6, 0.9, 10.0, 20.0, quota=0), passes(0.7, 0.9, 10.0))
     told = Bench(store, script).run()
     assert (told.end, [one.views for one in told.passes]) == (PassesEnd.VIEWS_SPENT, [4, 355, 1])
+    assert script.ends == [None, None, PassesEnd.VIEWS_SPENT]
 
 
 @pytest.mark.parametrize(("turns", "angles"), [((-1e9, 1e9), [365.0, 460.0, 370.0]), ((0.0, 359.0), [5.0, 100.0, 10.0])])

@@ -109,6 +109,17 @@ def test_what_is_too_high_is_out_of_view() -> None:
     assert reason_at(box((-5, -5, 1), (5, 5, 120)), (5, 0, 0.1), np.array([[1.0, 0.0, 0.0]])) is Reason.BELOW
 
 
+def test_what_looks_down_is_told_by_that_whatever_else_is_in_the_way() -> None:
+    """The inner wall of a deep shaft, a little over and a little under the horizon; and a wall that would be seen if it were lower."""
+    walls = [box((-7, -7, 1), (-5, 7, 31)), box((5, -7, 1), (7, 7, 31)), box((-7, -7, 1), (7, -5, 31)), box((-7, 5, 1), (7, 7, 31))]
+    shaft = joined(box((-7, -7, 0.5), (7, 7, 1)), *walls)
+    up, down = np.array([[0.99, 0.0, 0.14]]), np.array([[0.99, 0.0, -0.14]])
+    assert reason_at(shaft, (-5, 0, 4), up) is Reason.BEAM_SHADOWED
+    assert reason_at(shaft, (-5, 0, 4), down) is Reason.BELOW
+    assert reason_at(box((-5, -5, 1), (5, 5, 120)), (5, 0, 118), down) is Reason.OUT_OF_VIEW
+    assert reason_at(box((-5, -5, 1), (5, 5, 40)), (5, 0, 20), down) is Reason.FEW_POINTS
+
+
 def test_rejected_spots_tell_that_a_place_is_too_dark_or_too_bright() -> None:
     mesh = box((-15, -15, 1), (15, 15, 20))
     for _ in range(5):
