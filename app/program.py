@@ -19,8 +19,11 @@ from app.controllers.acquisition import AcquisitionController
 from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
+from app.controllers.coverage import CoverageController
 from app.controllers.export import ExportController
 from app.controllers.live_surface import LiveSurfaceController
+from app.controllers.mount_picks import MountPicks
+from app.controllers.mounts import MountsController
 from app.controllers.reconstruction import ReconstructionController
 from app.controllers.recovery import RecoveryController
 from app.controllers.rig import RigController
@@ -82,8 +85,25 @@ class Program(QObject):
         recovery = RecoveryController(self.background, self.settings, cases, acquisition, self.tell, self)
         assistant = AssistantController(self.background, rig, self.tell, self)
         live = LiveSurfaceController(self.background, acquisition, self)
+        coverage = CoverageController(self.background, cases, acquisition, self.tell, self)
+        mounts = MountsController(self.background, cases, acquisition, rig, self.tell, self)
+        picks = MountPicks(self.compare_stack, mounts, self)
         self.services = Services(
-            self.settings, draft, self.background, rig, cases, acquisition, reconstruction, export, comparing, recovery, assistant, live
+            self.settings,
+            draft,
+            self.background,
+            rig,
+            cases,
+            acquisition,
+            reconstruction,
+            export,
+            comparing,
+            recovery,
+            assistant,
+            live,
+            coverage,
+            mounts,
+            picks,
         )
         draft.load(first_order(self.settings.last_order))
         self._event_log = EventLog(self.services, self)
@@ -95,7 +115,8 @@ class Program(QObject):
         install_hooks(self._show)
         self._shading = Shading(self.background)
         pages = [page.tick for page in self.window.pages.values()]
-        for source in (self.background.drain, acquisition.drain, reconstruction.drain, comparing.drain, live.tick, self._shading.tick, *pages):
+        drains = (self.background.drain, acquisition.drain, reconstruction.drain, comparing.drain, coverage.drain, mounts.drain)
+        for source in (*drains, live.tick, self._shading.tick, *pages):
             self.pump.add_source(source)
         for painter in (self.window.paint_scene, *(page.paint_scene for page in self.window.pages.values())):
             self.pump.add_painter(painter)
@@ -159,6 +180,8 @@ class Program(QObject):
             ("live surface", services.live_surface.shutdown),
             ("reconstruction", services.reconstruction.shutdown),
             ("comparison", services.comparing.shutdown),
+            ("coverage", services.coverage.shutdown),
+            ("mounts", services.mounts.shutdown),
             ("case", lambda: services.case.shutdown(_DEADLINE_S)),
             ("shading", lambda: self._shading.close(_DEADLINE_S)),
             ("background", self._end_background),

@@ -9,8 +9,11 @@ from app.controllers.acquisition import AcquisitionController
 from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
+from app.controllers.coverage import CoverageController
 from app.controllers.export import ExportController
 from app.controllers.live_surface import LiveSurfaceController
+from app.controllers.mount_picks import MountPicks
+from app.controllers.mounts import MountsController
 from app.controllers.reconstruction import ReconstructionController
 from app.controllers.recovery import RecoveryController
 from app.controllers.rig import RigController
@@ -34,3 +37,6 @@ class Services:
     recovery: RecoveryController
     assistant: AssistantController
     live_surface: LiveSurfaceController
+    coverage: CoverageController
+    mounts: MountsController
+    mount_picks: MountPicks

@@ -15,8 +15,10 @@ from environment import ROOT, Environment
 from progress import SetupError, Steps, say
 
 XVFB_RUN = ["xvfb-run", "-a", "-s", "-screen 0 1600x1000x24"]
-SIDE_BY_SIDE = ["-n", "auto", "--maxprocesses", "4", "--dist", "loadfile"]
-"""For the `ci` tests as a whole: a process a core; soaks and benchmarks, whose figures count, run alone."""
+SIDE_BY_SIDE = ["-n", "auto", "--maxprocesses", "4", "--dist", "loadfile", "--no-loadscope-reorder"]
+"""For the `ci` tests as a whole: a process a core; soaks and benchmarks, whose figures count, run alone.
+
+Whole files in the order of tests/conftest.py, which begins with the longest; xdist's own begins with those of most tests."""
 
 
 def start(arguments: Sequence[str]) -> int:

@@ -8,6 +8,13 @@ import threading
 import time
 from collections.abc import Iterator
 from multiprocessing import resource_tracker
+from pathlib import Path
+
+if "PYTEST_XDIST_WORKER" in os.environ:
+    # A process a core already: threads of BLAS would wait for each other and cost up to eight times the CPU. Read when
+    # numpy is loaded, so set before any import of it; programs that a test starts inherit it.
+    for _name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS", "NUMEXPR_NUM_THREADS"):
+        os.environ[_name] = "1"
 
 import cv2
 import psutil
@@ -23,12 +30,35 @@ cv2.setNumThreads(1)
 settings.register_profile("repeatable", deadline=None, derandomize=True, print_blob=True)
 settings.load_profile("repeatable")
 
+_LONGEST = (
+    "system/test_whole_job.py",
+    "gui/test_compare_page.py",
+    "gui/test_window.py",
+    "core/reconstruction/test_pipeline.py",
+    "gui/test_assistant.py",
+    "system/test_reconstruct_inputs.py",
+    "core/optics/test_calibration_session.py",
+    "core/reconstruction/test_acceptance.py",
+    "gui/test_journey.py",
+    "core/devices/test_video4linux.py",
+    "gui/test_own_rig.py",
+    "core/acquisition/test_error_driven.py",
+)
+"""Files that take longest, in the order in which they begin when processes share the files."""
+_HERE = Path(__file__).parent
 _THIS_PROCESS = psutil.Process()
 _GRACE_S = 2.0  # a thread that was told to stop may take this long to be gone
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--rig", metavar="RIG.toml", help="with -m hardware: the rig file whose devices are tested")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Begin with the longest files: one that begins last keeps one process busy while the others have nothing left to do."""
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        rank = {_HERE / name: number for number, name in enumerate(_LONGEST)}
+        items.sort(key=lambda item: rank.get(item.path, len(rank)))
 
 
 @pytest.fixture(autouse=True)

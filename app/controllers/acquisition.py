@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
     from scanner_core.case.store import CaseStore
 
 Floats = NDArray[np.float64]
+MakeRunner = Callable[["OpenRig", "CaseStore"], "ScanRunner"]
 
 
 class AcquisitionController(QObject):
@@ -86,14 +88,30 @@ class AcquisitionController(QObject):
             return
         self._prepare()
         self._case.close()
-        self._case.create(lambda store: self._begin(store, request), self._no_case)
+        self._case.create(lambda store: self._begin(store, partial(_new_scan, request)), self._no_case)
+
+    def start_mount(self, request: PlanRequest) -> None:
+        """Scan the object as it stands now into the open case, as another mount."""
+        self._go_on(partial(_another_mount, request))
+
+    def fill(self, until_um: float, points: int) -> None:
+        """Go on with the newest scan of the open case until an uncertainty, with so many more points at most."""
+        self._go_on(partial(_further, until_um, points))
 
     def resume(self, path: Path) -> None:
         """Go on with the interrupted scan of a case; known points are measured again first."""
         if self.running or not self._rig.snapshot.connected:
             return
         self._prepare()
-        self._case.open(path, lambda store: self._begin(store, None), self._no_case)
+        self._case.open(path, lambda store: self._begin(store, _rest_of_scan), self._no_case)
+
+    def _go_on(self, make: MakeRunner) -> None:
+        """Scan into the open case."""
+        store = self._case.store
+        if self.running or store is None or not self._rig.snapshot.connected:
+            return
+        self._prepare()
+        self._begin(store, make)
 
     def _prepare(self) -> None:
         self._wanted, self._stopped = True, False
@@ -161,8 +179,8 @@ class AcquisitionController(QObject):
             sink(points, towards)
 
     # -------------------------------------------------------------------------------- inside
-    def _begin(self, store: CaseStore, request: PlanRequest | None) -> None:
-        """A new scan as requested, or the rest of the interrupted one."""
+    def _begin(self, store: CaseStore, make: MakeRunner) -> None:
+        """`make` the scan, off the GUI thread, and follow it."""
         if self._stopped:  # while the case was made
             self._no_case()
             return
@@ -173,7 +191,7 @@ class AcquisitionController(QObject):
             return
         self._borrowed = True
         self._calibration = "" if rig.calibration is None else rig.calibration.identity()
-        self._background.run("scan-start", lambda: _runner(rig, request, store), self._follow, self._not_started)
+        self._background.run("scan-start", lambda: _started(make, rig, store), self._follow, self._not_started)
 
     def _let_go(self) -> None:
         if self._borrowed:
@@ -228,15 +246,38 @@ def _source(result: ScanResult, views: RegisteredViews, calibration: str) -> dic
     return ProcessedCase(Processing(scans=scans), views.cloud, result.counts, (calibration,), (views.noise,), False, None).provenance()
 
 
-def _runner(rig: OpenRig, request: PlanRequest | None, store: CaseStore) -> ScanRunner:
+def _started(make: MakeRunner, rig: OpenRig, store: CaseStore) -> ScanRunner:
+    rig.concern(store)
+    runner = make(rig, store)
+    runner.start()
+    return runner
+
+
+def _new_scan(request: PlanRequest, rig: OpenRig, store: CaseStore) -> ScanRunner:
+    from scanner_core.acquisition.runner import ScanRunner
+
+    return ScanRunner(rig, request, store)
+
+
+def _another_mount(request: PlanRequest, rig: OpenRig, store: CaseStore) -> ScanRunner:
+    from scanner_core.acquisition.runner import ScanRunner
+
+    return ScanRunner(rig, request, store, mount=store.next_mount())
+
+
+def _rest_of_scan(rig: OpenRig, store: CaseStore) -> ScanRunner:
     from scanner_core.acquisition.runner import ScanRunner
     from scanner_core.case.recovery import interruption
     from scanner_core.errors import AcquisitionError
 
-    interrupted = None if request is not None else interruption(store)
-    if request is None and interrupted is None:
+    interrupted = interruption(store)
+    if interrupted is None:
         raise AcquisitionError("E-SCAN-04", path=store.path)
-    rig.concern(store)
-    runner = ScanRunner(rig, request or PlanRequest(), store, interruption=interrupted)
-    runner.start()
-    return runner
+    return ScanRunner(rig, interrupted.request, store, interruption=interrupted)
+
+
+def _further(until_um: float, points: int, rig: OpenRig, store: CaseStore) -> ScanRunner:
+    from scanner_core.case.reopening import reopen
+
+    reopen(store, until_um, points)
+    return _rest_of_scan(rig, store)

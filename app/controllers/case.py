@@ -181,12 +181,13 @@ class CaseController(QObject):
         work: Callable[[CaseStore], T],
         *,
         reread: bool = False,
+        step: bool = True,
         then: Callable[[T], None] = lambda _: None,
         failed: Callable[[Exception], None] | None = None,
     ) -> None:
         """Something that a person does to the open case, and can undo: `work` edits the store in the case's thread.
 
-        `then` gets its result in the GUI thread; without `failed` a fault is told.
+        `then` gets its result in the GUI thread; without `failed` a fault is told.  Without `step` it is nothing that can be undone.
         """
         if reread:
             self._write_order()  # what is read again holds what was typed before
@@ -203,7 +204,8 @@ class CaseController(QObject):
             if store is self.store:
                 if content is not None:
                     self._show(content.values, before, content)
-                self._step()
+                if step:
+                    self._step()
             then(result)
 
         self._do(do, done, failed)

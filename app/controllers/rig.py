@@ -85,10 +85,11 @@ class RigController(QObject):
         self._device.start()
 
     # -------------------------------------------------------------------------------- what a person chooses
-    def choose(self, *, preset: str | None = None, specimen: str | None = None, speed: str | None = None) -> None:
+    def choose(self, *, preset: str | None = None, specimen: str | None = None, speed: str | None = None, pose: str | None = None) -> None:
         """Read the rig file again and open the rig anew with this; what is not given stays.  `preset` may be the path of a rig file."""
         before = self.snapshot
         wanted = replace(before, preset=preset or before.preset, specimen=specimen or before.specimen, speed=speed or before.speed, connected=False)
+        wanted = replace(wanted, pose=pose or (before.pose if specimen is None else None))
         if wanted.preset != before.preset:
             wanted = replace(wanted, found=None, refused=None)
         self._news(replace(wanted, failure=None, opening=True))
@@ -177,7 +178,7 @@ class RigController(QObject):
 
     # -------------------------------------------------------------------------------- the device thread
     def _reopen(self, before: RigSnapshot, wanted: RigSnapshot) -> None:
-        from scanner_core.virtual.specimens import check_fits, load_specimen
+        from scanner_core.virtual.specimens import check_fits, load_specimen, remounted
 
         if self._closing.is_set():
             return
@@ -185,6 +186,7 @@ class RigController(QObject):
             config, specimen = self.files.read(wanted.preset), None
             if config.virtual is not None:
                 specimen = load_specimen(wanted.specimen)
+                specimen = specimen if wanted.pose is None else remounted(specimen, wanted.pose)
                 check_fits(specimen, config.volume)
         except ImprontaError as fault:
             self._devices.forget()

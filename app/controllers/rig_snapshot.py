@@ -29,6 +29,7 @@ class RigSnapshot:
     ----------
     preset : what was chosen: a preset's name, or the path of a rig file
     specimen, speed : what was chosen for the virtual rig; `specimen` is a name or a file's path
+    pose : how the virtual specimen was put down; None as it came
     config : the rig as it is used, with its calibration; None until it was read
     connected : cameras and controller are open
     failure : what keeps it from being open, and at which device
@@ -50,6 +51,7 @@ class RigSnapshot:
     preset: str = "bench"
     specimen: str = "ear"
     speed: str = "max"
+    pose: str | None = None
     config: RigConfig | None = None
     connected: bool = False
     failure: DeviceFailure | None = None

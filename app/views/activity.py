@@ -14,6 +14,10 @@ def activity_words(services: Services) -> str:
         return translate("activity", "Scanning")
     if services.reconstruction.running:
         return translate("activity", "Reconstructing")
+    if services.coverage.running:
+        return translate("activity", "Looking for what is missing")
+    if services.mounts.running:
+        return translate("activity", "Bringing the mounts together")
     if services.comparing.answers.running:
         return translate("activity", "Comparing")
     if services.rig.snapshot.calibrating is not None:

@@ -19,8 +19,10 @@ from app.undo import UndoHistory
 from app.views import format as fmt
 from app.views.activity import activity_words
 from app.views.banner import Banner
+from app.views.coverage_page import CoveragePage
 from app.views.file_dialogs import choose_file
 from app.views.laser_lamps import LaserLamps
+from app.views.mounts_page import MountsPage
 from app.views.page import Page
 from app.views.pages import ASIDE, PAGES
 from app.views.parts import seam
@@ -66,6 +68,8 @@ class MainWindow(QMainWindow):
             page.wanted.connect(self.show_page)
             page.intent.connect(self._do)
             page.noted.connect(self.banner.tell_note)
+            page.aside_changed.connect(self._show_aside)
+            page.flight.connect(lambda points, normal: self._with_scene(lambda scene: scene.fly_to(points, normal)))
             self.pages[info.id] = page
             self._stack.addWidget(page)
         self._stage_seam = seam(upright=True)
@@ -107,6 +111,7 @@ class MainWindow(QMainWindow):
         self.scene = scene
         self.stage.put_scene(scene)
         self._show_case()
+        self._show_aside()
 
     def paint_scene(self) -> float:
         """For the pump."""
@@ -130,6 +135,7 @@ class MainWindow(QMainWindow):
         self.rail.show_page(info.of or page_id)
         self._show_whose()
         page.entered()
+        self._show_aside()
 
     @property
     def page_id(self) -> str:
@@ -170,19 +176,42 @@ class MainWindow(QMainWindow):
         self._undo.redo()
 
     def start_scan(self) -> None:
-        rig, values = self.services.rig.snapshot, self.services.draft.values
         if self.services.acquisition.running or self.services.reconstruction.running:
             return
         self.banner.dismiss()
-        self.services.acquisition.start(
-            PlanRequest(
-                views=values.views,
-                points=values.points,
-                object_radius_mm=rig.specimen_radius_mm,
-                object_height_mm=rig.specimen_height_mm,
-                until_um=float(values.until_um) if values.until_um else None,
-            )
+        self.services.acquisition.start(self._request())
+
+    def _request(self) -> PlanRequest:
+        rig, values = self.services.rig.snapshot, self.services.draft.values
+        return PlanRequest(
+            views=values.views,
+            points=values.points,
+            object_radius_mm=rig.specimen_radius_mm,
+            object_height_mm=rig.specimen_height_mm,
+            until_um=float(values.until_um) if values.until_um else None,
         )
+
+    def show_coverage(self) -> None:
+        self.show_page("coverage")
+
+    def fill(self) -> None:
+        """Scan on, as the object stands."""
+        page = self.pages["coverage"]
+        assert isinstance(page, CoveragePage)
+        if page.fill.isEnabled():
+            self.banner.dismiss()
+            self.services.acquisition.fill(float(page.wanted_um.value()), self.services.draft.values.points)
+
+    def show_mounts(self) -> None:
+        self.show_page("mounts")
+
+    def scan_mount(self) -> None:
+        """The object as it stands now, into the same case."""
+        page = self.pages["mounts"]
+        assert isinstance(page, MountsPage)
+        if page.scan.isEnabled():
+            self.banner.dismiss()
+            self.services.acquisition.start_mount(self._request())
 
     def pause_scan(self) -> None:
         self.services.acquisition.pause_or_resume()
@@ -277,6 +306,9 @@ class MainWindow(QMainWindow):
         services.comparing.answers.changed.connect(self._show_activity)
         services.comparing.draft.changed.connect(self._show_whose)
         services.assistant.changed.connect(self._show_activity)
+        for controller in (services.coverage, services.mounts):
+            controller.changed.connect(self._show_activity)
+        services.mounts.began.connect(self.show_mounts)
         self._undo.changed.connect(self._show_undo)
         self.rail.show_order(services.draft.values)
 
@@ -368,17 +400,12 @@ class MainWindow(QMainWindow):
         self._show_legend()
         self._show_actions()
 
+    def _show_aside(self) -> None:
+        self._with_scene(lambda scene: scene.show_aside(self.pages[self.page_id].aside()))
+        self._show_legend()
+
     def _show_legend(self) -> None:
-        scene = self.scene
-        bounds = None if scene is None else scene.cloud.bounds_mm
-        if scene is not None and scene.mesh.range_um is not None:
-            self.stage.legend.show_uncertainty(*scene.mesh.range_um)
-        elif bounds is not None and self.actions_by_id["show_points"].isChecked():
-            self.stage.legend.show_height(float(bounds[0, 2]), float(bounds[1, 2]))
-        elif scene is not None and scene.mesh.surface is not None and not scene.mesh.surface.growing:
-            self.stage.legend.show_support(self.tr("scanned"), self.tr("not scanned"))
-        else:
-            self.stage.legend.hide()
+        self.stage.legend.show_scene(self.scene, points=self.actions_by_id["show_points"].isChecked())
 
     def _show_actions(self) -> None:
         running, case = self.services.acquisition.running, self.services.case

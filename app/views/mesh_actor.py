@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
@@ -18,6 +19,7 @@ class MeshActor:
     def __init__(self) -> None:
         self._surface: Surface | None = None
         self._uncertainty = False
+        self._painted: NDArray[np.uint8] | None = None
         self._on = True
         self.range_um: tuple[float, float] | None = None
         """What the ends of the colour map mean, or None when it is not shown."""
@@ -73,6 +75,12 @@ class MeshActor:
         if self._surface is not None:
             self._paint()
 
+    def paint_vertices(self, colours: NDArray[np.uint8] | None) -> None:
+        """Colours (v, 3) instead of those of what the data support; None for these again."""
+        self._painted = colours
+        if self._surface is not None:
+            self._paint()
+
     def _paint(self) -> None:
         surface = self._surface
         assert surface is not None
@@ -89,11 +97,16 @@ class MeshActor:
             self._mapper.SetColorModeToMapScalars()
         else:
             self.range_um = None
-            colours = np.empty((len(surface.mesh.vertices), 3), np.uint8)
-            colours[:] = rgb(INFLATING if surface.growing else SUPPORTED)
-            supported = attributes.get("supported")
-            if supported is not None and not surface.growing:
-                colours[np.asarray(supported) == 0] = rgb(UNSUPPORTED)
-            values.SetScalars(copied(colours))
+            values.SetScalars(copied(_by_support(surface) if self._painted is None else self._painted))
             self._mapper.SetColorModeToDirectScalars()
         self._mapper.Modified()
+
+
+def _by_support(surface: Surface) -> NDArray[np.uint8]:
+    """(v, 3)"""
+    colours = np.empty((len(surface.mesh.vertices), 3), np.uint8)
+    colours[:] = rgb(INFLATING if surface.growing else SUPPORTED)
+    supported = surface.mesh.vertex_attributes.get("supported")
+    if supported is not None and not surface.growing:
+        colours[np.asarray(supported) == 0] = rgb(UNSUPPORTED)
+    return colours

@@ -11,6 +11,7 @@ from app.views.parts import label
 
 if TYPE_CHECKING:
     from app.services import Services
+    from app.views.aside import Aside
 
 INSPECTOR_WIDTH = 300
 
@@ -23,6 +24,10 @@ class Page(QWidget):
     """Asks the window for an action of the action table."""
     noted = Signal(str, str)
     """Something worth knowing and what to do, for the banner."""
+    aside_changed = Signal()
+    """What :meth:`aside` tells is another thing, or looks otherwise."""
+    flight = Signal(object, object)
+    """Have the camera of the 3D view fly to points (n, 3) mm, seen from a direction (3,)."""
 
     def __init__(self, services: Services) -> None:
         super().__init__()
@@ -42,6 +47,10 @@ class Page(QWidget):
 
     def close_scene(self) -> None:
         """Release the graphics of a 3D view of its own."""
+
+    def aside(self) -> Aside | None:
+        """What the 3D view shows beside this page in the place of the case; None for the case.  Called when there is a 3D view."""
+        return None
 
     def look(self, view: str) -> bool:
         """Turn a 3D view of its own: ``fit``, ``front`` or ``top``; False when there is none."""

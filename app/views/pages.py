@@ -7,9 +7,12 @@ from dataclasses import dataclass
 from app.translation import QT_TRANSLATE_NOOP
 from app.views.assistant_page import AssistantPage
 from app.views.compare_page import ComparePage
+from app.views.coverage_page import CoveragePage
 from app.views.export_page import ExportPage
 from app.views.home_page import HomePage
+from app.views.mounts_page import MountsPage
 from app.views.page import MakePage
+from app.views.pick_page import PickPage
 from app.views.reconstruct_page import ReconstructPage
 from app.views.rig_page import RigPage
 from app.views.scan_page import ScanPage
@@ -42,5 +45,10 @@ PAGES: tuple[PageInfo, ...] = (
     PageInfo("compare", QT_TRANSLATE_NOOP("pages", "Compare"), "compare", ComparePage),
 )
 
-ASIDE: tuple[PageInfo, ...] = (PageInfo("assistant", QT_TRANSLATE_NOOP("pages", "Set up a rig"), "rig", AssistantPage, of="rig"),)
-"""What is done once, not for every order: not in the rail."""
+ASIDE: tuple[PageInfo, ...] = (
+    PageInfo("assistant", QT_TRANSLATE_NOOP("pages", "Set up a rig"), "rig", AssistantPage, of="rig"),
+    PageInfo("coverage", QT_TRANSLATE_NOOP("pages", "Coverage"), "scan", CoveragePage, stage=QT_TRANSLATE_NOOP("pages", "Coverage"), of="scan"),
+    PageInfo("mounts", QT_TRANSLATE_NOOP("pages", "Another mount"), "scan", MountsPage, stage=QT_TRANSLATE_NOOP("pages", "Mounts"), of="scan"),
+    PageInfo("pick", QT_TRANSLATE_NOOP("pages", "Pick three points"), "scan", PickPage, of="scan"),
+)
+"""What is not done for every order: not in the rail."""

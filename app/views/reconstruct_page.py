@@ -76,7 +76,10 @@ class ReconstructPage(Page):
         self._start = button(self.tr("Reconstruct"), "primary", lambda: self.intent.emit("reconstruct"))
         self._cancel = button(self.tr("Cancel"), "", services.reconstruction.cancel)
         self._next = button(self.tr("Export"), "primary", lambda: self.wanted.emit("export"))
+        self.missing = button(self.tr("Coverage"), "", lambda: self.intent.emit("coverage"))
+        self.missing.setToolTip(self.tr("Places that are not as certain as wanted, why, and what can be done about them (F8)"))
         box.addWidget(self._next)
+        box.addWidget(self.missing)
         box.addWidget(self._start)
         box.addWidget(self._cancel)
         services.reconstruction.changed.connect(self._show)
@@ -175,6 +178,7 @@ class ReconstructPage(Page):
         self._start.setEnabled(case.cloud is not None and not self.services.acquisition.running)
         self._start.setText(self.tr("Reconstruct again") if done else self.tr("Reconstruct"))
         self._next.setVisible(done and not job.running)
+        self.missing.setVisible(done and not job.running)
         role = "" if done else "primary"
         if self._start.property("role") != role:
             self._start.setProperty("role", role)

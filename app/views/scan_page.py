@@ -81,7 +81,12 @@ class ScanPage(Page):
         self._pause = button(self.tr("Pause"), "", lambda: self.intent.emit("pause_scan"))
         self._stop = button(self.tr("Stop · laser off"), "laser", lambda: self.intent.emit("laser_off"))
         self._next = button(self.tr("Reconstruct"), "primary", self._go_on)
+        self.missing = button(self.tr("Coverage"), "", lambda: self.intent.emit("coverage"))
+        self.missing.setToolTip(self.tr("Places that are not as certain as wanted, why, and what can be done about them (F8)"))
+        self.another = button(self.tr("Another mount"), "", lambda: self.intent.emit("another_mount"))
+        self.another.setToolTip(self.tr("Set the object down in another way and scan it into the same case (F9)"))
         box.addWidget(self._next)
+        box.addLayout(row(self.missing, self.another))
         box.addWidget(self.start)
         box.addLayout(row(self._pause, self._stop))
         services.acquisition.add_preview_sink(self._show_preview)
@@ -198,6 +203,10 @@ class ScanPage(Page):
         running = acquisition.running
         done = not running and self.services.case.cloud is not None
         self._next.setVisible(done)
+        self.missing.setVisible(done)
+        self.another.setVisible(done)
+        for made in (self._pause, self._stop):  # the rail has the stop on every page
+            made.setVisible(not done)
         self.start.setVisible(not running)
         self.start.setText(start_words(self.services.draft.values, again=done))
         self._set_role(self.start, "" if done else "primary")

@@ -10,7 +10,9 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QWidget
 
 from app.theme import MUTED, SEAM
+from app.views.aside import Aside
 from app.views.cloud_actor import CloudActor
+from app.views.comparison_camera import ComparisonCamera
 from app.views.holed_actor import HoledActor
 from app.views.holed_surface import HoledSurface
 from app.views.interactor import InteractorView
@@ -40,8 +42,12 @@ class SceneView(InteractorView):
         self._table: pv.Actor | None = None
         self._live = False
         self._follow = True
+        self._shown = {"points": True, "surface": True}
+        self.aside: Aside | None = None
+        """What stands in the place of points and surface."""
         self._fitted_mm: NDArray[np.float64] | None = None
         engine = self._open()
+        self._flight = ComparisonCamera(engine.camera)
         engine.add_actor(self.cloud.actor, render=False)
         for actor in (self.mesh.actor, *self.holed.actors):
             engine.add_actor(actor, render=False)
@@ -95,9 +101,8 @@ class SceneView(InteractorView):
 
     def set_surface_visible(self, on: bool) -> None:
         """Whether mesh and live surface are shown."""
-        self.mesh.show_at_all(on)
-        self.holed.show_at_all(on)
-        self._dirty = True
+        self._shown["surface"] = on
+        self._show_parts()
 
     def show_mesh(self, surface: Surface | None) -> None:
         self._open()
@@ -109,7 +114,29 @@ class SceneView(InteractorView):
         self._dirty = True
 
     def set_points_visible(self, on: bool) -> None:
-        self.cloud.actor.SetVisibility(on)
+        self._shown["points"] = on
+        self._show_parts()
+
+    def show_aside(self, aside: Aside | None) -> None:
+        """Something else in the place of points and surface; None for these again.  The camera stays where all of it was in sight."""
+        engine = self._open()
+        if self.aside is not None:
+            for actor in self.aside.actors:
+                engine.remove_actor(actor, render=False)
+        fresh = aside is not None and aside is not self.aside
+        self.aside = aside
+        if aside is not None:
+            for actor in aside.actors:
+                engine.add_actor(actor, render=False, reset_camera=False)
+        self._show_parts()
+        if fresh:
+            self.view_fit()
+
+    def _show_parts(self) -> None:
+        here = self.aside is None
+        self.cloud.actor.SetVisibility(here and self._shown["points"])
+        self.mesh.show_at_all(here and self._shown["surface"])
+        self.holed.show_at_all(here and self._shown["surface"])
         self._dirty = True
 
     def set_points_quiet(self, on: bool) -> None:
@@ -142,6 +169,23 @@ class SceneView(InteractorView):
         self._dirty = True
 
     # -------------------------------------------------------------------------------- camera
+    def touch(self) -> None:
+        """Something in the 3D view looks otherwise."""
+        self._dirty = True
+
+    def fly_to(self, points: NDArray[np.float64], normal: NDArray[np.float64]) -> None:
+        """Begin a flight to where points (n, 3) mm are seen from the side that a direction (3,) tells, and a little from above."""
+        self._follow = False
+        towards = normal + np.array([0.0, 0.0, 0.35 if normal[2] > -0.5 else 0.0])
+        self._flight.face(towards, points, self.width() / max(self.height(), 1))
+        self._dirty = True
+
+    def paint(self) -> float:
+        if self._engine is not None and self._flight.advance():
+            self._engine.renderer.ResetCameraClippingRange()
+            self._dirty = True
+        return super().paint()
+
     def view_fit(self) -> None:
         bounds = self._bounds()
         if bounds is not None:
@@ -166,17 +210,20 @@ class SceneView(InteractorView):
 
     def _interact(self, moving: bool) -> None:
         super()._interact(moving)
+        self._flight.stop()
         self._follow = False
         self.cloud.thin_for_motion(moving)
 
     def _bounds(self) -> NDArray[np.float64] | None:
+        if self.aside is not None:
+            return self.aside.bounds_mm
         surface = self.mesh.surface
         parts = (self.cloud.bounds_mm, None if surface is None else np.array(surface.mesh.bounds()))
         both = [part for part in parts if part is not None]
         return np.array([np.min([b[0] for b in both], axis=0), np.max([b[1] for b in both], axis=0)]) if both else None
 
     def _follow_bounds(self, bounds: NDArray[np.float64] | None) -> None:
-        if bounds is None or not self._follow or self._moving:
+        if bounds is None or not self._follow or self._moving or self.aside is not None:
             return
         old = self._fitted_mm
         if old is not None and ((bounds[0] >= old[0]).all() and (bounds[1] <= old[1]).all()):
@@ -186,6 +233,7 @@ class SceneView(InteractorView):
         self._frame(self._fitted_mm, keep_direction=True)
 
     def _look(self, direction: tuple[float, float, float], up: tuple[float, float, float]) -> None:
+        self._flight.stop()
         camera = self._open().camera
         camera.position = tuple(np.array(camera.focal_point) + np.array(direction) * camera.distance)
         camera.up = up

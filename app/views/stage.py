@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtGui import QAction, QColor, QLinearGradient, QPainter, QPaintEvent
@@ -12,6 +13,9 @@ from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QStackedLayout, QToolBut
 from app.theme import MUTED
 from app.views.height_colours import HEIGHT, SUPPORTED, UNCERTAINTY, UNSUPPORTED
 from app.views.parts import label, seam
+
+if TYPE_CHECKING:
+    from app.views.scene_view import SceneView
 
 
 class Stage(QWidget):
@@ -91,6 +95,23 @@ class Legend(QWidget):
     def show_support(self, scanned: str, not_scanned: str) -> None:
         """Two colours with their words."""
         self._show((), scanned, not_scanned)
+
+    def show_scene(self, scene: SceneView | None, *, points: bool) -> None:
+        """What the 3D view is coloured by; `points` are to be seen in it."""
+        if scene is None:
+            self.hide()
+            return
+        bounds, range_um = scene.cloud.bounds_mm, (scene.mesh if scene.aside is None else scene.aside).range_um
+        if range_um is not None:
+            self.show_uncertainty(*range_um)
+        elif scene.aside is not None:
+            self.hide()
+        elif bounds is not None and points:
+            self.show_height(float(bounds[0, 2]), float(bounds[1, 2]))
+        elif scene.mesh.surface is not None and not scene.mesh.surface.growing:
+            self.show_support(self.tr("scanned"), self.tr("not scanned"))
+        else:
+            self.hide()
 
     def _show(self, stops: tuple[str, ...], low: str, high: str) -> None:
         if (stops, low, high) != (self._stops, self._low, self._high) or self.isHidden():

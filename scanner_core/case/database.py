@@ -5,7 +5,7 @@ from __future__ import annotations
 import sqlite3
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -43,6 +43,19 @@ class CaseDatabase:
         """
         (pages_now,) = self._rows("PRAGMA page_count")[0]
         self._rows(f"PRAGMA max_page_count = {_UNLIMITED if pages is None else int(pages_now) + pages}")
+
+    def copy_to(self, path: Path) -> None:
+        """The whole case as it stands into a new file.
+
+        Raises
+        ------
+        StorageError
+            E-DISK-01, E-DISK-02 when it cannot be written.
+        """
+        with self._lock, sentences(path), closing(sqlite3.connect(path)) as copy:
+            if self._closed:
+                raise CaseError("E-CASE-06", path=self.path)
+            self._connection.backup(copy)
 
     @contextmanager
     def _transaction(self) -> Iterator[sqlite3.Connection]:

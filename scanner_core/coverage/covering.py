@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from scanner_core.coverage.exposures import Exposures
 from scanner_core.coverage.guess import counterparts, guessed_surface
-from scanner_core.coverage.placing import places_of, vertex_areas
+from scanner_core.coverage.placing import parts_of, vertex_areas
 from scanner_core.coverage.reach import reach
 from scanner_core.coverage.reason import REASONS, Reason
 from scanner_core.coverage.rejections import corrected_by
@@ -59,12 +59,14 @@ def cover(
         reasons = corrected_by(observed, reasons, surface, lines)
     area = vertex_areas(surface)
     reachable = np.isin(reasons, [k for k, reason in enumerate(REASONS) if reason.reachable])
+    parts = parts_of(surface, reasons, lines.least_cosine)
     return CoverageReport(
         wanted_um=wanted_um,
         reasons=reasons,
         within_fraction=_share(area, within, np.ones_like(within)),
         reachable_within_fraction=_share(area, within, reachable),
-        places=places_of(surface, reasons, lines.least_cosine),
+        places=tuple(place for place, _ in parts),
+        members=tuple(vertices for _, vertices in parts),
     )
 
 

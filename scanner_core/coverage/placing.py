@@ -27,8 +27,10 @@ _SEEN_FROM_DEG = 35.0
 """Elevation of laser and cameras over the table, about; a place is seen well by all three from there."""
 
 
-def places_of(surface: TriangleMesh, reasons: NDArray[np.uint8], least_cosine: float, least_mm2: float = LEAST_MM2) -> tuple[CoveragePlace, ...]:
-    """Connected vertices with one reason as places, largest first; what is within the wanted uncertainty is none.
+def parts_of(
+    surface: TriangleMesh, reasons: NDArray[np.uint8], least_cosine: float, least_mm2: float = LEAST_MM2
+) -> list[tuple[CoveragePlace, Numbers]]:
+    """Connected vertices with one reason as places, largest first, each with its vertices; what is within the wanted uncertainty is none.
 
     Parameters
     ----------
@@ -45,7 +47,7 @@ def places_of(surface: TriangleMesh, reasons: NDArray[np.uint8], least_cosine: f
     supported = np.asarray(surface.vertex_attributes["supported"]) > 0
     uncertainty_um = np.asarray(surface.vertex_attributes["standard_uncertainty_um"], np.float64)
     caster = RayCaster(surface)
-    places = []
+    found = []
     for number in np.unique(part[open_]).tolist():
         if sizes[number] < least_mm2:
             continue
@@ -56,17 +58,16 @@ def places_of(surface: TriangleMesh, reasons: NDArray[np.uint8], least_cosine: f
         u, v, w = (normal / max(float(np.linalg.norm(normal)), 1e-30)).tolist()
         reason = REASONS[int(merged[here[0]])]
         worst = uncertainty_um[here[supported[here]]]
-        places.append(
-            CoveragePlace(
-                reason=reason,
-                centroid_mm=(x, y, z),
-                normal=(u, v, w),
-                area_mm2=float(sizes[number]),
-                worst_um=float(worst.max()) if len(worst) else None,
-                tilt_deg=_tilt_deg(surface, here, caster, least_cosine) if reason.needs_another_mount else None,
-            )
+        place = CoveragePlace(
+            reason=reason,
+            centroid_mm=(x, y, z),
+            normal=(u, v, w),
+            area_mm2=float(sizes[number]),
+            worst_um=float(worst.max()) if len(worst) else None,
+            tilt_deg=_tilt_deg(surface, here, caster, least_cosine) if reason.needs_another_mount else None,
         )
-    return tuple(sorted(places, key=lambda place: -place.area_mm2))
+        found.append((place, here))
+    return sorted(found, key=lambda part: -part[0].area_mm2)
 
 
 def vertex_areas(surface: TriangleMesh) -> Array:

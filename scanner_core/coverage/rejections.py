@@ -31,14 +31,12 @@ _BRIGHTER = (MissReason.SATURATED.value, MissReason.TOO_LARGE.value)
 _OF_PLACE = (MissReason.NO_SPOT.value, MissReason.TOO_SMALL.value, "hidden_left", "hidden_right")
 """Nothing but noise in one camera or both."""
 
-_LEAST = 5
+_LEAST = 3
 """So many exposures of a place and its surroundings tell of it."""
-_MEASURED_SHARE = 0.3
+_MEASURED_SHARE = 0.4
 """Where a larger share of them gave a point, more would give more."""
 _BOTH_SIDES = 0.3
 """Of the misses, from which on a camera counts as one that misses."""
-_RINGS = 2
-"""Neighbours of a vertex that are counted with it."""
 
 
 def corrected_by(exposures: Exposures, reasons: NDArray[np.uint8], surface: TriangleMesh, lines: Sightlines) -> NDArray[np.uint8]:
@@ -105,12 +103,7 @@ def _kinds(seen: ExposureTable) -> NDArray[np.int64]:
 
 
 def _neighbourhood(surface: TriangleMesh) -> sparse.csr_array:
-    """1 for each vertex and those up to :data:`_RINGS` edges away, (v, v)."""
+    """1 for each vertex and its neighbours, (v, v): what only one side sees is often a strip along a crevice, no wider than that."""
     count = len(surface.vertices)
     a, b = EdgeTable.of(surface.triangles).edges.T
-    one = sparse.csr_array((np.ones(2 * len(a)), (np.r_[a, b], np.r_[b, a])), shape=(count, count)) + sparse.eye_array(count, format="csr")
-    near = one
-    for _ in range(_RINGS - 1):
-        near = near @ one
-    near.data[:] = 1.0
-    return sparse.csr_array(near)
+    return sparse.csr_array((np.ones(2 * len(a)), (np.r_[a, b], np.r_[b, a])), shape=(count, count)) + sparse.eye_array(count, format="csr")

@@ -21,6 +21,7 @@ class CoverageReport:
     within_fraction : share of the area within the wanted uncertainty
     reachable_within_fraction : the same over the area that can be measured as the object stands
     places : largest first
+    members : vertices of each place, where they are known
     """
 
     wanted_um: float
@@ -28,6 +29,7 @@ class CoverageReport:
     within_fraction: float
     reachable_within_fraction: float
     places: tuple[CoveragePlace, ...]
+    members: tuple[NDArray[np.int64], ...] = ()
 
     def as_dict(self) -> dict[str, object]:
         """For JSON."""

@@ -23,6 +23,8 @@ JOBS: dict[str, str] = {
     "live-surface": "scanner_core.reconstruction.live_surface:live_surface",
     "compare": "scanner_core.comparison.compare:run",
     "compare-series": "scanner_core.comparison.series:run",
+    "coverage": "scanner_core.coverage.job:run",
+    "register-mounts": "scanner_core.case.mount_job:run",
     "comparison-report": "scanner_core.comparison.report.job:run",
 }
 """Name -> ``module:function``; the module is imported in the worker only, when it starts."""

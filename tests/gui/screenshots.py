@@ -28,6 +28,9 @@ from app.main import make_application
 from app.program import Program
 from app.views.assistant_page import AssistantPage
 from app.views.compare_page import ComparePage
+from app.views.coverage_page import CoveragePage
+from app.views.mounts_page import MountsPage
+from app.views.pick_page import PickPage
 from app.views.rig_page import RigPage
 from app.views.support_dialog import SupportDialog
 from scanner_core.commissioning import found_devices
@@ -105,15 +108,77 @@ def tour(program: Program, folder: Path, points: int) -> None:
     window.actions_by_id["show_uncertainty"].setChecked(True)
     shoot(program, folder / "uncertainty.png")
     window.actions_by_id["show_uncertainty"].setChecked(False)
+    another_mount(program, folder)
     window.show_page("export")
     shoot(program, folder / "export.png")
     window.show_page("home")
     window.new_case()
     shoot(program, folder / "home-later.png")
+    refused_mount(program, folder)
     compare(program, folder)
     go_wrong(program, folder, points)
     if window.banner.text:
         print(window.banner.text, window.banner.details, file=sys.stderr)
+
+
+def another_mount(program: Program, folder: Path) -> None:
+    """What is missing and why, the object in another mount as it is advised, and how the two lie on each other."""
+    window, services = program.window, program.services
+    window.show_coverage()
+    page = window.pages["coverage"]
+    assert isinstance(page, CoveragePage)
+    until(lambda: services.coverage.found is not None, 400, "the coverage")
+    page.places.setCurrentRow(0)
+    wait_ms(1500)
+    shoot(program, folder / "coverage.png")
+    window.show_mounts()
+    shoot(program, folder / "another-mount.png")
+    scan_tipped(program)
+    shoot(program, folder / "mounts.png")
+
+
+def scan_tipped(program: Program) -> None:
+    """On the page of another mount: tip the object, scan it, and wait for what comes of it."""
+    window, services = program.window, program.services
+    page = window.pages["mounts"]
+    assert isinstance(page, MountsPage)
+    page.tip.click()
+    until(lambda: not services.mounts.tipping and page.scan.isEnabled(), 120, "the object in another mount")
+    page.scan.click()
+    until(lambda: services.acquisition.running, 20, "the scan of the mount")
+    until(lambda: not services.acquisition.running, 600, "its end")
+    until(lambda: services.mounts.found is not None, 400, "how the mounts lie")
+    wait_ms(1500)
+
+
+def refused_mount(program: Program, folder: Path) -> None:
+    """A ball looks the same from everywhere: the pose is refused, and points may be picked."""
+    window, services = program.window, program.services
+    before = services.rig.snapshot.specimen
+    services.rig.choose(specimen="sphere")
+    until(lambda: services.rig.snapshot.connected, 120, "the rig with a ball")
+    points = services.draft.values.points
+    services.draft.edit("points", 3000)
+    window.start_scan()
+    until(lambda: services.acquisition.running, 20, "the scan of the ball")
+    until(lambda: not services.acquisition.running, 400, "its end")
+    window.show_mounts()
+    scan_tipped(program)
+    shoot(program, folder / "mount-refused.png")
+    window.show_page("pick")
+    page = window.pages["pick"]
+    assert isinstance(page, PickPage)
+    until(lambda: page.views, 60, "the two clouds")
+    wait_ms(1000)
+    for side, view in page.views.items():
+        for right in (0.45, 0.55):
+            if (point := view.point_at(right * view.width(), 0.5 * view.height())) is not None:
+                services.mount_picks.pick(side, point)
+    shoot(program, folder / "pick.png")
+    services.draft.edit("points", points)
+    services.rig.choose(specimen=before)
+    until(lambda: services.rig.snapshot.connected, 120, "the rig as it was")
+    window.new_case()
 
 
 def compare(program: Program, folder: Path) -> None:

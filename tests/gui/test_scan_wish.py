@@ -24,7 +24,7 @@ def place(reason: Reason) -> CoveragePlace:
 
 def result(end: PassesEnd | None, *places: CoveragePlace) -> SteeringResult:
     report = CoverageReport(40.0, np.zeros(4, np.uint8), 0.9, 0.984, places)
-    return SteeringResult(40.0, (), end, report, None, 1.0)
+    return SteeringResult(40.0, (), end, report, None, None, 1.0)
 
 
 def test_the_wish_is_a_draft_value_that_the_scan_is_asked_with(shared_program: Program, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -67,5 +67,5 @@ def test_at_the_end_one_line_says_what_it_has_come_to(application: QApplication)
     assert (
         coverage_words(result(PassesEnd.POINTS_SPENT, hidden[0])) == "98 % within 40 µm; 1 place cannot be seen from this mount; all points are spent"
     )
-    refused = SteeringResult(40.0, (), PassesEnd.UNIFORM, None, ReconstructionError("E-REC-02", reason="they leave no inside"), 0.0)
+    refused = SteeringResult(40.0, (), PassesEnd.UNIFORM, None, None, ReconstructionError("E-REC-02", reason="they leave no inside"), 0.0)
     assert "they leave no inside" in coverage_words(refused)

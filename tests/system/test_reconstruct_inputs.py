@@ -6,6 +6,7 @@ import io
 import json
 import resource
 import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -16,11 +17,12 @@ from hypothesis import strategies as st
 
 from scanner_core.__main__ import main
 from scanner_core.geometry.checks import check_mesh
+from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.mesh_io import read_mesh
 from tests.core.mesh_io.test_hostile_files import damage, damaged
 from tests.core.reconstruction.shapes import impression, sampled
-from tests.system.impronta import Outcome, command, environment, impronta, one_sentence
+from tests.system.impronta import Outcome, environment, impronta, one_sentence
 
 MOST_MEMORY = 6 << 30
 """Address space of each process; the libraries alone map two."""
@@ -31,16 +33,45 @@ BALL = RNG.normal(size=(500, 3))
 BALL *= 10 / np.linalg.norm(BALL, axis=1)[:, None]
 
 
-def limited(*words: object) -> Outcome:
-    """Run ``impronta`` where memory is short; a process that wants more ends with a MemoryError."""
+ONE_AFTER_ANOTHER = """
+import contextlib, io, json, sys
+from app.__main__ import main
+
+def run(words):
+    out, err = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        try:
+            code = main(words)
+        except SystemExit as ended:
+            code = ended.code
+    return code, out.getvalue(), err.getvalue()
+
+if __name__ == "__main__":
+    told = [run(words) for words in json.load(sys.stdin)]
+    print(json.dumps(told))
+"""
+
+
+def limited(commands: list[list[str]], folder: Path) -> list[Outcome]:
+    """Run ``impronta`` with these words where memory is short, all in one process: imports would take most of the time."""
 
     def limit() -> None:
         resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
 
+    program = folder / "one_after_another.py"
+    program.write_text(ONE_AFTER_ANOTHER)
     done = subprocess.run(
-        command(*words), capture_output=True, text=True, timeout=120, check=False, preexec_fn=limit, env=environment() | {"OPENBLAS_NUM_THREADS": "2"}
+        [sys.executable, str(program)],
+        input=json.dumps(commands),
+        capture_output=True,
+        text=True,
+        timeout=300,
+        check=True,
+        preexec_fn=limit,
+        env=environment() | {"OPENBLAS_NUM_THREADS": "2"},
     )
-    return Outcome(done.returncode, done.stdout, done.stderr)
+    assert done.stderr == ""
+    return [Outcome(*told) for told in json.loads(done.stdout)]
 
 
 def npy(values: np.ndarray) -> bytes:
@@ -102,17 +133,38 @@ BAD = {
 }
 
 
+@pytest.fixture(scope="module")
+def ended(tmp_path_factory: pytest.TempPathFactory) -> dict[str, tuple[Outcome, list[str]]]:
+    """How ``reconstruct`` of each bad input ended, and the files in its folder afterwards."""
+    base = tmp_path_factory.mktemp("bad")
+    commands = []
+    for index, (name, (content, _)) in enumerate(BAD.items()):
+        folder = base / str(index)
+        folder.mkdir()
+        (folder / name).write_bytes(content)
+        commands.append(["reconstruct", str(folder / name), "--out", str(folder / "a.ply"), "--json"])
+    outcomes = limited(commands, base)
+    return {
+        name: (outcome, [path.name for path in (base / str(index)).iterdir()])
+        for index, (name, outcome) in enumerate(zip(BAD, outcomes, strict=True))
+    }
+
+
 @pytest.mark.parametrize("name", list(BAD))
-def test_bad_inputs_end_in_one_sentence(tmp_path: Path, name: str) -> None:
-    content, code = BAD[name]
-    (tmp_path / name).write_bytes(content)
-    one_sentence(limited("reconstruct", tmp_path / name, "--out", tmp_path / "a.ply", "--json"), code)
-    assert [path.name for path in tmp_path.iterdir()] == [name]  # neither a mesh nor a part of one
+def test_bad_inputs_end_in_one_sentence(ended: dict[str, tuple[Outcome, list[str]]], name: str) -> None:
+    outcome, left = ended[name]
+    one_sentence(outcome, BAD[name][1])
+    assert left == [name]  # neither a mesh nor a part of one
 
 
-def test_two_objects_are_counted_with_share_and_gap(tmp_path: Path) -> None:
-    (tmp_path / "two.npy").write_bytes(BAD["two.npy"][0])
-    told = impronta("reconstruct", tmp_path / "two.npy", "--out", tmp_path / "a.stl").err
+def test_a_bad_input_ends_the_program_with_exit_1(tmp_path: Path) -> None:
+    (tmp_path / "cut.ply").write_bytes(BAD["cut.ply"][0])
+    one_sentence(impronta("reconstruct", tmp_path / "cut.ply", "--out", tmp_path / "a.ply", "--json"), BAD["cut.ply"][1])
+    assert [path.name for path in tmp_path.iterdir()] == ["cut.ply"]
+
+
+def test_two_objects_are_counted_with_share_and_gap(ended: dict[str, tuple[Outcome, list[str]]]) -> None:
+    told = ended["two.npy"][0].err
     assert "2 separate objects" in told
     assert "29 %" in told
     assert "45" in told  # mm from sphere to sphere
@@ -120,8 +172,10 @@ def test_two_objects_are_counted_with_share_and_gap(tmp_path: Path) -> None:
 
 def test_wrong_usage(tmp_path: Path) -> None:
     (tmp_path / "a.xyz").write_bytes(xyz(POINTS))
-    assert impronta("reconstruct", tmp_path / "a.xyz", "--out", tmp_path / "a.stl", "--units", "cm").code == 2
-    assert impronta("reconstruct", tmp_path / "a.impronta", "--out", tmp_path / "a.stl", "--units", "m").code == 2
+    with pytest.raises(SystemExit) as ended:
+        main(["reconstruct", str(tmp_path / "a.xyz"), "--out", str(tmp_path / "a.stl"), "--units", "cm"])
+    assert ended.value.code == 2
+    assert main(["reconstruct", str(tmp_path / "a.impronta"), "--out", str(tmp_path / "a.stl"), "--units", "m"]) == 2
     assert not (tmp_path / "a.stl").exists()
 
 
@@ -149,37 +203,48 @@ def _too_sparse(_console: object, cloud: PointCloud, parameters: object) -> None
     raise ReconstructionError("E-REC-02", reason="the test takes none")
 
 
-def made(folder: Path, content: bytes, source: str, out: str, *words: object) -> tuple[Outcome, dict[str, Any]]:
+MADE = ["--triangles", "1000", "--json"]
+
+
+def made(capsys: pytest.CaptureFixture[str], folder: Path, content: bytes, source: str, out: str, *words: object) -> tuple[Outcome, dict[str, Any]]:
     (folder / source).write_bytes(content)
-    outcome = impronta("reconstruct", folder / source, "--out", folder / out, "--triangles", 2000, "--json", *words)
+    code = main(["reconstruct", str(folder / source), "--out", str(folder / out), *MADE, *map(str, words)])
+    outcome = Outcome(code, *capsys.readouterr())
     assert outcome.code == 0, outcome.err
     return outcome, json.loads(outcome.out)
 
 
-def test_units_and_their_warning(tmp_path: Path) -> None:
-    made(tmp_path, npy(POINTS), "mm.npy", "mm.ply")
-    _, values = made(tmp_path, npy(POINTS / 1000), "m.npy", "m.ply", "--units", "m")
+@pytest.fixture(scope="module")
+def true(tmp_path_factory: pytest.TempPathFactory) -> TriangleMesh:
+    """The mesh of the points as they are."""
+    folder = tmp_path_factory.mktemp("true")
+    (folder / "a.npy").write_bytes(npy(POINTS))
+    assert main(["reconstruct", str(folder / "a.npy"), "--out", str(folder / "a.ply"), *MADE]) == 0
+    return read_mesh(folder / "a.ply")
+
+
+def test_units_and_their_warning(tmp_path: Path, true: TriangleMesh, capsys: pytest.CaptureFixture[str]) -> None:
+    _, values = made(capsys, tmp_path, npy(POINTS / 1000), "m.npy", "m.ply", "--units", "m")
     assert not any("--units" in warning for warning in values["warnings"])
-    made(tmp_path, xyz(POINTS / 25.4), "inch.xyz", "inch.ply", "--units", "inch")
-    true = read_mesh(tmp_path / "mm.ply")
+    made(capsys, tmp_path, xyz(POINTS / 25.4), "inch.xyz", "inch.ply", "--units", "inch")
     for name in ("m.ply", "inch.ply"):
         mesh = read_mesh(tmp_path / name)
         assert np.array_equal(mesh.triangles, true.triangles)
         assert np.abs(mesh.vertices - true.vertices).max() < 1e-5
-    outcome, values = made(tmp_path, npy(POINTS / 1000), "m.npy", "small.ply")
+    outcome, values = made(capsys, tmp_path, npy(POINTS / 1000), "m.npy", "small.ply")
     assert any("--units m" in warning for warning in values["warnings"])
     assert "--units m" in outcome.err
 
 
-def test_far_from_the_origin(tmp_path: Path) -> None:
-    made(tmp_path, npy(POINTS), "near.npy", "near.ply")
-    outcome, values = made(tmp_path, npy(POINTS + 1e6), "far.npy", "far.ply")
-    near, far = read_mesh(tmp_path / "near.ply"), read_mesh(tmp_path / "far.ply")
-    assert np.abs(far.vertices - 1e6 - near.vertices).max() < 1e-5
+def test_far_from_the_origin(tmp_path: Path, true: TriangleMesh, capsys: pytest.CaptureFixture[str]) -> None:
+    outcome, values = made(capsys, tmp_path, npy(POINTS + 1e6), "far.npy", "far.ply")
+    far = read_mesh(tmp_path / "far.ply")
+    assert np.abs(far.vertices - 1e6 - true.vertices).max() < 1e-5
     assert any("from the origin" in warning for warning in values["warnings"])
     assert "from the origin" in outcome.err
-    one_sentence(impronta("reconstruct", tmp_path / "far.npy", "--out", tmp_path / "far.stl"), "E-FILE-07")
+    code = main(["reconstruct", str(tmp_path / "far.npy"), "--out", str(tmp_path / "far.stl")])
+    one_sentence(Outcome(code, *capsys.readouterr()), "E-FILE-07")
     assert not (tmp_path / "far.stl").exists()
-    outcome, values = made(tmp_path, npy(POINTS + 2e4), "middle.npy", "middle.stl")
+    outcome, values = made(capsys, tmp_path, npy(POINTS + 2e4), "middle.npy", "middle.stl")
     assert any("STL" in warning for warning in values["warnings"])
     assert check_mesh(read_mesh(tmp_path / "middle.stl")).closed

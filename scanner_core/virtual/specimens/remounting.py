@@ -30,14 +30,15 @@ def remounted(specimen: Specimen, pose: str) -> Specimen:
     UsageError
         E-USE-01 when `pose` is neither.
     """
-    turn, beside = _random(pose) if pose.startswith(_RANDOM) else (_turns(pose), np.zeros(2))
+    turn, beside = _random(pose) if pose.startswith(_RANDOM) else (turns(pose), np.zeros(2))
     vertices = turn.apply(specimen.mesh.vertices)
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     shift = np.array([*beside - 0.5 * (low + high)[:2], -low[2]])
     return put_down_anew(specimen, RigidTransform(turn.rotation, shift))
 
 
-def _turns(pose: str) -> RigidTransform:
+def turns(pose: str) -> RigidTransform:
+    """The turn of a pose ``RX,RY,RZ``; E-USE-01 when it is none."""
     try:
         angles = np.radians([float(part) for part in pose.split(",")])
     except ValueError:

@@ -19,6 +19,7 @@ import pytest
 from scanner_core.errors import ReconstructionError, UsageError, WorkerError, WorkerLostError
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.jobs import registry
+from scanner_core.jobs.child import BLAS_THREADS
 from scanner_core.jobs.messages import JobCancelled, JobDone, JobEvent, JobFailed, JobOutcome, JobProgress
 from scanner_core.jobs.worker import Worker
 from tests.core.jobs import tiny_jobs
@@ -29,6 +30,8 @@ LONG_S = 60.0
 @pytest.fixture
 def worker(monkeypatch: pytest.MonkeyPatch) -> Iterator[Worker]:
     monkeypatch.setattr(registry, "JOBS", tiny_jobs.targets())
+    for name in BLAS_THREADS:  # the tests side by side set them for themselves
+        monkeypatch.delenv(name, raising=False)
     with Worker("test") as worker:
         yield worker
     assert not [child for child in psutil.Process().children() if child.status() == psutil.STATUS_ZOMBIE]
@@ -266,6 +269,7 @@ def test_close_ends_a_running_job_and_leaves_nothing(worker: Worker) -> None:
 PARENT = """
 import os, signal, sys
 from scanner_core.jobs import registry
+from scanner_core.jobs.child import BLAS_THREADS
 from scanner_core.jobs.messages import JobProgress
 from scanner_core.jobs.worker import Worker
 

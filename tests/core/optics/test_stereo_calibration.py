@@ -25,7 +25,7 @@ def test_noise_free_corners_give_the_true_cameras() -> None:
     assert (fit.views, fit.held_out_views) == (12, 3)
 
 
-@pytest.mark.parametrize("seed", [2, 3])
+@pytest.mark.parametrize("seed", [2, pytest.param(3, marks=pytest.mark.long)])
 def test_twenty_noisy_views_are_good_to_thirty_um(seed: int) -> None:
     fit = calibrate_stereo(shown(TRUTH, 25, 0.1, seed), SIZE, TARGET)
     error_um, _ = volume_error_um(fit.with_turntable(TRUTH.turntable, "2026-01-01"), TRUTH)
@@ -106,7 +106,7 @@ def test_calibration_carries_its_own_judgement() -> None:
     assert replace(calibration, date="2027-01-01").identity() == calibration.identity()
 
 
-@pytest.mark.parametrize("seed", [13, 14])
+@pytest.mark.parametrize("seed", [13, pytest.param(14, marks=pytest.mark.long)])
 def test_a_bent_board_with_misplaced_ink_costs_little(seed: int) -> None:
     """0.3 mm of bow and a twist: believed to be flat, it made the calibration ten times worse."""
     marks = bent(0.3, 0.12, ink_mm=0.008)

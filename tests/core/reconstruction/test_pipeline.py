@@ -206,7 +206,7 @@ def test_scale_of_the_covariances_does_not_matter_and_bytes_repeat(weighted: Rec
     assert rms_um(other, impression()) == pytest.approx(rms_um(weighted, impression()), rel=0.01)
 
 
-@pytest.mark.parametrize("count", [200, 500, 1000, 2000, 4000])
+@pytest.mark.parametrize("count", [200, 1000, *(pytest.param(count, marks=pytest.mark.long) for count in (500, 2000, 4000))])
 def test_sphere_without_noise(count: int) -> None:
     result = run(on_sphere(10.0, count, 0.0, 1))
     assert_sound(result)
