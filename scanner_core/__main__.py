@@ -29,6 +29,7 @@ _INTERRUPTED = {
 }
 """What is true when a command is interrupted that did not itself say how it ended."""
 _log = logging.getLogger("impronta")
+_LINE = 'by a laser line instead of the spot (a rig file: shape = "line" in [laser]); 8 table positions where none are asked for'
 _UNTIL = "scan on where the surface is uncertain, until its standard uncertainty is below U um wherever light reaches, or the points are spent"
 _SPECIMENS = "ear, arch, heart, sphere, or a mesh file (STL, PLY, OBJ, VTP in millimetres, 3MF)"
 
@@ -101,6 +102,7 @@ def _parser() -> argparse.ArgumentParser:
     demo.add_argument("--points", type=_count, default=None, metavar="N", help="wanted number of points (default 20000)")
     demo.add_argument("--views", type=_count, default=None, metavar="N", help="table positions (default 16)")
     demo.add_argument("--marks", action="store_true", help="three balls on the table's rim that watch over the rig (a rig file: table [marks])")
+    demo.add_argument("--line", action="store_true", help=_LINE)
     demo.add_argument("--until-um", type=_positive, default=None, metavar="U", help=_UNTIL)
     demo.add_argument("--out", metavar="DIR", help="folder of the results (default: a new dated folder here)")
     demo.add_argument("--triangles", type=_count, default=None, metavar="N", help="at most N triangles")
@@ -129,6 +131,7 @@ def _parser() -> argparse.ArgumentParser:
     scan = _command(commands, "scan", "acquire into a new case, go on with an interrupted one, or add another mount")
     _measuring_rig(scan)
     scan.add_argument("--plan", metavar="PLAN.toml", help="views, points, object_radius_mm, object_height_mm, until_um")
+    scan.add_argument("--line", action="store_true", help=_LINE)
     scan.add_argument("--until-um", type=_positive, default=None, metavar="U", help=_UNTIL)
     scan.add_argument("--out", required=True, metavar="CASE.impronta")
     scan.add_argument("--specimen", default="ear", metavar="NAME or FILE", help=f"virtual rig only: {_SPECIMENS}")
@@ -143,9 +146,7 @@ def _parser() -> argparse.ArgumentParser:
 
     register = _command(commands, "register", "bring the mounts of a case into one frame again, or with picked points")
     register.add_argument("case", metavar="CASE")
-    pairs = (
-        "at least three points of a mount, one a line: mount, x, y, z on it, and x, y, z of the same place on the first mount, mm"
-    )
+    pairs = "at least three points of a mount, one a line: mount, x, y, z on it, and x, y, z of the same place on the first mount, mm"
     register.add_argument("--pairs", metavar="FILE", help=pairs)
     register.add_argument("--seed", type=_seed, default=0, metavar="N", help="of the search")
 

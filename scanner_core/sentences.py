@@ -299,6 +299,18 @@ SENTENCES: dict[str, Sentence] = {
         "Nothing was changed; paint more, or use the automatic frame.",
     ),
     # ------------------------------------------------------------------------------------------ mounts
+    "E-LINE-01": Sentence(
+        "A scan by a laser line is not steered by the uncertainty that it reaches.",
+        "Nothing was measured; ask for a number of points instead, or scan by the spot.",
+    ),
+    "E-LINE-02": Sentence(
+        "The right camera exposes {skew_us} us after the left one, and a moving laser line is then not the same line in both images.",
+        "What was measured so far is kept and the laser is off; let a trigger line expose both cameras at once, then scan again.",
+    ),
+    "E-LINE-03": Sentence(
+        "The interrupted scan of {path} was made by a laser line, which is not resumed.",
+        "Nothing was touched, and what was measured can be used as it is; scan again into a new case, which takes about half a minute.",
+    ),
     "E-MNT-01": Sentence(
         "The new mount fits nowhere on what was measured before: in the best pose only {agree} % of the surface that both show agrees.",
         "Nothing was joined and all points are kept; pick three points on both, or measure another mount that shares more with the earlier ones.",

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.acquisition.aiming import beam_angles
-from scanner_core.devices.rig import LaserConfig
+from scanner_core.devices.laser_config import LaserConfig
 
 Array = NDArray[np.float64]
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.devices.rig import LaserConfig
+from scanner_core.devices.laser_config import LaserConfig
 
 Array = NDArray[np.float64]
 

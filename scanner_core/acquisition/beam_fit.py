@@ -15,7 +15,7 @@ from scipy.optimize import least_squares
 
 from scanner_core.acquisition.aiming import beam_angles
 from scanner_core.acquisition.plan import ViewPlan
-from scanner_core.devices.rig import LaserConfig
+from scanner_core.devices.laser_config import LaserConfig
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.rigid import RigidTransform
 

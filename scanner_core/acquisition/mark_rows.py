@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from scanner_core.acquisition.aiming import beam_angles
 from scanner_core.acquisition.plan import Row
-from scanner_core.devices.rig import LaserConfig, RigConfig, VolumeConfig
+from scanner_core.devices.laser_config import LaserConfig
+from scanner_core.devices.rig import RigConfig, VolumeConfig
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.calibration import StereoCalibration
 

@@ -208,8 +208,10 @@ def _virtual(
 ) -> tuple[VirtualBench, FaultInjection]:
     from scanner_core.virtual.bench import VirtualBench
     from scanner_core.virtual.injection import FaultInjection
+    from scanner_core.virtual.laser_fan import LaserFan
 
-    bench = VirtualBench(preset, specimen, clock, timeline, seed, marks=config.marks)
+    fan = None if config.laser.fan_deg is None else LaserFan(config.laser.fan_deg)
+    bench = VirtualBench(preset, specimen, clock, timeline, seed, marks=config.marks, fan=fan)
     return bench, FaultInjection(clock, bench, timeline)
 
 

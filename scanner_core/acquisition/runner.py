@@ -31,6 +31,7 @@ from scanner_core.acquisition.engine import StereoEngine
 from scanner_core.acquisition.following import PlanFollower
 from scanner_core.acquisition.handover import LatestSlot, PointLog, Preview
 from scanner_core.acquisition.health import HealthMonitor
+from scanner_core.acquisition.line_course import LineCourse
 from scanner_core.acquisition.mark_visitor import MarkVisitor
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.resuming import expect_same_rig
@@ -77,7 +78,7 @@ class ScanRunner:
         CalibrationError
             E-CAL-02 the rig has none, E-CAL-06 it is not the one of the interrupted scan.
         AcquisitionError
-            E-SCAN-05 the rig is another one.
+            E-SCAN-05 the rig is another one; of a laser line E-LINE-01 until an uncertainty, E-LINE-03 to be resumed.
         """
         if rig.calibration is None:
             raise CalibrationError("E-CAL-02")
@@ -95,13 +96,21 @@ class ScanRunner:
         self._lock = threading.Lock()
         self._begin_s = self._end_s = rig.clock.now_s()
         self._health = HealthMonitor(rig.calibration, rig.left.rate_hz)
-        engine = StereoEngine(rig.calibration, rig.config.volume, rig.config.spot.floor_px)
-        self._follower = PlanFollower(rig, engine, store, self._health, self._control)
-        if (marks := rig.config.marks) is not None:
-            self._follower.marks = MarkVisitor(rig, marks, rig.calibration, store, self._control)
-        self._course = ScanCourse(
-            rig, rig.calibration, store, self._request, interruption, self._control, self._health, self._follower, self.live_cloud, mount
-        )
+        self._follower: PlanFollower | LineCourse
+        self._course: ScanCourse | LineCourse
+        if rig.config.laser.is_line:
+            if interruption is not None:
+                raise AcquisitionError("E-LINE-03", path=store.path)
+            line = LineCourse(rig, rig.calibration, store, self._request, self._control, self.live_cloud, mount)
+            self._follower = self._course = line
+        else:
+            engine = StereoEngine(rig.calibration, rig.config.volume, rig.config.spot.floor_px)
+            self._follower = follower = PlanFollower(rig, engine, store, self._health, self._control)
+            if (marks := rig.config.marks) is not None:
+                follower.marks = MarkVisitor(rig, marks, rig.calibration, store, self._control)
+            self._course = ScanCourse(
+                rig, rig.calibration, store, self._request, interruption, self._control, self._health, follower, self.live_cloud, mount
+            )
         self._ended = threading.Event()
         self._thread = threading.Thread(target=self._run, name="scan")
 
@@ -167,9 +176,12 @@ class ScanRunner:
         try:
             if self._request.until_um is not None and self._assess is None:
                 assessor = Assessor()  # now: it is warm by the time that it is needed
-            detector = SpotDetector(self._rig.config.spot)
-            captures = [CaptureThread(camera, detector, self.previews[camera.name]) for camera in (self._rig.left, self._rig.right)]
-            self._course.run(captures[0], captures[1], self._assess or assessor)
+            if isinstance(self._course, LineCourse):
+                self._course.run()
+            else:
+                detector = SpotDetector(self._rig.config.spot)
+                captures = [CaptureThread(camera, detector, self.previews[camera.name]) for camera in (self._rig.left, self._rig.right)]
+                self._course.run(captures[0], captures[1], self._assess or assessor)
         except BaseException as fault:
             error = self._as_error(fault)
             self._darken()  # before anything that takes time
@@ -223,6 +235,7 @@ class ScanRunner:
             resumed=self._course.resumed,
             steering=None if self._course.steering is None else self._course.steering.result(),
             error=error,
+            laser=self._rig.config.laser.shape,
             marks=None if self._follower.marks is None else self._follower.marks.report(),
         )
         with self._lock:

@@ -25,6 +25,7 @@ class ScanResult:
     steering : what came of an error-driven scan; None of a uniform one
     views : the registered cloud and its residuals, None when there was nothing to register
     health : what was noticed on the way
+    laser : ``spot`` or ``line``; of a line the counts are over the places of it that a camera has seen, and the frames that were lost
     marks : what the marks on the table's rim say, None without them
     """
 
@@ -42,3 +43,4 @@ class ScanResult:
     steering: SteeringResult | None
     error: ImprontaError | None
     marks: MarksReport | None = None
+    laser: str = "spot"

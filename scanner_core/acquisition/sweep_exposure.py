@@ -15,7 +15,7 @@ from math import hypot, log10, radians
 from scanner_core.acquisition.plan import ScanPlan
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.devices.camera import Camera
-from scanner_core.devices.rig import LaserConfig
+from scanner_core.devices.laser_config import LaserConfig
 from scanner_core.errors import ImprontaError
 
 _log = logging.getLogger("impronta")

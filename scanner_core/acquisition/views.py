@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from scanner_core.case.points import triangulate_observations
+from scanner_core.case.line_points import measured_cloud, scan_table
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import RigConfig
 from scanner_core.geometry.point_cloud import PointCloud
@@ -28,9 +28,9 @@ class RegisteredViews:
 
 def register_case(store: CaseStore, scan_id: int, rig: RigConfig, calibration: StereoCalibration) -> RegisteredViews:
     """Register the views of a scan, keep the corrections and the report in the case, and return the merged cloud."""
-    table = store.observations(scan_id)
-    registration = register_views(triangulate_observations(table, rig, calibration).cloud)
+    table = scan_table(store, scan_id)
+    registration = register_views(measured_cloud(table, rig, calibration).cloud)
     store.put_corrections(scan_id, registration.corrections)
     store.put_registration(scan_id, calibration.identity(), registration.as_dict())
-    measured = triangulate_observations(table, rig, calibration, store.corrections(scan_id))
+    measured = measured_cloud(table, rig, calibration, store.corrections(scan_id))
     return RegisteredViews(measured.cloud, registration, measured.noise)

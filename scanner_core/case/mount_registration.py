@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.case.edits import DISCARDED
+from scanner_core.case.line_points import scan_table
 from scanner_core.case.points import case_rig
 from scanner_core.case.scan_parts import PlacedMounts, ScanPart, merged, placed_motions, refine_parts
 from scanner_core.case.store import CaseStore
@@ -332,9 +333,9 @@ def mount_parts(store: CaseStore) -> list[ScanPart]:
     newest = {}
     for scan in store.scans():
         left_out = isinstance(discarded, list) and scan.id in discarded
-        if scan.kind == "scan" and not left_out and len(store.observations(scan.id)):
+        if scan.kind == "scan" and not left_out and len(scan_table(store, scan.id)):
             newest[scan.mount] = scan
-    return [ScanPart(scan.id, mount, store.observations(scan.id), *case_rig(store, scan)) for mount, scan in sorted(newest.items())]
+    return [ScanPart(scan.id, mount, scan_table(store, scan.id), *case_rig(store, scan)) for mount, scan in sorted(newest.items())]
 
 
 def _numbered(parts: Sequence[ScanPart]) -> list[ScanPart]:

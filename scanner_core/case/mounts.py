@@ -85,8 +85,9 @@ class MountTables(CaseDatabase):
     def _measured_scans(self) -> list[tuple[int, int]]:
         """Ids and mounts of the scans that have points, in the order of the ids."""
         rows = self._rows(
-            "SELECT id, mount FROM scan WHERE kind = 'scan' AND EXISTS (SELECT 1 FROM observation "
-            "JOIN verdict ON verdict.id = verdict WHERE scan_id = scan.id AND name = ?) ORDER BY id",
+            "SELECT id, mount FROM scan WHERE kind = 'scan' AND (EXISTS (SELECT 1 FROM observation "
+            "JOIN verdict ON verdict.id = verdict WHERE scan_id = scan.id AND name = ?1) OR EXISTS (SELECT 1 FROM stripe_point "
+            "JOIN verdict ON verdict.id = verdict WHERE scan_id = scan.id AND name = ?1)) ORDER BY id",
             (MEASURED,),
         )
         with damaged(self.path, "list of scans"):

@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 from scanner_core.optics.spot import Spot
 
 MEASURED = "measured"
+LINE_FRAME = "line"
+"""Of a frame of the laser line: its places have verdicts of their own."""
 
 
 @dataclass(frozen=True, slots=True)

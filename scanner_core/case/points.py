@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from scanner_core.case.observation import ObservationTable
 from scanner_core.case.records import ScanRecord
@@ -49,14 +50,34 @@ def triangulate_observations(
     prior = NoiseModel.prior(calibration, rig.spot.floor_px)
     noise = fit_centroid_noise(triangulator, calibration, table.left_px, table.right_px, pixels, prior)
     seen = triangulator.triangulate(table.left_px, table.right_px, *noise.centroid_sigmas(calibration, pixels))
+    points = TablePoints(seen.points, seen.covariances, table.view, table.table_deg, table.trigger_id)
+    cloud, surface_mm = placed_cloud(points, rig, calibration, corrections)
+    return MeasuredCloud(cloud, replace(noise, surface_um=1e3 * surface_mm))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TablePoints:
+    """n points in the rig frame, mm, with covariances (n, 3, 3) mm^2, and the views, table angles and trigger ids (n,) that they are of."""
+
+    points: NDArray[np.float64]
+    covariances: NDArray[np.float64]
+    view: NDArray[np.int32]
+    table_deg: NDArray[np.float64]
+    trigger_id: NDArray[np.int64]
+
+
+def placed_cloud(
+    seen: TablePoints, rig: RigConfig, calibration: StereoCalibration, corrections: Mapping[int, RigidTransform] | None
+) -> tuple[PointCloud, float]:
+    """Points with the table's turn undone, their covariances with what surface and calibration add; and the surface's standard deviation, mm."""
     points = np.empty_like(seen.points)
     covariances = np.empty_like(seen.covariances)
     systematic = None if calibration.modes is None else systematic_covariance(calibration, seen.points)
     from_table = calibration.rig_to_table().inverse()
-    pairs = np.stack([table.view.astype(np.float64), table.table_deg])
+    pairs = np.stack([seen.view.astype(np.float64), seen.table_deg])
     # One transform per table position: a view stands at one angle, which the controller may have read back differently.
     for view, table_deg in np.unique(pairs, axis=1).T:
-        here = (table.view == view) & (table.table_deg == table_deg)
+        here = (seen.view == view) & (seen.table_deg == table_deg)
         transform = calibration.rig_to_object(float(table_deg))
         if corrections and int(view) in corrections:
             transform = corrections[int(view)] @ transform
@@ -68,8 +89,7 @@ def triangulate_observations(
     covariances += surface_mm**2 * np.eye(3)
     if systematic is not None:  # common to neighbouring points: it is no scatter, and no registration takes it out
         covariances += systematic
-    cloud = PointCloud(points, covariances, table.view.copy(), table.trigger_id.copy(), table.table_deg.copy())
-    return MeasuredCloud(cloud, replace(noise, surface_um=1e3 * surface_mm))
+    return PointCloud(points, covariances, seen.view.copy(), seen.trigger_id.copy(), seen.table_deg.copy()), surface_mm
 
 
 def finite(measured: MeasuredCloud, store: CaseStore) -> MeasuredCloud:

@@ -22,11 +22,14 @@ from numpy.typing import NDArray
 from scanner_core.acquisition.engine import TABLE_MM
 from scanner_core.acquisition.status import ScanCounts
 from scanner_core.case.edits import DISCARDED, PROCESSING
+from scanner_core.case.line_gates import gated_places
+from scanner_core.case.line_points import ScanTable
 from scanner_core.case.observation import MEASURED, ObservationTable, PairTable
 from scanner_core.case.points import case_calibration, case_rig
 from scanner_core.case.records import ScanRecord
 from scanner_core.case.scan_parts import ScanPart, merged, placed_motions, refine_parts
 from scanner_core.case.store import CaseStore
+from scanner_core.case.stripes import StripeTable
 from scanner_core.devices.rig import RigConfig, dump_rig
 from scanner_core.errors import CaseError, CaseFormatError, UsageError
 from scanner_core.geometry.point_cloud import PointCloud
@@ -220,7 +223,7 @@ def process_case(store: CaseStore, processing: Processing, other: StereoCalibrat
     for scan in scans:
         rig, calibration = _rig(store, scan, processing.calibration, other)
         table, counted = _gated(store, scan, rig, calibration, processing)
-        planned += _planned(scan.plan)
+        planned += sum(counted.values()) if isinstance(table, StripeTable) else _planned(scan.plan)
         verdicts.update(counted)
         taken.append(ScanPart(scan.id, scan.mount, table, rig, calibration).numbered_from(first_view))
         corrections |= {first_view + view: motion for view, motion in ({} if anew else store.corrections(scan.id)).items()}
@@ -300,8 +303,10 @@ def _rig(store: CaseStore, scan: ScanRecord, calibration_id: str | None, other: 
 
 def _gated(
     store: CaseStore, scan: ScanRecord, rig: RigConfig, calibration: StereoCalibration, processing: Processing
-) -> tuple[ObservationTable, Counter[str]]:
+) -> tuple[ScanTable, Counter[str]]:
     """The observations that pass, and all verdicts."""
+    if store.by_line(scan.id):
+        return gated_places(store, scan.id, rig, calibration, processing.gates.given(), processing.without_views)
     pairs = store.pairs(scan.id)
     verdicts = Counter(store.verdict_counts(scan.id))
     verdicts.subtract(pairs.verdict.tolist())

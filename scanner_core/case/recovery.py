@@ -86,7 +86,9 @@ def interruption(store: CaseStore) -> Interruption | None:
             raise ValueError("passes of a uniform scan, or an error-driven one without any")
     except (KeyError, TypeError, ValueError, OverflowError, ImprontaError) as fault:
         raise CaseFormatError("E-CASE-01", path=store.path, reason=f"its plan is damaged ({fault})") from fault
-    return Interruption(record, plan, request, ScanCounts.of(plan.planned, store.verdict_counts(record.id)), followed)
+    verdicts = store.verdict_counts(record.id)
+    planned = sum(verdicts.values()) if store.by_line(record.id) else plan.planned
+    return Interruption(record, plan, request, ScanCounts.of(planned, verdicts), followed)
 
 
 def find_interrupted(paths: Iterable[Path]) -> list[InterruptedScan]:

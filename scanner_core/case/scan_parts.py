@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from scanner_core.case.observation import ObservationTable
-from scanner_core.case.points import MeasuredCloud, finite, triangulate_observations
+from scanner_core.case.line_points import ScanTable, measured_cloud
+from scanner_core.case.points import MeasuredCloud, finite
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import RigConfig
 from scanner_core.geometry.mount_refinement import MountedCloud, MountRefinement, refine_mounts
@@ -25,13 +25,13 @@ class ScanPart:
 
     scan_id: int
     mount: int
-    table: ObservationTable
+    table: ScanTable
     rig: RigConfig
     calibration: StereoCalibration
 
     def measured(self, store: CaseStore, motions: Mapping[int, RigidTransform] | None = None) -> MeasuredCloud:
         """The points; `motions` of the views come after the table's turn was undone.  E-CASE-01 when a point is nowhere."""
-        return finite(triangulate_observations(self.table, self.rig, self.calibration, motions), store)
+        return finite(measured_cloud(self.table, self.rig, self.calibration, motions), store)
 
     def numbered_from(self, first_view: int) -> ScanPart:
         """The same with all views counted from there on."""

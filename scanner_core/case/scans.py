@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from sqlite3 import Connection
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +13,7 @@ from scanner_core.acquisition.status import FinishReason, ScanCounts
 from scanner_core.case import decoding
 from scanner_core.case.database import CaseDatabase, note
 from scanner_core.case.decoding import damaged, text
-from scanner_core.case.observation import MEASURED, ExposureTable, ObservationTable, PairTable, StereoObservation
+from scanner_core.case.observation import LINE_FRAME, MEASURED, ExposureTable, ObservationTable, PairTable, StereoObservation
 from scanner_core.case.records import RegistrationRecord, ScanRecord
 from scanner_core.errors import CaseFormatError
 from scanner_core.geometry.rigid import RigidTransform
@@ -69,12 +70,7 @@ class ScanTables(CaseDatabase):
     def append(self, scan_id: int, observations: Sequence[StereoObservation]) -> None:
         """Keep observations; once this returns they survive the death of the program and of the machine."""
         with self._transaction() as connection:
-            verdicts: dict[str, int] = {name: key for key, name in connection.execute("SELECT id, name FROM verdict")}
-            for seen in observations:
-                if seen.verdict not in verdicts:
-                    cursor = connection.execute("INSERT INTO verdict (name) VALUES (?)", (seen.verdict,))
-                    verdicts[seen.verdict] = int(cursor.lastrowid or 0)
-            connection.executemany(_INSERT, [_row(scan_id, verdicts[seen.verdict], seen) for seen in observations])
+            insert_observations(connection, scan_id, observations)
 
     def put_view(self, scan_id: int, view: int, table_deg: float) -> None:
         with self._transaction() as connection:
@@ -135,10 +131,13 @@ class ScanTables(CaseDatabase):
 
     # ------------------------------------------------------------------------------------------ observations
     def verdict_counts(self, scan_id: int) -> dict[str, int]:
-        """How many observations have which verdict."""
-        query = "SELECT name, count(*) FROM observation JOIN verdict ON verdict.id = verdict WHERE scan_id = ? GROUP BY name"
+        """How many observations have which verdict; of a laser line, how many of its places, and of the frames those that were lost."""
+        query = (
+            "SELECT name, count(*) FROM (SELECT verdict FROM observation WHERE scan_id = ?1 "
+            "UNION ALL SELECT verdict FROM stripe_point WHERE scan_id = ?1) JOIN verdict ON verdict.id = verdict WHERE name <> ?2 GROUP BY name"
+        )
         with damaged(self.path, "list of verdicts"):
-            return {text(name): int(count) for name, count in self._rows(query, (scan_id,))}
+            return {text(name): int(count) for name, count in self._rows(query, (scan_id, LINE_FRAME))}
 
     def exposed_ids(self, scan_id: int) -> NDArray[np.int64]:
         """Trigger ids (n,) of a scan that were exposed, whatever their verdict, ascending."""
@@ -215,6 +214,21 @@ class ScanTables(CaseDatabase):
             return [
                 RegistrationRecord(int(scan), text(created), text(calibration), decoding.table(report)) for scan, created, calibration, report in rows
             ]
+
+
+def verdict_ids(connection: Connection, names: Iterable[str]) -> dict[str, int]:
+    """The ids of verdicts, those that are new included."""
+    known: dict[str, int] = {name: key for key, name in connection.execute("SELECT id, name FROM verdict")}
+    for name in dict.fromkeys(names):
+        if name not in known:
+            cursor = connection.execute("INSERT INTO verdict (name) VALUES (?)", (name,))
+            known[name] = int(cursor.lastrowid or 0)
+    return known
+
+
+def insert_observations(connection: Connection, scan_id: int, observations: Sequence[StereoObservation]) -> None:
+    verdicts = verdict_ids(connection, (seen.verdict for seen in observations))
+    connection.executemany(_INSERT, [_row(scan_id, verdicts[seen.verdict], seen) for seen in observations])
 
 
 def _row(scan_id: int, verdict: int, seen: StereoObservation) -> tuple[object, ...]:

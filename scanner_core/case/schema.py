@@ -14,6 +14,7 @@ view                 a position of the table, and the correction that the regist
 verdict              the words of the verdicts: ``measured``, or the reason of the rejection
 observation          what was measured: one row a trigger id that was exposed, with both 2D centroids, their sizes,
                      peaks and uncertainties, the table angle as read back, the time and the verdict
+stripe_point         of a laser line, what the frames of an ``observation`` each hold many of: one row a place where the line was seen
 registration         the report of every registration
 mesh                 every mesh, with its provenance: parameters, versions, seed, scans, calibration
 mask                 every mask, one bit a vertex
@@ -102,6 +103,16 @@ MIGRATIONS: tuple[str, ...] = (
         id INTEGER PRIMARY KEY, mount INTEGER NOT NULL, created TEXT NOT NULL,
         transform_json TEXT,                -- (4, 4), mm, object frame of the mount to that of mount 0; NULL: not accepted
         report_json TEXT NOT NULL);
+    """,
+    # ---- version 4
+    """
+    CREATE TABLE stripe_point (             -- a place of a laser line; NULL: in the image that did not show it
+        scan_id INTEGER NOT NULL, trigger_id INTEGER NOT NULL, number INTEGER NOT NULL, verdict INTEGER NOT NULL,
+        left_x_px REAL, left_y_px REAL, right_x_px REAL, right_y_px REAL,
+        peak INTEGER NOT NULL,              -- whose: 1 the right image's (else the left one's), 2 found in a column (else in a row)
+        peak_u_upx INTEGER, other_u_upx INTEGER,    -- 1e-6 px; of the peak in its row, of the line across itself in the other image
+        tangent_rad REAL,                   -- of the line there
+        PRIMARY KEY (scan_id, trigger_id, number)) WITHOUT ROWID;
     """,
 )
 

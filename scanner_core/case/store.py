@@ -9,12 +9,13 @@ from scanner_core.case.creation import SUFFIX, create_case
 from scanner_core.case.reading import open_for_reading
 from scanner_core.case.records import CaseEdit, MountPose, Order, ScanRecord
 from scanner_core.case.scans import ScanTables
+from scanner_core.case.stripes import StripeTables
 from scanner_core.case.surfaces import SurfaceTables
 
 __all__ = ["SUFFIX", "CaseEdit", "CaseStore", "MountPose", "Order", "ScanRecord"]
 
 
-class CaseStore(ScanTables, SurfaceTables):
+class CaseStore(ScanTables, StripeTables, SurfaceTables):
     """An open case.  A context manager: leaving it closes it.  Its methods may be called from any thread.
 
     Make one with :meth:`create` or :meth:`open`.

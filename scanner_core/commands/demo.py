@@ -15,6 +15,7 @@ from scanner_core.case.store import CaseStore, Order
 from scanner_core.commands.calibration_report import calibration_json, calibration_summary
 from scanner_core.commands.console import Console
 from scanner_core.commands.demo_report import write_demo_report
+from scanner_core.commands.line import line_request, line_warnings, lit_by
 from scanner_core.commands.overwriting import check_case_free, overwriting
 from scanner_core.commands.reconstructing import reconstruction_summary, run_reconstruction
 from scanner_core.commands.scanning import begins, faults, run_scan, scan_json, scan_summary, sized_for, specimen_on_table, without_terms
@@ -31,14 +32,16 @@ CASE, MESHES, REPORT = "case.impronta", ("mesh.stl", "mesh.ply"), "report.pdf"
 
 
 def run(given: argparse.Namespace, console: Console) -> int:
-    config = without_terms(load_preset(given.preset), given.without)
+    config = lit_by(without_terms(load_preset(given.preset), given.without), given.line)
     if given.marks:
         config = replace(config, marks=shipped_marks(given.preset))
     if given.treated and given.specimen != "arch":
         raise UsageError("E-USE-01", what="Only the arch can be scanned after treatment", do="use --specimen arch --treated")
     specimen = specimen_on_table(given, config)
     asked = {name: getattr(given, name) for name in ("views", "points", "until_um") if getattr(given, name) is not None}
-    request = sized_for(PlanRequest(**asked), specimen)
+    request = sized_for(line_request(config, PlanRequest(**asked), given.views), specimen)
+    for warning in line_warnings(config):
+        console.say(f"Warning: {warning}")
     to_come = faults(given, config)
     folder = _folder(given.out, specimen.name, given.force)
     old = (folder / CASE).exists()

@@ -43,13 +43,12 @@ def _case_words(values: dict[str, Any]) -> list[str]:
     lines = [f"Case {values['file']}", f"Order: {order or 'none'}"]
     for scan in values["scans"]:
         seen = ", ".join(f"{name} {count}" for name, count in sorted(scan["observations"].items()))
-        mount = f" of mount {scan['mount']}" if scan["mount"] else ""
-        words = (
-            f"{scan['kind'].capitalize()} {scan['id']}{mount}: {scan['finish_reason']}, begun {scan['started']}, calibration {scan['calibration']}"
-        )
+        of = (f" of mount {scan['mount']}" if scan["mount"] else "") + (" by line" if scan["laser"] == "line" else "")
+        words = f"{scan['kind'].capitalize()} {scan['id']}{of}: {scan['finish_reason']}, begun {scan['started']}, calibration {scan['calibration']}"
         lines += [words, f"    {seen or 'nothing exposed'}"]
     if values["interrupted"] is not None:
-        words = "Interrupted: {measured} of {wanted} points, {views_done} of {views} views complete; go on with 'impronta scan --resume'."
+        words = "Interrupted: {measured} of {wanted} points, {views_done} of {views} views complete"
+        words += "." if values["scans"][-1]["laser"] == "line" else "; go on with 'impronta scan --resume'."
         lines.append(words.format(**values["interrupted"]))
     if (marks := values.get("marks")) is not None:
         rms = "unknown" if marks["marks_um"] is None else f"{marks['marks_um']:.1f} um"
@@ -100,6 +99,7 @@ def _case(path: Path) -> dict[str, object]:
                 "id": scan.id,
                 "kind": scan.kind,
                 "mount": scan.mount,
+                "laser": "line" if store.by_line(scan.id) else "spot",
                 "started": scan.started,
                 "finish_reason": scan.finish_reason or "interrupted",
                 "observations": store.verdict_counts(scan.id),

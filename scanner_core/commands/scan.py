@@ -17,6 +17,7 @@ from scanner_core.case.mount_registration import RegisteredMounts
 from scanner_core.case.recovery import Interruption, describe, interruption
 from scanner_core.case.store import CaseStore, Order
 from scanner_core.commands.console import Console
+from scanner_core.commands.line import line_request, line_warnings, lit_by
 from scanner_core.commands.overwriting import check_case_free, overwriting
 from scanner_core.commands.register import run_registration
 from scanner_core.commands.scanning import (
@@ -49,6 +50,9 @@ def run(given: argparse.Namespace, console: Console) -> int:
     if given.add_mount and (given.resume or given.force):
         raise UsageError("E-USE-01", what="Another mount is a new scan in a case that is there", do="leave --resume and --force away")
     config, calibration = calibrated_rig(given)
+    config = lit_by(config, given.line)
+    if config.laser.is_line and given.record is not None:
+        raise UsageError("E-USE-01", what="A scan by a laser line is not recorded", do="leave --record away")
     known = recorded_plan(config)
     request = known or PlanRequest()
     if given.plan is not None:
@@ -63,11 +67,12 @@ def run(given: argparse.Namespace, console: Console) -> int:
         request = replace(request, until_um=given.until_um)
     if known not in (None, request):  # frames of other table angles would pass for those that are asked for
         raise UsageError("E-USE-01", what="The recording was made with another plan", do="leave --plan and --until-um away")
+    request = line_request(config, request, None if given.plan is None else request.views)
     specimen = specimen_on_table(given, config) if is_rendered(config) else None
     to_come = faults(given, config)
     if not given.resume:
         _check_steering(request, given, to_come)
-    warnings = age_warnings(calibration)
+    warnings = [*age_warnings(calibration), *line_warnings(config)]
     for warning in warnings:
         console.say(f"Warning: {warning}")
     if given.record is not None:
@@ -107,7 +112,7 @@ def run(given: argparse.Namespace, console: Console) -> int:
     values["warnings"] = warnings
     kept = f"Nothing was measured; {path} is as it was." if old and not begins(result) else f"Kept in {path}."
     if result.finish_reason is not FinishReason.COMPLETED and begins(result):
-        kept += f" Go on with: impronta scan --rig {given.rig} --resume --out {path}" if given.rig is not None else ""
+        kept += f" Go on with: impronta scan --rig {given.rig} --resume --out {path}" if given.rig is not None and not config.laser.is_line else ""
     elif result.steering is not None and result.steering.remount is not None and given.rig is not None:
         kept += f" Once the object is set down anew: impronta scan --rig {given.rig} --add-mount --out {path}"
     console.result(values, [*lines, kept])

@@ -216,6 +216,7 @@ def scan_json(result: ScanResult, rate_hz: float, case: str) -> dict[str, object
     counts = result.counts
     registration = result.views.registration if result.views is not None else None
     values: dict[str, object] = {
+        "laser": result.laser,
         "finish_reason": result.finish_reason.value,
         "views": result.views_planned,
         "planned": counts.planned,
@@ -252,8 +253,9 @@ def scan_summary(result: ScanResult) -> list[str]:
     """The same in words."""
     counts = result.counts
     rejected = ", ".join(f"{name} {count}" for name, count in counts.rejected.items()) or "none"
+    what = "planned measurements" if result.laser == "spot" else f"places of the line in {result.exposures} pairs of frames"
     lines = [
-        f"Scan {result.finish_reason.value}: {counts.measured} points of {counts.planned} planned measurements, "
+        f"Scan {result.finish_reason.value}: {counts.measured} points of {counts.planned} {what}, "
         f"{sum(counts.rejected.values())} rejected ({rejected}), {counts.skipped} skipped.",
     ]
     if result.resumed is not None:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from scanner_core.acquisition.aiming import beam_angles, beam_directions
-from scanner_core.devices.rig import LaserConfig
+from scanner_core.devices.laser_config import LaserConfig
 
 Array = NDArray[np.float64]
 

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from scanner_core.devices import camera_drivers
 from scanner_core.devices.camera_config import CameraConfig, TriggerSource
 from scanner_core.devices.controller_config import ControllerConfig
+from scanner_core.devices.laser_config import LaserConfig, read_laser
 from scanner_core.devices.marks_config import MarksConfig, dump_marks, read_marks
 from scanner_core.devices.null_level import NullLevel, dump_null_levels, null_levels
 from scanner_core.devices.rig_values import FAR_MM, array, axis, number, one_of, only, part, plain, port, table, text, whole
@@ -46,15 +47,6 @@ class LimitsConfig:
     travel_speed_deg_s: float
     table_speed_deg_s: float
     table_deg: tuple[float, float] | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class LaserConfig:
-    """Nominal place of the beam's pivot in the table frame, the point that it hits at X0 Y0 (both (3,) mm), and its 1/e^2 diameter."""
-
-    position_mm: tuple[float, float, float]
-    target_mm: tuple[float, float, float]
-    spot_diameter_mm: float = 0.6
 
 
 @dataclass(frozen=True, slots=True)
@@ -186,7 +178,8 @@ def dump_rig(rig: RigConfig) -> str:
         ("acceptance", rig.acceptance),
     ):
         lines += ["", f"[{key}]"]
-        written = {name: getattr(values, name) for name in values.__dataclass_fields__ if not (key.startswith("camera") and name == "name")}
+        unsaid = "name" if key.startswith("camera") else "shape" if key == "laser" and not rig.laser.is_line else ""
+        written = {name: getattr(values, name) for name in values.__dataclass_fields__ if name != unsaid}
         lines += [f"{name} = {toml_value(value)}" for name, value in written.items() if value is not None]
     if rig.image_model:
         lines += ["", "[image_model]", *(f"{name} = {toml_value(value)}" for name, value in rig.image_model.items())]
@@ -239,7 +232,7 @@ def _rig(tree: dict[str, Any]) -> RigConfig:
         right=part(cameras, "right", partial(_camera, "right"), "camera."),
         controller=part(tree, "controller", _controller),
         limits=part(tree, "limits", _limits),
-        laser=part(tree, "laser", _laser),
+        laser=part(tree, "laser", read_laser),
         volume=part(tree, "volume", _volume),
         virtual=None if tree.get("virtual") is None else text(tree, "virtual"),
         calibration=_calibration(table(tree, "calibration")) if "calibration" in tree else None,
@@ -299,14 +292,6 @@ def _limits(values: dict[str, Any]) -> LimitsConfig:
     return LimitsConfig(x_deg=_pair(values["x_deg"], "x_deg"), y_deg=_pair(values["y_deg"], "y_deg"), table_deg=table_deg, **speeds)
 
 
-def _laser(values: dict[str, Any]) -> LaserConfig:
-    only(values, LaserConfig.__dataclass_fields__)
-    diameter_mm = values.get("spot_diameter_mm", 0.6)
-    if not 0 < number(diameter_mm, "spot_diameter_mm", -1e9, 1e9) < 20:
-        raise ValueError(f"the laser's spot of {diameter_mm} mm is no spot")
-    return LaserConfig(_triple(values["position_mm"], "position_mm"), _triple(values["target_mm"], "target_mm"), float(diameter_mm))
-
-
 def _volume(values: dict[str, Any]) -> VolumeConfig:
     only(values, VolumeConfig.__dataclass_fields__)
     return VolumeConfig(*(number(values[key], key, 1e-3, 1e4) for key in ("radius_mm", "height_mm")))
@@ -317,11 +302,6 @@ def _pair(value: Any, key: str, most: float = 360.0) -> tuple[float, float]:
     if not low < high:
         raise ValueError(f"'{key}' must be a lower and an upper limit")
     return low, high
-
-
-def _triple(value: Any, key: str) -> tuple[float, float, float]:
-    x, y, z = array(value, key, (3,), FAR_MM).tolist()
-    return x, y, z
 
 
 def _dump_calibration(calibration: StereoCalibration) -> list[str]:

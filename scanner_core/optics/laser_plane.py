@@ -14,6 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
+from scanner_core.geometry.variance_components import MEDIAN_SQUARE
+
 Array = NDArray[np.float64]
 
 LEAST_POINTS = 200
@@ -23,6 +25,8 @@ _MOST_FITTED = 6000
 _FLOOR_MM = 5e-3
 _KNOWN = np.array([0.15, 0.15, 0.02, 0.02])
 """Standard uncertainty of the nominal axis: its place in 100 mm, its direction in rad.  What the points do not tell stays nominal."""
+
+_LEAST_RESIDUALS = 200
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -69,6 +73,19 @@ class SweptPlanes:
         """Signed distances (n,) mm of points from the planes of their frames; NaN where that is not known."""
         angle, distance = self.axis.polar(points, self.towards)
         return np.asarray(distance * np.sin(angle - self.angle_rad[frame]), np.float64)
+
+    def noise_factor(self, points: Array, covariances: Array, frame: NDArray[np.int64]) -> float:
+        """How much larger the points' variance across the planes is than their covariances (n, 3, 3) say; at least 1, and 1 of few points."""
+        if len(points) < _LEAST_RESIDUALS:
+            return 1.0
+        radial = points - self.axis.point
+        radial -= (radial @ self.axis.direction)[:, None] * self.axis.direction
+        across = np.cross(self.axis.direction, radial)
+        across /= np.linalg.norm(across, axis=1, keepdims=True)
+        variance = np.einsum("ni,nij,nj->n", across, covariances, across)
+        beside = self.beside_mm(points, frame)
+        known = np.isfinite(beside)
+        return max(1.0, float(np.median(beside[known] ** 2 / variance[known])) / MEDIAN_SQUARE) if known.any() else 1.0
 
 
 def swept_planes(points: Array, sigma_mm: Array, frame: NDArray[np.int64], frames: int, nominal: PanAxis) -> SweptPlanes | None:

@@ -30,6 +30,9 @@ from scanner_core.optics.spot_centroid import PixelNoise
 Array = NDArray[np.float64]
 Image = NDArray[np.uint8]
 
+SAMPLES_PER_PX = 3
+"""Of the line along itself: more than are independent, but a bend is followed more closely."""
+
 
 @dataclass(frozen=True, slots=True)
 class StripeDetectorParameters:
@@ -64,7 +67,7 @@ class StripeDetectorParameters:
     max_drawn_px: float = 0.4
     blur_px: tuple[float, float] = (0.957, 0.777)
     rounds: int = 5
-    per_px: int = 3
+    per_px: int = SAMPLES_PER_PX
     saturation_dn: int = 254
     read_noise_dn: float = 1.4
     shot_dn: float = 0.0125

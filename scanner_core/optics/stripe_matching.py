@@ -11,13 +11,14 @@ beside itself in the one and in the other image, and its covariance is propagate
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.optics.stripe_curve import neighbour_links
 from scanner_core.optics.stripe_detection import StripePeaks
+from scanner_core.optics.stripe_pairs import StripePairs
 from scanner_core.optics.triangulation import StereoCameras, Triangulator
 
 Array = NDArray[np.float64]
@@ -36,15 +37,14 @@ class StripeCandidates:
     Attributes
     ----------
     place : (n,) number of the peak that they belong to: those of the left image first, then those of the right image
-    left_px, right_px : (n, 2)
+    pairs : n places in both images
     points : (n, 3) mm, rig frame
     covariances : (n, 3, 3) mm^2
     grazing : (n,) bool: the epipolar line runs along the line
     """
 
     place: NDArray[np.int64]
-    left_px: Array
-    right_px: Array
+    pairs: StripePairs
     points: Array
     covariances: Array
     grazing: NDArray[np.bool_]
@@ -52,20 +52,19 @@ class StripeCandidates:
     def __len__(self) -> int:
         return len(self.place)
 
-    def select(self, which: NDArray[np.bool_] | NDArray[np.int64]) -> StripeCandidates:
-        """Those of a mask or of numbers."""
-        return StripeCandidates(*(getattr(self, column.name)[which] for column in fields(self)))
-
     @staticmethod
     def none() -> StripeCandidates:
         """Of a frame without a line."""
-        none = np.empty((0, 2))
-        return StripeCandidates(np.empty(0, np.int64), none, none, np.empty((0, 3)), np.empty((0, 3, 3)), np.empty(0, np.bool_))
+        return StripeCandidates(np.empty(0, np.int64), StripePairs.none(), np.empty((0, 3)), np.empty((0, 3, 3)), np.empty(0, np.bool_))
 
     @staticmethod
     def joined(parts: list[StripeCandidates]) -> StripeCandidates:
         """All of several."""
-        return StripeCandidates(*(np.concatenate([getattr(part, column.name) for part in parts]) for column in fields(StripeCandidates)))
+        pairs = StripePairs.joined([part.pairs for part in parts])
+        place, points, covariances, grazing = (
+            np.concatenate([getattr(part, name) for part in parts]) for name in ("place", "points", "covariances", "grazing")
+        )
+        return StripeCandidates(place, pairs, points, covariances, grazing)
 
 
 class StripeMatcher:
@@ -91,20 +90,18 @@ class StripeMatcher:
         if not (len(left) and len(right)):
             return StripeCandidates.none()
         peaks = (left, right)
-        seen = [np.c_[camera.normalize(each.xy), np.ones(len(each))] for camera, each in zip(self._cameras, peaks, strict=True)]
         links = [neighbour_links(each) for each in peaks]
-        parts = [self._of_peaks(side, peaks, seen, links[1 - side]) for side in (0, 1)]
+        parts = [self._of_peaks(side, peaks, links[1 - side]) for side in (0, 1)]
         parts[1].place[:] += len(left)
         return StripeCandidates.joined(parts)
 
-    def _of_peaks(self, side: int, peaks: tuple[StripePeaks, StripePeaks], seen: list[Array], links: NDArray[np.int64]) -> StripeCandidates:
+    def _of_peaks(self, side: int, peaks: tuple[StripePeaks, StripePeaks], links: NDArray[np.int64]) -> StripeCandidates:
         """Candidates of the peaks of one image in the other."""
         mine, theirs = peaks[side], peaks[1 - side]
         if not len(links):
             return StripeCandidates.none()
-        lines = seen[side] @ self._essential[side].T
-        lines /= np.maximum(np.linalg.norm(lines[:, :2], axis=1, keepdims=True), 1e-12)
-        beside = lines @ seen[1 - side].T  # (peaks, their peaks), normalized units
+        lines = self._lines(side, mine.xy)
+        beside = lines @ np.c_[self._cameras[1 - side].normalize(theirs.xy), np.ones(len(theirs))].T  # (peaks, their peaks), normalized units
         first, second = beside[:, links[:, 0]], beside[:, links[:, 1]]
         place, link = np.nonzero((first <= 0) != (second <= 0))
         a, b = first[place, link], second[place, link]
@@ -114,42 +111,63 @@ class StripeMatcher:
         chord = theirs.xy[j] - theirs.xy[i]
         length = np.linalg.norm(chord, axis=1)
         tangent = chord / np.maximum(length, 1e-9)[:, None]
-        epipolar = self._epipolar_direction(side, lines[place], theirs.xy[i])
+        epipolar = self._epipolar_direction(side, lines[place])
         kept = _one_of_each(place, np.einsum("ij,ij->i", crossing, epipolar), length)
         if not len(kept):
             return StripeCandidates.none()
         place, share, i, j = place[kept], share[kept], i[kept], j[kept]
-        crossing, tangent, epipolar = crossing[kept], tangent[kept], epipolar[kept]
+        crossing, tangent = crossing[kept], tangent[kept]
 
         across = theirs.across_variance_px2()
         variance = (1 - share) ** 2 * across[i] + share**2 * across[j] + self._floor_px2
-        sine = tangent[:, 0] * epipolar[:, 1] - tangent[:, 1] * epipolar[:, 0]
         own_variance = mine.variance_px2[place] + self._floor_px2 * (1 + mine.slope[place] ** 2)
-        measured = np.where(mine.along_row[place, None], [1.0, 0.0], [0.0, 1.0])
-        safe = np.where(np.abs(sine) < 1e-3, 1e-3, sine)
-
         own = mine.xy[place]
+        left_px, right_px = (own, crossing) if side == 0 else (crossing, own)
+        by_right, angle = np.full(len(place), side == 1), np.arctan2(tangent[:, 1], tangent[:, 0])
+        pairs = StripePairs(left_px, right_px, by_right, mine.along_row[place], np.sqrt(own_variance), np.sqrt(variance), angle)
+        points, covariances, sine = self._located(side, pairs)
+        finite = np.asarray(np.isfinite(points).all(axis=1), np.bool_)
+        grazing = np.abs(sine) < _LEAST_SINE
+        return StripeCandidates(place.astype(np.int64)[finite], pairs.select(finite), points[finite], covariances[finite], grazing[finite])
+
+    def located(self, pairs: StripePairs) -> tuple[Array, Array]:
+        """Points (n, 3) mm and covariances (n, 3, 3) mm^2 of places, rig frame."""
+        points, covariances = np.empty((len(pairs), 3)), np.empty((len(pairs), 3, 3))
+        for side in (0, 1):
+            here = pairs.by_right == (side == 1)
+            points[here], covariances[here], _ = self._located(side, pairs.select(here))
+        return points, covariances
+
+    def _located(self, side: int, pairs: StripePairs) -> tuple[Array, Array, Array]:
+        """Points, covariances, and the sine of the angle between the line and the epipolar line, of places whose peaks are this image's."""
+        own, crossing = (pairs.left_px, pairs.right_px) if side == 0 else (pairs.right_px, pairs.left_px)
+        tangent = np.c_[np.cos(pairs.tangent_rad), np.sin(pairs.tangent_rad)]
+        epipolar = self._epipolar_direction(side, self._lines(side, own))
+        sine = tangent[:, 0] * epipolar[:, 1] - tangent[:, 1] * epipolar[:, 0]
+        safe = np.where(np.abs(sine) < 1e-3, 1e-3, sine)
         points = self._points(side, own, crossing)
         # where the curve there lies beside itself, its crossing with the same epipolar line slides along that
         by_other = (self._points(side, own, crossing + (_STEP_PX / safe)[:, None] * epipolar) - points) / _STEP_PX
         # where the peak lies beside itself, the epipolar line moves, and its crossing along the curve
-        moved = own + _STEP_PX * measured
-        lines = np.c_[self._cameras[side].normalize(moved), np.ones(len(moved))] @ self._essential[side].T
-        slid = self._crossed(1 - side, lines, crossing, tangent)
+        moved = own + _STEP_PX * np.where(pairs.along_row[:, None], [1.0, 0.0], [0.0, 1.0])
+        slid = self._crossed(1 - side, self._lines(side, moved), crossing, tangent)
         by_own = (self._points(side, moved, slid) - points) / _STEP_PX
-        covariances = np.einsum("n,ni,nj->nij", variance, by_other, by_other) + np.einsum("n,ni,nj->nij", own_variance, by_own, by_own)
-        left_px, right_px = (own, crossing) if side == 0 else (crossing, own)
-        found = StripeCandidates(place.astype(np.int64), left_px, right_px, points, covariances, np.abs(sine) < _LEAST_SINE)
-        finite = np.asarray(np.isfinite(points).all(axis=1), np.bool_)
-        return found.select(finite)
+        covariances = np.einsum("n,ni,nj->nij", pairs.other_px**2, by_other, by_other)
+        covariances += np.einsum("n,ni,nj->nij", pairs.own_px**2, by_own, by_own)
+        return points, covariances, sine
+
+    def _lines(self, side: int, own: Array) -> Array:
+        """Epipolar lines (n, 3) in the other image, normalized units, of places (n, 2) px of this one."""
+        lines = np.c_[self._cameras[side].normalize(own), np.ones(len(own))] @ self._essential[side].T
+        return np.asarray(lines / np.maximum(np.linalg.norm(lines[:, :2], axis=1, keepdims=True), 1e-12), np.float64)
 
     def _points(self, side: int, own: Array, other: Array) -> Array:
         left, right = (own, other) if side == 0 else (other, own)
         sigma = np.ones((len(own), 2))
         return self._triangulator.triangulate(left, right, sigma, sigma).points
 
-    def _epipolar_direction(self, side: int, lines: Array, near: Array) -> Array:
-        """Unit vectors (n, 2) px along epipolar lines (n, 3) of the other image, near a place of it.
+    def _epipolar_direction(self, side: int, lines: Array) -> Array:
+        """Unit vectors (n, 2) px along epipolar lines (n, 3) of the other image.
 
         Distortion turns them by less than matters here.
         """

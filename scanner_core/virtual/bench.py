@@ -24,6 +24,8 @@ from scanner_core.virtual.camera import VirtualCamera
 from scanner_core.virtual.disturbed import Disturbed, SlippingTable
 from scanner_core.virtual.exposure import Exposure, Shutter
 from scanner_core.virtual.image_formation import ImageSensor
+from scanner_core.virtual.laser_fan import LaserFan
+from scanner_core.virtual.line_view import LineView
 from scanner_core.virtual.mechanics import PlayTimeline, warm_up_px
 from scanner_core.virtual.motion_state import MotionTimeline
 from scanner_core.virtual.presets import VirtualPreset
@@ -54,6 +56,7 @@ class VirtualBench:
     target, faults : the board as it was drawn, and how the one at hand differs
     bar : the plate of known length; it is as certified
     marks : the balls on the table's rim by the rig file, or None
+    fan : the laser makes a line instead of a spot
     """
 
     def __init__(
@@ -67,6 +70,7 @@ class VirtualBench:
         faults: BoardFaults = TYPICAL,
         bar: LengthBar = DEFAULT_BAR,
         marks: MarksConfig | None = None,
+        fan: LaserFan | None = None,
     ) -> None:
         self.preset, self.target, self.seed = preset, target, seed
         self._disturbed = Disturbed(preset)
@@ -81,6 +85,7 @@ class VirtualBench:
         self._shutter = Shutter(preset, seed)
         self._marks = marks
         self._scene = Scene(preset, specimen, balls=self._balls(None))
+        self._line = None if fan is None else LineView(preset, fan, specimen, seed)
         self._changed: tuple[tuple[ShinyPatch | None, int | None], Scene] | None = None
         self._lock = threading.Lock()
         self._exposures: OrderedDict[tuple[float, float], Exposure] = OrderedDict()
@@ -116,6 +121,8 @@ class VirtualBench:
         with self._lock:
             self._scene, self._changed = scene, None
             self._exposures.clear()
+            if self._line is not None:
+                self._line.change_specimen(specimen)
 
     def show_board(self, pose: RigidTransform | None) -> None:
         """Hold the board before the cameras; `pose` takes its frame to the table frame, None takes it away."""
@@ -159,11 +166,14 @@ class VirtualBench:
             if self._board is not None:
                 signal = self._drifted(self._board_signal(index, start_s + 0.5e-3 * exposure_ms), index, start_s)
                 return sensor.lit_frame(signal * np.float32(exposure_ms / self.preset.exposure_ms), key, gain)
+            room_dn = (self.preset.ambient_dn + self._disturbed.ambient_dn(start_s)) * exposure_ms / self.preset.exposure_ms
+            if self._line is not None:
+                signal = self._line.signal(index, self._timeline, start_s, exposure_ms, self._disturbed.image_shift_px(index, start_s))
+                return sensor.lit_frame(signal + np.float32(room_dn), key, gain)
             spot = self._expose(start_s, exposure_ms).spots[index]
         if spot is not None:
             spot = self._displaced(spot, index, start_s)
-        room_dn = self.preset.ambient_dn + self._disturbed.ambient_dn(start_s)
-        return sensor.frame(spot, key, gain, room_dn * exposure_ms / self.preset.exposure_ms)
+        return sensor.frame(spot, key, gain, room_dn)
 
     def _expose(self, start_s: float, exposure_ms: float) -> Exposure:
         instant = (start_s, exposure_ms)

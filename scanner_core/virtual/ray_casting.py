@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonCore import reference
 from vtkmodules.vtkCommonDataModel import vtkGenericCell, vtkStaticCellLocator
 
 from scanner_core.geometry.mesh import TriangleMesh
-from scanner_core.virtual.specimens.specimen import poly_data
+from scanner_core.geometry.poly_data import poly_data
 
 Array = NDArray[np.float64]
 

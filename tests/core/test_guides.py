@@ -14,7 +14,8 @@ import pytest
 from scanner_core.__main__ import _parser
 from scanner_core.devices.camera_config import CameraConfig, TriggerSource
 from scanner_core.devices.controller_config import ControllerConfig
-from scanner_core.devices.rig import LaserConfig, LimitsConfig, VolumeConfig, load_preset, parse_rig, rig_text
+from scanner_core.devices.laser_config import LaserConfig
+from scanner_core.devices.rig import LimitsConfig, VolumeConfig, load_preset, parse_rig, rig_text
 from scanner_core.sentences import SENTENCES
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -9,7 +9,8 @@ import numpy as np
 from scanner_core.acquisition.aiming import beam_angles
 from scanner_core.acquisition.beam_fit import fitted_laser
 from scanner_core.acquisition.plan import Row, ViewPlan
-from scanner_core.devices.rig import LaserConfig, load_preset
+from scanner_core.devices.laser_config import LaserConfig
+from scanner_core.devices.rig import load_preset
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.rigid import RigidTransform
 

@@ -8,7 +8,8 @@ import pytest
 from scanner_core.acquisition.plan import ScanPlan
 from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.acquisition.sweep_exposure import exposed_for, longest_exposure_ms
-from scanner_core.devices.rig import LaserConfig, load_preset
+from scanner_core.devices.laser_config import LaserConfig
+from scanner_core.devices.rig import load_preset
 
 
 def test_the_spot_moves_by_its_diameter() -> None:

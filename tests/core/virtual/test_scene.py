@@ -9,7 +9,7 @@ import pytest
 from numpy.typing import NDArray
 
 from scanner_core.acquisition.aiming import beam_angles
-from scanner_core.devices.rig import LaserConfig
+from scanner_core.devices.laser_config import LaserConfig
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.virtual.motion_state import MotionInstant
