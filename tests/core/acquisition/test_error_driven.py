@@ -7,7 +7,6 @@ import sqlite3
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import closing, nullcontext
-from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 from types import SimpleNamespace
@@ -24,7 +23,6 @@ from scanner_core.acquisition.handover import PointLog
 from scanner_core.acquisition.next_pass import NextPass
 from scanner_core.acquisition.passes import PassesEnd, SteeringResult, passes_of
 from scanner_core.acquisition.plan import PlanRequest, Row, ScanPlan, ViewPlan
-from scanner_core.acquisition.planning import renumbered
 from scanner_core.acquisition.remount import RemountAdvice
 from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.acquisition.runner import ScanRunner
@@ -38,7 +36,7 @@ from scanner_core.case.store import CaseStore
 from scanner_core.commands.scanning import scan_json, scan_summary
 from scanner_core.coverage.report import CoverageReport
 from scanner_core.devices.rig import dump_rig, load_preset
-from scanner_core.errors import ImprontaError, ReconstructionError, StorageError, UsageError
+from scanner_core.errors import ImprontaError, ReconstructionError, UsageError
 from scanner_core.jobs.progress import Cancelled
 from scanner_core.virtual.faults import parse_fault
 from scanner_core.virtual.specimens import load_specimen
@@ -220,59 +218,6 @@ def test_what_the_case_keeps_of_the_passes_comes_back(store: CaseStore) -> None:
     for wrong in ([{"kind": "coarse"}], [record["passes"][1]], record["passes"][:1], [record["passes"][0] | {"views": True}], 3):
         with pytest.raises((KeyError, TypeError, ValueError)):
             passes_of(record | {"passes": wrong})
-
-
-def test_shares_are_those_of_the_coverage_and_the_plan_tells_the_gain(store: CaseStore) -> None:
-    def answer(request: AssessmentRequest) -> Assessment:
-        found = passes(0.5, 0.7, 33.0)(request)
-        return replace(found, coverage=replace(found.coverage, reachable_within_fraction=0.6))
-
-    told = Bench(store, Script(answer, passes(1.0, 1.0))).run()
-    (coarse, steered) = told.passes
-    assert (coarse.within_after, steered.within_before, steered.within_after) == (0.6, 0.6, 1.0)
-    assert steered.within_predicted == pytest.approx(0.8)
-
-
-def test_where_no_light_is_found_any_more_it_ends(store: CaseStore) -> None:
-    told = Bench(store, Script(*[passes(0.1, 0.9, 33.0)] * 3), least=0).run()
-    assert (told.end, [one.points for one in told.passes]) == (PassesEnd.NO_GAIN, [0, 0, 0])
-
-
-@pytest.mark.parametrize(("before", "kinds", "end"), [(354, 3, PassesEnd.UNIFORM), (356, 2, PassesEnd.VIEWS_SPENT)])
-def test_what_is_spread_evenly_is_no_more_than_a_case_holds(
-    store: CaseStore, monkeypatch: pytest.MonkeyPatch, before: int, kinds: int, end: PassesEnd
-) -> None:
-    bench = Bench(store, Script(passes(0.5, 0.9, *np.linspace(0, 300, before), quota=0), refuses, refuses))
-
-    def evenly(whole: Pass, rest: int) -> tuple[ViewPlan, ...]:
-        return renumbered(whole.plan.views[:4], len(whole.plan.views))
-
-    monkeypatch.setattr(bench.steering, "_evenly", evenly)
-    told = bench.run()
-    assert (told.end, len(told.passes)) == (end, kinds)
-    assert bench.steering.views == min(before + 8, 360)
-    assert any("spread evenly" in line for line in told.summary()) == (kinds == 3)
-    assert any("E-REC-02" in line for line in told.summary())
-
-
-def test_a_pass_that_the_case_could_not_take_is_none(store: CaseStore, monkeypatch: pytest.MonkeyPatch) -> None:
-    bench = Bench(store, Script(passes(0.5, 0.9, 33.0)))
-
-    def full(scan_id: int, plan: dict[str, object]) -> None:
-        raise StorageError("E-DISK-01", path=store.path, reason="no space left")
-
-    monkeypatch.setattr(store, "extend_plan", full)
-    with pytest.raises(StorageError):
-        bench.run()
-    assert bench.steering.views == 4
-
-
-def test_one_that_goes_on_tells_the_pass_that_it_is_in(store: CaseStore) -> None:
-    bench = Bench(store, Script(passes(0.5, 0.9, 33.0), passes(1.0, 1.0)))
-    told = bench.run()
-    assert BENCH.calibration is not None
-    again = ErrorDriven(bench.rig, BENCH.calibration, store, REQUEST, ScanControl(), cast(Any, bench.follower), Script(), told.passes)
-    assert (again.status().number, again.status().within) == (2, 1.0)
 
 
 # ------------------------------------------------------------------------------------------ on the virtual rig
