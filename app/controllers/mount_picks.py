@@ -65,7 +65,8 @@ class MountPicks(QObject):
 
     def _look(self) -> None:
         """Another case, or the mount was joined."""
-        if not self._mounts.running and self._mounts.refused is None and self.mount is not None:
+        refused = self._mounts.refused
+        if not self._mounts.running and (refused is None or refused.mount != self.mount):
             self.mount, self.picked = None, NONE
         self.changed.emit()
 

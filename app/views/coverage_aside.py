@@ -25,7 +25,9 @@ class CoverageAside:
         self.surface, self._report = surface, report
         self._mesh = MeshActor()
         self._mesh.show(surface)
-        self._mesh.actor.GetProperty().SetAmbient(0.4)  # what looks down has its colour too
+        look = self._mesh.actor.GetProperty()
+        look.SetAmbient(0.4)  # what looks down has its colour too
+        look.SetDiffuse(0.6)
         self._rim = (LineActor(GROUND, 6.0, behind=True), LineActor("#ffffff", 3.2))
         self.colour(by_uncertainty=False)
 

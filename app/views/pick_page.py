@@ -111,6 +111,10 @@ class PickPage(Page):
     def _show_clouds(self) -> None:
         """When they are others than those that are shown; both cameras then stand anew."""
         found, mount = self._mounts.found, self._picks.mount
+        if mount is None and self._shown is not None:  # it was joined: there one sees how it lies
+            self._shown = None
+            if self.isVisible():
+                self.wanted.emit("mounts")
         if not self.views or found is None or mount is None or (found, mount) == self._shown:
             self._show_picks()
             return

@@ -34,6 +34,7 @@ class ScanPage(Page):
     def __init__(self, services: Services) -> None:
         super().__init__(services)
         box = self.inspector(self.tr("Scan"))
+        box.setSpacing(8)  # all of it fits into a window of 800 pixels, with the line of the live surface
         self._points = BigNumber(self.tr("points"))
         self._rate = BigNumber(self.tr("points / s"))
         self._left = BigNumber(self.tr("left"))

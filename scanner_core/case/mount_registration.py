@@ -23,7 +23,6 @@ from scanner_core.errors import CaseError, UsageError
 from scanner_core.geometry.mount_refinement import PairFit
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.rigid import RigidTransform
-from scanner_core.geometry.view_directions import seen_from
 from scanner_core.jobs.progress import IsCancelled, OnProgress
 from scanner_core.sentences import SENTENCES
 
@@ -166,6 +165,8 @@ class RegisteredMounts:
             margin = "" if values["margin"] is None else f", margin to the second-best pose {values['margin']:.2f}"
             words = f"Mount {outcome.mount} joined ({outcome.start}): overlap {100 * values['overlap_fraction']:.0f} %, "
             lines.append(words + f"residual {values['residual_um']:.1f} um{margin}.")
+        if self.refinement is not None and not self.refinement["converged"]:
+            lines.append("The mounts still moved by micrometres when their refinement ended: more overlap, or points, would hold them.")
         if self.closure_um is not None:
             lines.append(f"Loops of mounts close within {self.closure_um:.1f} um.")
         return lines
@@ -348,15 +349,17 @@ def _numbered(parts: Sequence[ScanPart]) -> list[ScanPart]:
 
 
 def _towards(cloud: PointCloud, parts: Sequence[ScanPart], poses: Mapping[int, RigidTransform]) -> Array:
-    """Unit vectors (n, 3) from the points of these scans towards the rig, in the frame of the poses."""
+    """Unit vectors (n, 3) from the points of these scans to where their beam turned, in the frame of the poses."""
     assert cloud.table_deg is not None
     assert cloud.views is not None
-    own = seen_from(cloud.table_deg)
-    towards = np.empty_like(own)
+    pivots = np.empty_like(cloud.points)
     for part in parts:
-        here = np.isin(cloud.views, part.views)
-        towards[here] = poses[part.mount].rotate(own[here])
-    return towards
+        here = np.flatnonzero(np.isin(cloud.views, part.views))
+        for table_deg in np.unique(cloud.table_deg[here]):
+            in_object = RigidTransform.about_z(-float(table_deg)).apply(np.array([part.rig.laser.position_mm], np.float64))
+            pivots[here[cloud.table_deg[here] == table_deg]] = poses[part.mount].apply(in_object)
+    towards = pivots - cloud.points
+    return np.asarray(towards / np.linalg.norm(towards, axis=1, keepdims=True), np.float64)
 
 
 def _doubt(ours: Sequence[PairFit], pairs: Sequence[PairFit], within_um: float) -> tuple[str, dict[str, object]]:

@@ -73,14 +73,14 @@ def find_pose(
     for number, start in enumerate(_unlike(improved, target, thin, spacing)[:_IMPROVED]):
         _check(cancelled)
         progress(Progress("improving", 0.6 + 0.3 * number / _IMPROVED))
-        fit = fit_surface(target, source, start, queries=_ROUGH_QUERIES // 2, rounds=8)
+        fit = fit_surface(target, source, start, queries=_ROUGH_QUERIES // 2, rounds=8, cancelled=cancelled)
         tried.append(TriedPose(fit, agreement(target, source, fit.transform, _ROUGH_QUERIES)))
     tried.sort(key=lambda pose: -pose.agreement.score)
     if not tried:
         return judged(None, [], moving.points)
     _check(cancelled)
     progress(Progress("refining", 0.9))
-    fit = fit_surface(target, source, tried[0].fit.transform, queries=ALL_POINTS, rounds=6, near=True)
+    fit = fit_surface(target, source, tried[0].fit.transform, queries=ALL_POINTS, rounds=6, cancelled=cancelled, near=True)
     best = TriedPose(fit, agreement(target, source, fit.transform, 2 * _ROUGH_QUERIES))
     different = [pose for pose in tried[1:] if _apart_mm(pose.fit.transform, fit.transform, thin.points) > _DIFFERENT * spacing]
     return judged(best, different, moving.points)

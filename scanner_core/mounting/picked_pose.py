@@ -55,11 +55,11 @@ def pose_from_points(
     if cancelled():
         raise Cancelled
     rough = fit_samples(target.sample, source.sample, start)
-    near = [fit_surface(target, source, pose, queries=_QUERIES, rounds=10) for pose in (start, rough)]
+    near = [fit_surface(target, source, pose, queries=_QUERIES, rounds=10, cancelled=cancelled) for pose in (start, rough)]
     if cancelled():
         raise Cancelled
     best = max(near, key=lambda fit: agreement(target, source, fit.transform, _QUERIES).score)
-    fit = fit_surface(target, source, best.transform, queries=ALL_POINTS, rounds=6, near=True)
+    fit = fit_surface(target, source, best.transform, queries=ALL_POINTS, rounds=6, cancelled=cancelled, near=True)
     found = judged(TriedPose(fit, agreement(target, source, fit.transform, 2 * _QUERIES)), [], moving.points, picked=True)
     one, other = np.asarray(fixed_points, np.float64), fit.transform.apply(np.asarray(moving_points, np.float64))
     apart = float(np.sqrt(np.mean(np.sum((one - other) ** 2, axis=1))))

@@ -286,9 +286,11 @@ def test_what_was_picked_goes_when_the_mount_was_joined(shared_program: Program,
     show_mounts(shared_program, joined=False)
     picks.begin()
     picks.pick("fixed", (1.0, 2.0, 3.0))
+    shared_program.window.show_page("pick")
     mounts.found = mounts_answer(joined=True)
     mounts.changed.emit()
     assert picks.mount is None
+    assert shared_program.window.page_id == "mounts"
     shared_program.window.undo()
     assert picks.picked == ((), ())
 

@@ -59,7 +59,7 @@ def only_step(watch: MarkWatch) -> MarkStep:
 
 @pytest.mark.parametrize("hide", [False, True])
 def test_clean_turns_tell_nothing(hide: bool) -> None:
-    for seed in range(12):
+    for seed in range(6):
         watch = turn(seed, hide=hide)
         assert list(mark_findings(watch)) == []
         rms_um = watch.distance_rms_um()
@@ -70,7 +70,7 @@ def test_clean_turns_tell_nothing(hide: bool) -> None:
 @pytest.mark.parametrize("hide", [False, True])
 @pytest.mark.parametrize("lost_deg", [-0.08, 0.2, 3.0])
 def test_lost_steps_are_named_at_their_view(lost_deg: float, hide: bool) -> None:
-    for seed in range(4):
+    for seed in range(2):
         step = only_step(turn(seed, Cause.TABLE, [lost_deg], hide=hide))
         assert (step.view, step.cause) == (AT, Cause.TABLE)
         assert step.amounts[0] == pytest.approx(lost_deg, abs=0.02)
@@ -78,7 +78,7 @@ def test_lost_steps_are_named_at_their_view(lost_deg: float, hide: bool) -> None
 
 @pytest.mark.parametrize("cause", [Cause.LEFT, Cause.RIGHT])
 def test_a_bump_along_the_epipolar_line_is_a_camera_s(cause: Cause) -> None:
-    for seed in range(4):
+    for seed in range(2):
         step = only_step(turn(seed, cause, [0.2, 0.0]))
         assert step.view == AT
         assert step.cause in (Cause.LEFT, Cause.RIGHT, Cause.OTHER)
@@ -87,7 +87,7 @@ def test_a_bump_along_the_epipolar_line_is_a_camera_s(cause: Cause) -> None:
 
 @pytest.mark.parametrize("scale", [1e-3, -1e-3])
 def test_a_thousandth_of_scale_is_named_at_its_view(scale: float) -> None:
-    for seed in range(4):
+    for seed in range(2):
         step = only_step(turn(seed, Cause.SCALE, [scale]))
         assert (step.view, step.cause) == (AT, Cause.SCALE)
         assert step.amounts[0] == pytest.approx(scale, abs=1.5e-4)

@@ -12,12 +12,15 @@ import pytest
 
 from scanner_core.acquisition.engine import StereoEngine, StereoPair
 from scanner_core.acquisition.status import FinishReason, ScanCounts
+from scanner_core.case import mount_registration
 from scanner_core.case.edits import DISCARDED
 from scanner_core.case.mount_registration import register_mounts
 from scanner_core.case.processing import Processing, case_cloud, process_case
+from scanner_core.case.scan_parts import PlacedMounts
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import dump_rig
 from scanner_core.errors import CaseFormatError, ComparisonError, UsageError
+from scanner_core.geometry.mount_refinement import MountRefinement, PairFit
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.spot import Spot
@@ -89,10 +92,36 @@ def ambiguous(fixed: PointCloud, moving: PointCloud, **_: object) -> Told:
     return Told(TRUE, False, "E-MNT-03", {"angle": 180})
 
 
-@pytest.fixture
-def store(tmp_path: Path) -> Iterator[CaseStore]:
-    with CaseStore.create(tmp_path / "a.impronta") as store:
+@pytest.fixture(scope="module")
+def one_mount(tmp_path_factory: pytest.TempPathFactory) -> bytes:
+    path = tmp_path_factory.mktemp("cases") / "one.impronta"
+    with CaseStore.create(path) as store:
         _scan(store, 0, 1)
+    return path.read_bytes()
+
+
+@pytest.fixture(scope="module")
+def two_mounts(one_mount: bytes, tmp_path_factory: pytest.TempPathFactory) -> bytes:
+    path = tmp_path_factory.mktemp("cases") / "two.impronta"
+    path.write_bytes(one_mount)
+    with CaseStore.open(path) as store:
+        _scan(store, 1, 2)
+    return path.read_bytes()
+
+
+@pytest.fixture
+def store(one_mount: bytes, tmp_path: Path) -> Iterator[CaseStore]:
+    """A case of one mount."""
+    (tmp_path / "a.impronta").write_bytes(one_mount)
+    with CaseStore.open(tmp_path / "a.impronta") as store:
+        yield store
+
+
+@pytest.fixture
+def pair(two_mounts: bytes, tmp_path: Path) -> Iterator[CaseStore]:
+    """A case of two mounts that were not registered."""
+    (tmp_path / "a.impronta").write_bytes(two_mounts)
+    with CaseStore.open(tmp_path / "a.impronta") as store:
         yield store
 
 
@@ -138,12 +167,11 @@ def test_a_second_mount_joins_when_its_pose_was_accepted(store: CaseStore) -> No
     assert process_case(store, Processing(without_views=(0,))).mounts.keys() == {0, 1}
 
 
-def test_the_pose_and_the_report_survive_and_older_ones_stay(store: CaseStore) -> None:
-    _scan(store, 1, 2)
-    register_mounts(store, find=near_the_truth)
-    before = case_cloud(store)
-    path = store.path
-    store.close()
+def test_the_pose_and_the_report_survive_and_older_ones_stay(pair: CaseStore) -> None:
+    register_mounts(pair, find=near_the_truth)
+    before = case_cloud(pair)
+    path = pair.path
+    pair.close()
     with CaseStore.open(path) as again:
         assert np.array_equal(case_cloud(again).points, before.points)
         report = again.mount_poses()[1].report
@@ -156,16 +184,49 @@ def test_the_pose_and_the_report_survive_and_older_ones_stay(store: CaseStore) -
     raw.close()
 
 
-def test_an_ambiguous_mount_is_kept_apart_and_said(store: CaseStore) -> None:
-    _scan(store, 1, 2)
-    result = register_mounts(store, find=ambiguous)
-    error = result.error(store)
+def test_the_search_is_told_where_the_light_of_each_point_came_from(pair: CaseStore) -> None:
+    asked: list[Mapping[str, object]] = []
+
+    def find(fixed: PointCloud, moving: PointCloud, **told: object) -> Told:
+        asked.append({"fixed": fixed, "moving": moving, **told})
+        return Told(TRUE, False, "E-MNT-03", {"angle": 180})
+
+    register_mounts(pair, find=find)
+    for which in ("fixed", "moving"):
+        cloud, towards = asked[0][which], asked[0][f"{which}_towards"]
+        assert isinstance(cloud, PointCloud)
+        assert isinstance(towards, np.ndarray)
+        assert cloud.table_deg is not None
+        for table_deg in (0.0, 270.0):
+            point = int(np.flatnonzero(np.isclose(cloud.table_deg, table_deg))[0])
+            to_pivot = RigidTransform.about_z(-table_deg).apply(np.array([RIG.laser.position_mm]))[0] - cloud.points[point]
+            np.testing.assert_allclose(towards[point], to_pivot / np.linalg.norm(to_pivot), atol=1e-12)
+
+
+def test_a_mount_that_the_others_contradict_is_kept_apart(pair: CaseStore, monkeypatch: pytest.MonkeyPatch) -> None:
+    fit = PairFit(0, 1, 0.4, 0.99, 20.0, 24.0, 900)
+
+    def refined(*_: object, **__: object) -> PlacedMounts:
+        found = MountRefinement((TRUE, TRUE), ((), ()), np.zeros((1, 4)), 20.0, (fit,), False, 12)
+        return PlacedMounts((0, 1), found, {0: RigidTransform.identity(), 1: TRUE}, {})
+
+    monkeypatch.setattr(mount_registration, "refine_parts", refined)
+    result = register_mounts(pair, find=near_the_truth)
+    (outcome,) = result.refused
+    assert outcome.code == "E-MNT-13"
+    assert "24" in outcome.reason
+    assert pair.mount_poses()[1].transform is None
+
+
+def test_an_ambiguous_mount_is_kept_apart_and_said(pair: CaseStore) -> None:
+    result = register_mounts(pair, find=ambiguous)
+    error = result.error(pair)
     assert error is not None
     assert error.code == "E-MNT-10"
     assert "fits in more than one way" in str(error)
     assert "All points are kept" in str(error)
-    assert store.mount_poses()[1].transform is None
-    assert len(case_cloud(store)) < VIEWS * ROW + 1
+    assert pair.mount_poses()[1].transform is None
+    assert len(case_cloud(pair)) < VIEWS * ROW + 1
 
 
 def test_an_object_that_changed_its_shape_is_refused(store: CaseStore) -> None:
@@ -186,20 +247,18 @@ def test_the_newest_scan_of_each_mount_counts_unless_it_was_discarded(store: Cas
     assert store.counting_scans(without=[1]) == [third]  # alone, in a frame of its own
 
 
-def test_picks_on_a_mount_that_is_not_there_are_refused(store: CaseStore) -> None:
-    _scan(store, 1, 2)
+def test_picks_on_a_mount_that_is_not_there_are_refused(pair: CaseStore) -> None:
     some = np.zeros((3, 3))
     with pytest.raises(UsageError, match="picked on mount 4"):
-        register_mounts(store, {4: (some, some)}, find=ambiguous)
+        register_mounts(pair, {4: (some, some)}, find=ambiguous)
     with pytest.raises(ComparisonError):
-        register_mounts(store, {1: (some, some)}, find=ambiguous)
+        register_mounts(pair, {1: (some, some)}, find=ambiguous)
 
 
 @pytest.mark.parametrize("value", ["[1]", "{}", "nonsense", "[[1,0,0,0],[0,1,0,0],[0,0,2,0],[0,0,0,1]]"])
-def test_a_damaged_pose_is_said(store: CaseStore, value: str) -> None:
-    _scan(store, 1, 2)
-    path = store.path
-    store.close()
+def test_a_damaged_pose_is_said(pair: CaseStore, value: str) -> None:
+    path = pair.path
+    pair.close()
     with sqlite3.connect(path) as raw:
         raw.execute("INSERT INTO mount_pose (mount, created, transform_json, report_json) VALUES (1, '2026-01-01', ?, '{}')", (value,))
     raw.close()

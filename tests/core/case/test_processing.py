@@ -133,6 +133,7 @@ def test_gates_as_they_were_change_no_verdict(store: CaseStore) -> None:
     assert after.counts == before.counts
     assert after.registered
     assert after.cloud.trigger_ids is not None
+    assert before.cloud.trigger_ids is not None
     assert np.array_equal(after.cloud.trigger_ids, before.cloud.trigger_ids)
 
 
