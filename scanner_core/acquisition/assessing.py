@@ -62,8 +62,9 @@ class AssessmentRequest:
 
     def end(self, coverage: CoverageReport, planned: NextPass) -> PassesEnd | None:
         """Why the scan ends with this; None when it goes on."""
-        passes = [*self.passes[:-1], *(replace(one, within_after=planned.within_now) for one in self.passes[-1:])]
-        return end_of(passes, coverage.reachable_within_fraction, self.last, len(planned.views), MOST_VIEWS - self.first_view)
+        within = coverage.reachable_within_fraction
+        passes = [*self.passes[:-1], *(replace(one, within_after=within) for one in self.passes[-1:])]
+        return end_of(passes, within, self.last, len(planned.views), MOST_VIEWS - self.first_view)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -72,6 +73,16 @@ class Assessment:
 
     coverage: CoverageReport
     next: NextPass
+
+    @property
+    def within(self) -> float:
+        """Share of what can be measured as the object stands that is within the wanted uncertainty."""
+        return self.coverage.reachable_within_fraction
+
+    @property
+    def within_predicted(self) -> float:
+        """The same after the next pass; the plan, which knows some thousand places only, tells what is gained."""
+        return min(1.0, self.within + max(0.0, self.next.within_predicted - self.next.within_now))
 
 
 Waiting = Callable[[], bool]

@@ -25,7 +25,7 @@ from scanner_core.acquisition.control import ScanControl
 from scanner_core.acquisition.following import Pass, PlanFollower
 from scanner_core.acquisition.passes import PassesEnd, PassKind, ScanPass, SteeringResult, SteeringStatus, counted, end_of, kept_passes
 from scanner_core.acquisition.plan import PlanRequest, ScanPlan, ViewPlan
-from scanner_core.acquisition.planning import even_views, nearest_turn
+from scanner_core.acquisition.planning import even_views, may_stand, nearest_turn, renumbered
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.case.decoding import MOST_VIEWS
 from scanner_core.case.store import CaseStore
@@ -75,7 +75,7 @@ class ErrorDriven:
         self._control, self._follower, self._assess = control, follower, assess
         self._wanted_um = request.until_um
         self._passes = list(passes)
-        self._at = 0
+        self._at = max(0, len(passes) - 1)
         self._computing = False
         self._computing_s = 0.0
         self._end: PassesEnd | None = None
@@ -154,7 +154,7 @@ class ErrorDriven:
 
     def _next(self, whole: Pass) -> _Step | None:
         """What to do after the passes so far; None at the end."""
-        rest = self._request.points - whole.tally.measured
+        rest, room = self._request.points - whole.tally.measured, MOST_VIEWS - len(whole.plan.views)
         found = self._assessed(whole, rest)
         if found is None:
             return None
@@ -164,17 +164,15 @@ class ErrorDriven:
             self._end = PassesEnd.UNIFORM if fallen_back else PassesEnd.POINTS_SPENT
             if fallen_back or self._spent(rest):
                 return None
-            self._end = None
-            return _Step("uniform", self._evenly(whole, rest))
+            views = self._evenly(whole, rest)[:room]
+            self._end = None if views else PassesEnd.VIEWS_SPENT
+            return _Step("uniform", views) if views else None
         self._assessment = found
-        planned = found.next
-        self._passes[-1] = replace(self._passes[-1], within_after=planned.within_now)
-        room = MOST_VIEWS - len(whole.plan.views)
-        views = planned.views[:room]
-        self._end = end_of(self._passes, found.coverage.reachable_within_fraction, self._spent(rest), len(planned.views), room)
+        self._passes[-1] = replace(self._passes[-1], within_after=found.within)
+        self._end = end_of(self._passes, found.within, self._spent(rest), len(found.next.views), room)
         if self._refused is not None:
             self._end = PassesEnd.UNIFORM
-        return None if self._end is not None else _Step("steered", views, planned.within_now, planned.within_predicted)
+        return None if self._end is not None else _Step("steered", found.next.views[:room], found.within, found.within_predicted)
 
     def _spent(self, rest: int) -> bool:
         return rest < max(_LEAST_REST * self._request.points, _LEAST_POINTS)
@@ -182,6 +180,7 @@ class ErrorDriven:
     def _assessed(self, whole: Pass, rest: int) -> Assessment | ImprontaError | None:
         """None when the scan was ended meanwhile."""
         self._rig.motion.laser(False)
+        self._follower.ask()
         self._follower.keep()
         begin_s = time.monotonic()
         request = AssessmentRequest(
@@ -211,15 +210,17 @@ class ErrorDriven:
     def _evenly(self, whole: Pass, rest: int) -> tuple[ViewPlan, ...]:
         """The points that are left, over the whole object, as it was located."""
         located = [scan for scan in self._store.scans() if scan.kind == "locate" and scan.id < whole.scan_id][-1]
-        return even_views(
+        first = len(whole.plan.views)
+        views = even_views(
             self._rig.config,
             replace(self._request, points=rest),
             self._rig.left.rate_hz,
             ScanPlan.from_dict(located.plan),
             self._store.observations(located.id).trigger_id,
-            len(whole.plan.views),
+            first,
             self._store.next_trigger_id(),
         )
+        return renumbered([view for view in views if may_stand(self._rig.config.limits, view.table_deg)], first)
 
     def _extended(self, whole: Pass, step: _Step) -> Pass:
         """The plan with the pass in it; the case knows of it before anything is exposed."""
@@ -228,8 +229,9 @@ class ErrorDriven:
             at_deg = nearest_turn(view.table_deg, at_deg, self._may_turn)
             views.append(replace(view, table_deg=at_deg))
         plan = whole.plan.extended(tuple(views))
-        self._passes.append(_scan_pass(replace(step, views=tuple(views)), len(whole.plan.views)))
-        self._store.extend_plan(whole.scan_id, plan.as_dict() | {"request": asdict(self._request), "passes": kept_passes(self._passes)})
+        passes = [*self._passes, _scan_pass(replace(step, views=tuple(views)), len(whole.plan.views))]
+        self._store.extend_plan(whole.scan_id, plan.as_dict() | {"request": asdict(self._request), "passes": kept_passes(passes)})
+        self._passes = passes  # now: a pass that the case could not take is none
         whole.tally.extend(sum(row.count for view in views for row in view.rows))
         return replace(whole, plan=plan)
 

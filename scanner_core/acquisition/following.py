@@ -65,6 +65,9 @@ class PlanFollower:
                     break
                 if not view.rows:
                     continue
+                self._rest_while_paused()  # before the table turns and the marks are lit
+                if self._control.cancelled.is_set():
+                    break
                 self.view = view.rows[0].view
                 self._rig.motion.rotate_to(view.table_deg)
                 table_deg = self.ask().table_deg
@@ -132,6 +135,7 @@ class PlanFollower:
         if not self._control.rest_wanted:
             return
         self._rig.motion.laser(False)
+        self.ask()  # so that nobody is told of a pause and of light
         before = self._control.state
         self.keep()
         self._control.enter(ScanState.PAUSED)

@@ -18,7 +18,7 @@ LINE_VIEWS = 8
 _MARGIN_DEG = 0.35
 _FIRST_GUESS = 50
 """Points of a frame before any was seen."""
-_SPARE = 1.03
+_SPARE = 1.06
 _LEAST_FRAMES, _MOST_FRAMES = 12, 20_000
 
 

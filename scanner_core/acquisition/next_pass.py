@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from scanner_core.acquisition.beam_fit import fitted_laser
 from scanner_core.acquisition.beam_rows import beam_rows
 from scanner_core.acquisition.plan import ViewPlan
+from scanner_core.acquisition.planning import may_stand
 from scanner_core.acquisition.remount import RemountAdvice, remount_advice
 from scanner_core.acquisition.surface_places import SurfacePlaces
 from scanner_core.acquisition.view_choice import choose_views
@@ -110,9 +111,10 @@ def next_pass(
         noise = replace(noise, angle_rad=NoiseModel.prior(calibration, rig.spot.floor_px).angle_rad)
     sightlines = Sightlines(rig, calibration, surface, places.points, places.normals, noise)
     sights = []
-    for angle in np.arange(0.0, 360.0, _EVERY_DEG):
+    for angle in np.arange(0.0, 360.0, _EVERY_DEG).tolist():
         check()
-        sights.append(sightlines.at(float(angle)))
+        if may_stand(rig.limits, angle):
+            sights.append(sightlines.at(angle))
     angles = np.array([sight.table_deg for sight in sights])
     reach_deg = _reach_deg(places, rig)
     ids = np.zeros(0, np.int64) if cloud.trigger_ids is None else cloud.trigger_ids

@@ -33,8 +33,8 @@ class PassesEnd(Enum):
         return {
             PassesEnd.WITHIN: f"All of the surface that can be measured as the object stands is within {wanted_um:g} um.",
             PassesEnd.NO_GAIN: f"More points would not bring more of the surface within {wanted_um:g} um as the object stands.",
-            PassesEnd.POINTS_SPENT: "All points that may be measured were measured.",
-            PassesEnd.VIEWS_SPENT: "The plan has as many views as a scan can hold.",
+            PassesEnd.POINTS_SPENT: f"The points that may be measured are spent; more would bring more of the surface within {wanted_um:g} um.",
+            PassesEnd.VIEWS_SPENT: "The plan has as many views as a scan can hold; another scan of the object, as a further mount, brings more.",
             PassesEnd.UNIFORM: "The rest of the points was spread evenly.",
         }[self]
 
@@ -115,7 +115,13 @@ class SteeringResult:
     computing_s: float
 
     def as_dict(self) -> dict[str, object]:
-        """For JSON."""
+        """For JSON.
+
+        ``passes`` tell ``kind``, ``views``, ``points``, ``seconds`` on the rig's clock, and ``within_fraction_before``, ``_predicted`` and
+        ``_after``, which are the ``coverage``'s ``reachable_within_fraction`` at that time; ``passes_end`` is a value of
+        :class:`PassesEnd`, null when the scan was ended before; ``computing_seconds`` are on the wall; ``coverage``, ``remount`` and
+        ``not_steered`` (``code``, ``sentence``) are null where there is none.
+        """
         return {
             "until_um": self.wanted_um,
             "passes": [one.as_dict() for one in self.passes],
@@ -134,8 +140,10 @@ class SteeringResult:
             if one.within_predicted is not None:
                 told += f", {100 * one.within_predicted:.1f} % within {self.wanted_um:g} um expected"
             lines.append(told + (f", {100 * one.within_after:.1f} % within {self.wanted_um:g} um." if one.within_after is not None else "."))
-        if self.refused is not None:
+        if self.refused is not None and any(one.kind == "uniform" for one in self.passes):
             lines.append(f"The rest of the points was spread evenly, because there was no surface to go by: {self.refused}")
+        elif self.refused is not None:
+            lines.append(f"How much of the surface is within {self.wanted_um:g} um is not known: {self.refused}")
         if self.end is not None and self.end is not PassesEnd.UNIFORM:
             lines.append(self.end.words(self.wanted_um))
         if self.remount is not None:
@@ -150,8 +158,11 @@ def _told(advice: RemountAdvice) -> dict[str, object]:
 def stalled(passes: Sequence[ScanPass]) -> bool:
     """Whether another pass is not worth its time: the last two brought next to nothing of what was predicted, or the last three little.
 
+    So it is when the last two found next to no light where the surface was thought to be: they spend no points, and would have no end.
     As long as most of the surface is not as wanted, points bring it nearer although no more of it gets there.
     """
+    if len(passes) > 2 and all(one.points < _LIT * one.wanted for one in passes[-2:]):
+        return True
     gains = []
     for one in passes:
         if one.kind == "steered" and one.within_before is not None and one.within_predicted is not None and one.within_after is not None:
@@ -162,7 +173,7 @@ def stalled(passes: Sequence[ScanPass]) -> bool:
     return in_vain or (len(gains) > 2 and sum(brought for brought, _ in gains[-3:]) < _LITTLE)
 
 
-_BROUGHT, _LITTLE, _MOSTLY = 0.1, 0.01, 0.5
+_BROUGHT, _LITTLE, _MOSTLY, _LIT = 0.1, 0.01, 0.5, 0.1
 
 
 def end_of(passes: Sequence[ScanPass], reachable_within: float, spent: bool, views: int, room: int) -> PassesEnd | None:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from scanner_core.acquisition.aiming import beam_angles, cylinder_outline, row_range
 from scanner_core.acquisition.plan import COARSE_TO_FINE, PlanRequest, Row, ScanPlan, ViewPlan
-from scanner_core.devices.rig import RigConfig
+from scanner_core.devices.rig import LimitsConfig, RigConfig
 
 Span = tuple[float, float, float]
 """A part of a row: y, x low, x high in degrees."""
@@ -53,6 +53,19 @@ def nearest_turn(table_deg: float, from_deg: float, allowed: Callable[[float], b
     near = table_deg + 360.0 * round((from_deg - table_deg) / 360.0)
     turns = sorted((near + turn for turn in (-360.0, 0.0, 360.0)), key=lambda to_deg: (round(abs(to_deg - from_deg), 6), -to_deg))
     return next((to_deg for to_deg in turns if allowed(to_deg)), table_deg)
+
+
+def may_stand(limits: LimitsConfig, table_deg: float) -> bool:
+    """Whether a table that may not turn on for ever comes to this place in some turn."""
+    if limits.table_deg is None:
+        return True
+    low, high = limits.table_deg
+    return table_deg + 360.0 * float(np.ceil((low - table_deg) / 360.0 - 1e-9)) <= high + 1e-9
+
+
+def renumbered(views: Sequence[ViewPlan], first_view: int) -> tuple[ViewPlan, ...]:
+    """The same views, counted from there on."""
+    return tuple(replace(view, rows=tuple(replace(row, view=number) for row in view.rows)) for number, view in enumerate(views, first_view))
 
 
 def locating_plan(rig: RigConfig, request: PlanRequest, rate_hz: float, first_id: int = 0) -> ScanPlan:

@@ -46,9 +46,6 @@ from scanner_core.errors import AcquisitionError, CalibrationError, DeviceError,
 from scanner_core.log_file import log_fault
 from scanner_core.optics.spot_detection import SpotDetector
 
-_SAME_RATE = 0.01
-"""How far apart the frame rates of the two cameras may be, of the rate."""
-
 _log = logging.getLogger("impronta")
 
 

@@ -97,8 +97,9 @@ def _steering(values: Mapping[str, Any]) -> list[tuple[str, str]]:
     """Of an error-driven scan."""
     if "passes" not in values:
         return []
-    steered = len(values["passes"]) - 1
-    told = [("Passes", f"a coarse one and {steered} where the surface was uncertain")]
+    kinds = [one["kind"] for one in values["passes"]]
+    steered = f"a coarse one and {kinds.count('steered')} where the surface was uncertain"
+    told = [("Passes", steered if "uniform" not in kinds else f"{steered}, the rest spread evenly")]
     if values["coverage"] is not None:
         within = 100 * values["coverage"]["reachable_within_fraction"]
         told.append((f"Within {values['until_um']:g} µm", f"{within:.1f} % of what can be measured"))

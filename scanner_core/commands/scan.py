@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
@@ -37,6 +37,7 @@ from scanner_core.commands.scanning import (
     specimen_on_table,
 )
 from scanner_core.errors import AcquisitionError, UsageError
+from scanner_core.virtual.fault import Fault
 from scanner_core.virtual.host_faults import WorkerFault
 from scanner_core.virtual.specimens import Specimen
 
@@ -66,13 +67,11 @@ def run(given: argparse.Namespace, console: Console) -> int:
         request = replace(request, until_um=given.until_um)
     if known not in (None, request):  # frames of other table angles would pass for those that are asked for
         raise UsageError("E-USE-01", what="The recording was made with another plan", do="leave --plan and --until-um away")
-    if given.record is not None and request.until_um is not None:  # a later version of this program may choose other angles
-        raise UsageError("E-USE-01", what="The plan of a scan until an uncertainty is not known beforehand", do="record one without --until-um")
     request = line_request(config, request, None if given.plan is None else request.views)
     specimen = specimen_on_table(given, config) if is_rendered(config) else None
     to_come = faults(given, config)
-    if request.until_um is None and any(isinstance(fault, WorkerFault) for fault in to_come):
-        raise UsageError("E-USE-01", what="This scan has no worker process that could fail", do="let that happen with --until-um")
+    if not given.resume:
+        _check_steering(request, given, to_come)
     warnings = [*age_warnings(calibration), *line_warnings(config)]
     for warning in warnings:
         console.say(f"Warning: {warning}")
@@ -88,6 +87,8 @@ def run(given: argparse.Namespace, console: Console) -> int:
             overwriting(path, given.force) as begun,
             _case(path, given, specimen) as (store, interrupted),
         ):
+            if interrupted is not None:
+                _check_steering(interrupted.request, given, to_come)
             request = sized_for(request, specimen)
             mount = store.next_mount() if given.add_mount else 0
             if given.add_mount and (rest := describe(store)) is not None:
@@ -112,6 +113,8 @@ def run(given: argparse.Namespace, console: Console) -> int:
     kept = f"Nothing was measured; {path} is as it was." if old and not begins(result) else f"Kept in {path}."
     if result.finish_reason is not FinishReason.COMPLETED and begins(result):
         kept += f" Go on with: impronta scan --rig {given.rig} --resume --out {path}" if given.rig is not None and not config.laser.is_line else ""
+    elif result.steering is not None and result.steering.remount is not None and given.rig is not None:
+        kept += f" Once the object is set down anew: impronta scan --rig {given.rig} --add-mount --out {path}"
     console.result(values, [*lines, kept])
     if result.error is not None:
         console.say(str(result.error))
@@ -119,6 +122,14 @@ def run(given: argparse.Namespace, console: Console) -> int:
         console.say(str(apart))
         return 1
     return {FinishReason.COMPLETED: 0, FinishReason.CANCELLED: 130, FinishReason.FAILED: 1}[result.finish_reason]
+
+
+def _check_steering(request: PlanRequest, given: argparse.Namespace, to_come: Sequence[Fault]) -> None:
+    """What does not go together with a scan until an uncertainty, and what does with such a scan only; E-USE-01."""
+    if given.record is not None and request.until_um is not None:  # a later version of this program may choose other angles
+        raise UsageError("E-USE-01", what="The plan of a scan until an uncertainty is not known beforehand", do="record one without --until-um")
+    if request.until_um is None and any(isinstance(fault, WorkerFault) for fault in to_come):
+        raise UsageError("E-USE-01", what="This scan has no worker process that could fail", do="let that happen with --until-um")
 
 
 def _registered(console: Console, store: CaseStore, result: ScanResult, seed: int) -> RegisteredMounts | None:

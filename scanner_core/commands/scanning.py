@@ -198,7 +198,21 @@ def begins(result: ScanResult) -> bool:
 
 
 def scan_json(result: ScanResult, rate_hz: float, case: str) -> dict[str, object]:
-    """The JSON of ``scan``; `rate_hz` is the cameras' frame rate."""
+    """The JSON of ``scan``.
+
+    Beside the counts over the plan's trigger ids (``planned = measured + sum(rejected) + skipped``) and those of ``locating``:
+
+    - ``seconds`` on the wall and ``rig_seconds`` on the rig's clock, both without the registration at the end.  Simulated time at
+      speed ``max`` stands still while a pass is computed; on a rig that keeps real time ``rig_seconds`` hold ``computing_seconds``.
+    - ``marks`` where the rig has them, ``resumed`` (``points_before``) of a resumed scan, ``error`` (``code``, ``sentence``) of a failed one;
+    - of an error-driven scan ``until_um``, ``passes``, ``passes_end``, ``computing_seconds``, ``coverage``, ``remount`` and ``not_steered``:
+      see :meth:`~scanner_core.acquisition.passes.SteeringResult.as_dict`.
+
+    Parameters
+    ----------
+    rate_hz : the cameras' frame rate
+    case : where the points are kept
+    """
     counts = result.counts
     registration = result.views.registration if result.views is not None else None
     values: dict[str, object] = {

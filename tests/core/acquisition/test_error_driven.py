@@ -133,7 +133,8 @@ class Bench:
         motion = SimpleNamespace(laser=lambda on: None, check_table=self._check)
         clock = SimpleNamespace(now_s=lambda: 2.0 * len(self.views))
         rig = cast(Any, SimpleNamespace(config=BENCH, left=SimpleNamespace(rate_hz=150.0), motion=motion, clock=clock))
-        self.follower = SimpleNamespace(keep=lambda: None, rests=lambda: False, motion=SimpleNamespace(table_deg=270.0))
+        self.follower = SimpleNamespace(keep=lambda: None, ask=lambda: None, rests=lambda: False, motion=SimpleNamespace(table_deg=270.0))
+        self.rig = rig
         plan = ScanPlan(tuple(ViewPlan(90.0 * k, (Row(k, 30 * k, 30, 0.0, -1.0, 1.0),), 25) for k in range(4)), 5.0)
         self.steering = ErrorDriven(rig, BENCH.calibration, store, REQUEST, ScanControl(), cast(Any, self.follower), script)
         record = plan.as_dict() | {"passes": self.steering.coarse(plan)}
@@ -354,6 +355,31 @@ def test_stopped_while_computing_it_ends_at_once_and_can_go_on(store: CaseStore)
     assert steering(result).end is None
     assert all(dark[150:])  # the controller is asked five times a second
     assert interruption(store) is not None
+
+
+def test_paused_while_computing_it_rests_before_the_table_turns(store: CaseStore) -> None:
+    pause = threading.Event()
+
+    def asked(request: AssessmentRequest) -> Assessment:
+        pause.set()
+        assert paused.wait(PATIENCE_S)
+        return passes(0.5, 0.9, 33.0)(request)
+
+    paused, rested = threading.Event(), list[tuple[float, bool]]()
+
+    def during(runner: ScanRunner) -> None:
+        status = runner.status()
+        if pause.is_set() and not paused.is_set():
+            runner.pause()
+            paused.set()
+        if status.state is ScanState.PAUSED:
+            rested.append((status.table_deg, status.laser_on))
+            if len(rested) > 20:
+                runner.resume()
+
+    result = run(store, Script(asked, passes(1.0, 1.0)), during=during)
+    assert result.finish_reason is FinishReason.COMPLETED, result.error
+    assert {(round(table_deg), lit) for table_deg, lit in rested} == {(270, False)}
 
 
 def test_a_cable_that_comes_off_while_computing_is_told(store: CaseStore) -> None:

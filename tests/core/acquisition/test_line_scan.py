@@ -109,7 +109,7 @@ def test_a_narrower_volume_and_a_view_left_out_balance_too(scanned: tuple[Path, 
 
 
 def test_cancelled_after_a_view_it_is_dark_and_keeps_that_view(tmp_path: Path) -> None:
-    with scanning(tmp_path / "c.impronta", replace(REQUEST, views=3, points=1500)) as (rig, store, runner):
+    with scanning(tmp_path / "c.impronta", replace(REQUEST, views=3, points=900)) as (rig, store, runner):
         runner.start()
         while not runner.status().counts.measured and not runner.join(0.01):
             pass
@@ -129,7 +129,7 @@ def test_cancelled_after_a_view_it_is_dark_and_keeps_that_view(tmp_path: Path) -
 
 
 def test_a_full_disk_ends_it_and_what_was_kept_before_stays(tmp_path: Path) -> None:
-    with scanning(tmp_path / "full.impronta") as (rig, store, runner):
+    with scanning(tmp_path / "full.impronta", replace(REQUEST, points=600)) as (rig, store, runner):
         store.limit_growth(6)
         runner.start()
         runner.join()

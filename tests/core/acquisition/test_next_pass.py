@@ -64,6 +64,14 @@ def test_ids_and_views_count_on_and_rows_keep_the_limits(uneven: NextPass) -> No
         np.testing.assert_allclose(steps, (view.sweep_speed_deg_s or 0) / RATE_HZ, rtol=1e-6)
 
 
+def test_only_where_a_table_that_may_not_turn_on_can_stand() -> None:
+    surface, cloud = scanned(UNEVEN)
+    rig = replace(RIG, limits=replace(RIG.limits, table_deg=(-100.0, 45.0)))
+    plan = next_pass(surface, cloud, rig, CALIBRATION, RATE_HZ, WANTED_UM, 2000, 7, 1000)
+    assert plan.views
+    assert all(view.table_deg <= 45.0 or view.table_deg >= 260.0 for view in plan.views)
+
+
 def test_the_budget_is_kept_and_the_gain_is_told(uneven: NextPass) -> None:
     assert 0 < uneven.points <= 2000
     assert sum(view.quota or 0 for view in uneven.views) == uneven.points

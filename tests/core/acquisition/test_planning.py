@@ -11,8 +11,18 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from scanner_core.acquisition.aiming import beam_angles
-from scanner_core.acquisition.plan import PlanRequest, ScanPlan, read_plan
-from scanner_core.acquisition.planning import COARSE_LEAST, COARSE_VIEWS, coarse_request, even_views, locating_plan, nearest_turn, scan_plan
+from scanner_core.acquisition.plan import PlanRequest, Row, ScanPlan, ViewPlan, read_plan
+from scanner_core.acquisition.planning import (
+    COARSE_LEAST,
+    COARSE_VIEWS,
+    coarse_request,
+    even_views,
+    locating_plan,
+    may_stand,
+    nearest_turn,
+    renumbered,
+    scan_plan,
+)
 from scanner_core.devices.rig import load_preset
 from scanner_core.errors import UsageError
 
@@ -153,3 +163,17 @@ def test_a_plan_file(tmp_path: Path) -> None:
     path = tmp_path / "plan.toml"
     path.write_text("views = 6\npoints = 3500\nobject_radius_mm = 12\n")
     assert read_plan(path) == replace(PlanRequest(), views=6, points=3500, object_radius_mm=12)
+
+
+@pytest.mark.parametrize(
+    ("limits", "places"),
+    [(None, [0.0, 90.0, 200.0, 350.0]), ((-100.0, 100.0), [0.0, 90.0, 350.0]), ((0.0, 349.0), [0.0, 90.0, 200.0]), ((360.0, 450.0), [0.0, 90.0])],
+)
+def test_where_a_table_can_stand(limits: tuple[float, float] | None, places: list[float]) -> None:
+    rig = RIG.limits
+    assert [angle for angle in (0.0, 90.0, 200.0, 350.0) if may_stand(replace(rig, table_deg=limits), angle)] == places
+
+
+def test_views_that_are_left_count_on() -> None:
+    views = [ViewPlan(10.0 * k, (Row(k, 5 * k, 5, 0.0, -1.0, 1.0),)) for k in (3, 5)]
+    assert [(view.table_deg, view.rows[0].view, view.rows[0].first_id) for view in renumbered(views, 7)] == [(30.0, 7, 15), (50.0, 8, 25)]

@@ -71,7 +71,11 @@ def test_the_report_is_one_page_with_a_picture(tmp_path: Path) -> None:
     assert b"/Subtype /Image" in content
 
 
-STEERED = {"until_um": 40.0, "passes": [{}, {}, {}], "coverage": {"reachable_within_fraction": 0.981}}
+STEERED = {
+    "until_um": 40.0,
+    "passes": [{"kind": "coarse"}, {"kind": "steered"}, {"kind": "uniform"}],
+    "coverage": {"reachable_within_fraction": 0.981},
+}
 
 
 @pytest.mark.parametrize("more", [{}, STEERED], ids=["uniform", "error-driven"])

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
+from dataclasses import asdict, replace
 from pathlib import Path
 
 import pytest
 
 from scanner_core.__main__ import main
+from scanner_core.acquisition.passes import ScanPass, kept_passes
+from scanner_core.acquisition.plan import PlanRequest, Row, ScanPlan, ViewPlan
+from scanner_core.case.store import CaseStore
 from scanner_core.commands.scanning import age_warnings
 from scanner_core.devices.rig import dump_rig, load_preset
 
@@ -86,3 +89,19 @@ def test_until_an_uncertainty_nothing_is_recorded_and_nothing_resumed_otherwise(
     assert main(["scan", "--rig", "bench", "--until-um", "0.5", "--out", str(case)]) == 2
     assert "1 to 10,000 um" in capsys.readouterr().err
     assert not case.exists()
+
+
+def test_an_interrupted_scan_is_recorded_or_befallen_as_its_own_plan_allows(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert CONFIG.calibration is not None
+    plan = ScanPlan((ViewPlan(0.0, (Row(0, 0, 9, 0.0, -1.0, 1.0),), 5),), 5.0)
+    asked = {None: [], 40.0: kept_passes([ScanPass("coarse", 0, 1, 5)])}
+    for until_um, passes in asked.items():
+        with CaseStore.create(tmp_path / f"{until_um}.impronta") as store:
+            record = plan.as_dict() | {"request": asdict(PlanRequest(4, 300, until_um=until_um)), "passes": passes}
+            bare, identity = dump_rig(CONFIG.with_calibration(None)), CONFIG.calibration.identity()
+            store.begin_scan("scan", bare, identity, dump_rig(CONFIG), record)
+    resume = ["scan", "--rig", "bench", "--specimen", "sphere", "--resume", "--out"]
+    assert main([*resume, str(tmp_path / "40.0.impronta"), "--record", str(tmp_path / "frames")]) == 2
+    assert "not known beforehand" in capsys.readouterr().err
+    assert main([*resume, str(tmp_path / "None.impronta"), "--fault", "worker_killed"]) == 2
+    assert "no worker process" in capsys.readouterr().err
