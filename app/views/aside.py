@@ -25,3 +25,6 @@ class Aside(Protocol):
     @property
     def range_um(self) -> tuple[float, float] | None:
         """What the ends of the uncertainty's colours mean; None when it is not shown."""
+
+    def fit_pixels(self, ratio: float) -> None:
+        """Points and lines as large as they shall look, with so many pixels of the screen to one of the window."""

@@ -43,6 +43,10 @@ class CoverageAside:
     def range_um(self) -> tuple[float, float] | None:
         return self._mesh.range_um
 
+    def fit_pixels(self, ratio: float) -> None:
+        for line in self._rim:
+            line.set_pixel_ratio(ratio)
+
     def colour(self, *, by_uncertainty: bool) -> None:
         """By the standard uncertainty, or by the reason."""
         table = np.array([rgb(REASON_COLOURS[reason]) for reason in REASONS], np.uint8)

@@ -18,6 +18,7 @@ from scanner_core.case.mount_job import MountCloud
 
 _MOST = 60_000
 """Points drawn of one mount."""
+POINT_SIZE = 3.0
 _BESIDE = 0.2
 
 
@@ -48,6 +49,10 @@ class MountsAside:
     def bounds_mm(self) -> NDArray[np.float64] | None:
         return self._bounds
 
+    def fit_pixels(self, ratio: float) -> None:
+        for actor in self._actors:
+            actor.GetProperty().SetPointSize(POINT_SIZE * ratio)
+
 
 def point_actor(points: NDArray[np.float64], towards: NDArray[np.float64], colour: str) -> Any:
     """Points (n, 3) mm of one colour, lit by the directions (n, 3) from which they were seen."""
@@ -67,7 +72,7 @@ def point_actor(points: NDArray[np.float64], towards: NDArray[np.float64], colou
     look = actor.GetProperty()
     look.SetRepresentationToPoints()
     look.SetColor(*(value / 255 for value in rgb(colour)))
-    look.SetPointSize(3.0)
+    look.SetPointSize(POINT_SIZE)
     look.SetAmbient(0.45)
     look.SetDiffuse(0.6)
     return actor

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +14,7 @@ from PySide6.QtWidgets import QWidget
 from app.theme import PANEL
 from app.views.comparison_overlay import ComparisonOverlay, Tag
 from app.views.interactor import InteractorView
-from app.views.mounts_aside import point_actor
+from app.views.mounts_aside import POINT_SIZE, point_actor
 from app.views.viewpoint import Viewpoint
 
 Array = NDArray[np.float64]
@@ -42,7 +43,7 @@ class PickView(InteractorView):
         )
         self._overlay = ComparisonOverlay(self)
         self._overlay.setGeometry(self.rect())
-        self._actor: object | None = None
+        self._actor: Any = None
         self._points = self._towards = np.zeros((0, 3))
         self._marks: Sequence[Sequence[float]] = ()
         self._pressed: QPointF | None = None
@@ -135,6 +136,8 @@ class PickView(InteractorView):
         return Viewpoint.of(self._open().camera, 0.0, 0.0, self.width(), self.height())
 
     def _prepare_picture(self) -> None:
+        if self._actor is not None:
+            self._actor.GetProperty().SetPointSize(POINT_SIZE * self.devicePixelRatioF())
         places = self._view().project(np.array(self._marks, np.float64)) if len(self._marks) else np.zeros((0, 2))
         self._overlay.points = [QPointF(*place) for place in places]
         above = QPointF(0, -_ABOVE_PX)

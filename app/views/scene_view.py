@@ -207,6 +207,8 @@ class SceneView(InteractorView):
     # -------------------------------------------------------------------------------- inside
     def _prepare_picture(self) -> None:
         self.cloud.fit_point_size(self.devicePixelRatioF())
+        if self.aside is not None:
+            self.aside.fit_pixels(self.devicePixelRatioF())
 
     def _interact(self, moving: bool) -> None:
         super()._interact(moving)
