@@ -82,6 +82,11 @@ class LiveSurfaceController(QObject):
             scene.show_live_surface(newest[1])
         self._ask(scene)
 
+    def prepare(self) -> None:
+        """Start the worker process where there is none yet; it stays for all further scans."""
+        if self._worker is None:
+            self._background.run("live-surface-start", self._start_worker)
+
     def shutdown(self) -> None:
         """Cancel what runs and end the worker; one that was still starting is waited for."""
         self._scene = None
@@ -95,8 +100,7 @@ class LiveSurfaceController(QObject):
         self._scan += 1
         self._asked, self._before, self._job = 0, None, None
         self.supported_area, self.reason, self.failed = None, None, False
-        if self._worker is None:
-            self._background.run("live-surface-start", self._start_worker)
+        self.prepare()
         self.changed.emit()
 
     def _end(self) -> None:

@@ -91,6 +91,15 @@ def shared_program(application: QApplication, shared_settings: Path) -> Iterator
     wait_ms(10)
 
 
+@pytest.fixture(scope="module")
+def scanning_program(shared_program: Program) -> Program:
+    """The same with the process that the first scan starts, and that stays until the program ends."""
+    live_surface = shared_program.services.live_surface
+    live_surface.prepare()
+    until(lambda: live_surface.worker_pid is not None, 120, "the process of the live surface")
+    return shared_program
+
+
 @pytest.fixture
 def program(application: QApplication, settings_file: Path) -> Iterator[Program]:
     """The running program; taken down like a closed window."""

@@ -67,11 +67,11 @@ def case(interrupted: bytes, shared_settings: Path) -> Path:
 
 
 @pytest.fixture
-def program(case: Path, shared_program: Program) -> Program:
+def program(case: Path, scanning_program: Program) -> Program:
     """Started with the case in its folder."""
-    rig = shared_program.services.rig
+    rig = scanning_program.services.rig
     until(lambda: rig.snapshot.connected and rig.snapshot.calibration is not None and rig.snapshot.calibrating is None, 120, "the rig")
-    return shared_program
+    return scanning_program
 
 
 def _strip(program: Program) -> InterruptedStrip:

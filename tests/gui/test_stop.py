@@ -176,6 +176,7 @@ def test_a_held_key_and_one_press_on_its_way_are_one_stop(application: QApplicat
         field.close()
 
 
+@pytest.mark.usefixtures("scanning_program")
 @pytest.mark.parametrize("way", [pytest.param("key", marks=pytest.mark.long), "button"])
 def test_a_scan_ends_while_a_dialog_is_open(shared_program: Program, way: str) -> None:
     window, services = shared_program.window, shared_program.services

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from scanner_core import log_file
 from scanner_core.__main__ import main
 from scanner_core.commands import doctor
 from scanner_core.commands.console import Console
@@ -19,6 +20,7 @@ from scanner_core.user_folders import log_folder
 def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(log_file, "_names", {})  # the cases of other tests may have been called "points" or "views"
     return tmp_path
 
 
