@@ -10,6 +10,7 @@ Array = NDArray[np.float64]
 
 NEIGHBOURS = 12
 
+
 def point_normals(points: Array, towards: Array) -> Array:
     """Unit normals (n, 3) of points (n, 3) mm.
 

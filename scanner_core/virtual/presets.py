@@ -139,7 +139,6 @@ class VirtualPreset:
         speckles = np.pi * (0.5 * self.beam_diameter_mm) ** 2 / self.speckle_cell_mm**2
         return float(self.speckle * 0.65 / np.sqrt(max(1.0, speckles)))
 
-
     def without(self, *terms: str) -> VirtualPreset:
         """The same rig with terms of the image model switched off (see :data:`TERMS`).
 
@@ -158,7 +157,6 @@ class VirtualPreset:
         if changes.pop("square", False):
             changes["cameras"] = tuple(_square(camera) for camera in changes.get("cameras", self.cameras))
         return replace(self, **changes)
-
 
     def changed(self, image_model: Mapping[str, Any]) -> VirtualPreset:
         """The same rig with what a rig file's table ``[image_model]`` says.

@@ -40,7 +40,7 @@ def test_the_pointer_tells_vertex_value_and_sign_and_a_click_picks(view: Compari
     vertex = int(np.argmin(((AFTER.vertices - [9.0, -6.0, 0.0]) ** 2).sum(axis=1)))
     pane, place = pane_of(view), pixel(view, AFTER.vertices[vertex])
     QTest.mouseMove(pane, place)
-    until(lambda: hovers.count() > 0, 3)
+    until(lambda: hovers.count() > 0)
     met = hovers.at(hovers.count() - 1)[0]
     assert isinstance(met, Pointed)
     assert (met.surface, met.vertex) == ("after", vertex)
@@ -54,7 +54,7 @@ def test_the_pointer_tells_vertex_value_and_sign_and_a_click_picks(view: Compari
     QTest.mouseClick(pane, Qt.MouseButton.LeftButton, pos=hidden)
     assert picks.at(1)[0].signed_um is None  # no counterpart is no zero
     QTest.mouseMove(pane, QPoint(3, 3))
-    until(lambda: hovers.at(hovers.count() - 1)[0] is None, 3)
+    until(lambda: hovers.at(hovers.count() - 1)[0] is None)
 
 
 def test_the_brush_paints_along_its_way_and_only_within_its_radius(view: ComparisonScene) -> None:
@@ -194,7 +194,7 @@ def test_a_section_is_faced_without_perspective_and_contours_that_coincide_do_no
     view.face_section(None)
     wait_ms(320)
     view.paint()
-    until(lambda: not view.flying, 3)
+    until(lambda: not view.flying)
     picture = view.grab_picture()
     assert overlay(view).bar is not None
     assert np.array(view.camera_position)[[0, 2]] == pytest.approx([0.0, 1.0], abs=0.3)
@@ -213,7 +213,7 @@ def test_the_camera_flies_to_an_area_and_a_hand_on_it_ends_the_flight(view: Comp
     assert view.flying
     wait_ms(320)
     view.paint()
-    until(lambda: not view.flying, 3)
+    until(lambda: not view.flying)
     assert abs(pixel(view, area.centroid_mm).x() - 210) < 20
     assert abs(pixel(view, area.centroid_mm).y() - 200) < 20
     view.look("occlusal")

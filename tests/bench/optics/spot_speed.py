@@ -86,9 +86,7 @@ class PlainLoop:
 class Measured:
     """Ours; `left` and `right` are detectors or trackers."""
 
-    def __init__(
-        self, calibration: StereoCalibration, left: Callable[[Image], Spot | SpotMiss], right: Callable[[Image], Spot | SpotMiss]
-    ) -> None:
+    def __init__(self, calibration: StereoCalibration, left: Callable[[Image], Spot | SpotMiss], right: Callable[[Image], Spot | SpotMiss]) -> None:
         self._triangulator = Triangulator(calibration)
         self._left, self._right = left, right
 
