@@ -122,7 +122,7 @@ def run(request: AssessmentRequest, *, progress: OnProgress, cancelled: IsCancel
         measured = triangulate_observations(table, rig, calibration, dict(enumerate(found.corrections)))
     parameters = ReconstructionParameters(table_mm=0.0)
     surface = reconstruct(measured.cloud, parameters, progress=progress, cancelled=cancelled).mesh
-    progress(Progress("cover", 1.0, preview=surface))
+    progress(Progress("cover", 1.0))
     observed = exposures_of(request.exposed, request.plan, measured.cloud, rig)
     coverage = cover(surface, rig, calibration, request.wanted_um, observed, guess_caps=False, cancelled=cancelled)
     planned = next_pass(

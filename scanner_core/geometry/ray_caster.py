@@ -29,10 +29,10 @@ class RayCaster:
         self._id: Any = reference(0)
         self._point, self._parametric = [0.0] * 3, [0.0] * 3
 
-    def blocked(self, starts: Array, end: Array) -> NDArray[np.bool_]:
-        """Which of the segments from `starts` (n, 3) mm to one `end` (3,) mm meet the mesh, (n,)."""
-        to = end.tolist()
-        return np.array([self._meets(start, to) for start in starts.tolist()], np.bool_)
+    def blocked(self, starts: Array, ends: Array) -> NDArray[np.bool_]:
+        """Which of the segments from `starts` (n, 3) mm to `ends`, (n, 3) mm or one (3,) mm for all, meet the mesh, (n,)."""
+        every = np.broadcast_to(ends, starts.shape).tolist()
+        return np.array([self._meets(start, end) for start, end in zip(starts.tolist(), every, strict=True)], np.bool_)
 
     def first_hits(self, starts: Array, ends: Array) -> tuple[Array, NDArray[np.int64]]:
         """Where segments (n, 3) mm first meet the mesh, (n, 3), NaN where they do not, and the triangle there, (n,), -1 for none."""

@@ -17,10 +17,10 @@ from numpy.typing import NDArray
 from scipy.special import ndtr
 
 from scanner_core.geometry.rigid import RigidTransform
+from scanner_core.virtual.lit_mesh import LitMesh
 from scanner_core.virtual.motion_state import MotionInstant
 from scanner_core.virtual.presets import VirtualPreset
 from scanner_core.virtual.projection import lens_sigma_px
-from scanner_core.virtual.ray_casting import RayCaster
 from scanner_core.virtual.scene import TABLE_ALBEDO, TABLE_RADIUS_MM
 from scanner_core.virtual.specimens.specimen import Specimen
 from scanner_core.virtual.surface_noise import SpatialNoise
@@ -93,7 +93,7 @@ class FanScene:
 
     def __init__(self, preset: VirtualPreset, fan: LaserFan, specimen: Specimen | None, seed: int) -> None:
         self._preset, self._fan = preset, fan
-        self._caster = None if specimen is None else RayCaster(specimen.mesh)
+        self._caster = None if specimen is None else LitMesh(specimen.mesh)
         self._albedo = 0.0 if specimen is None else specimen.albedo
         self._eyes = np.stack([camera.centre_mm() for camera in preset.cameras])
         d = preset.laser_target_mm - preset.laser_position_mm
