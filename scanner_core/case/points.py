@@ -49,21 +49,31 @@ def triangulate_observations(
     pixels = CentroidNoise(along_axes(table.left_uncertainty_px, table.left_sigma_px), along_axes(table.right_uncertainty_px, table.right_sigma_px))
     prior = NoiseModel.prior(calibration, rig.spot.floor_px)
     noise = fit_centroid_noise(triangulator, calibration, table.left_px, table.right_px, pixels, prior)
-    seen = triangulator.triangulate(table.left_px, table.right_px, *noise.centroid_sigmas(calibration, pixels))
-    points = TablePoints(seen.points, seen.covariances, table.view, table.table_deg, table.trigger_id)
+    sigmas = noise.centroid_sigmas(calibration, pixels)
+    seen = triangulator.triangulate(table.left_px, table.right_px, *sigmas)
+    expected_px = triangulator.epipolar_sigma(table.left_px, table.right_px, *sigmas)
+    points = TablePoints(seen.points, seen.covariances, table.view, table.table_deg, table.trigger_id, seen.epipolar_residual_px / expected_px)
     cloud, surface_mm = placed_cloud(points, rig, calibration, corrections)
     return MeasuredCloud(cloud, replace(noise, surface_um=1e3 * surface_mm))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class TablePoints:
-    """n points in the rig frame, mm, with covariances (n, 3, 3) mm^2, and the views, table angles and trigger ids (n,) that they are of."""
+    """n points in the rig frame, mm.
+
+    Attributes
+    ----------
+    points, covariances : (n, 3) mm and (n, 3, 3) mm^2
+    view, table_deg, trigger_id : (n,) that they are of
+    epipolar_sigmas : (n,) epipolar residuals over their standard deviations, where there are any
+    """
 
     points: NDArray[np.float64]
     covariances: NDArray[np.float64]
     view: NDArray[np.int32]
     table_deg: NDArray[np.float64]
     trigger_id: NDArray[np.int64]
+    epipolar_sigmas: NDArray[np.float64] | None = None
 
 
 def placed_cloud(
@@ -89,7 +99,8 @@ def placed_cloud(
     covariances += surface_mm**2 * np.eye(3)
     if systematic is not None:  # common to neighbouring points: it is no scatter, and no registration takes it out
         covariances += systematic
-    return PointCloud(points, covariances, seen.view.copy(), seen.trigger_id.copy(), seen.table_deg.copy()), surface_mm
+    cloud = PointCloud(points, covariances, seen.view.copy(), seen.trigger_id.copy(), seen.table_deg.copy(), seen.epipolar_sigmas)
+    return cloud, surface_mm
 
 
 def finite(measured: MeasuredCloud, store: CaseStore) -> MeasuredCloud:

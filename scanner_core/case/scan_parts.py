@@ -48,12 +48,14 @@ def merged(parts: Sequence[MeasuredCloud]) -> PointCloud:
     if len(parts) == 1:
         return parts[0].cloud
     clouds = [part.cloud for part in parts]
+    sigmas = np.concatenate([np.empty(0) if cloud.epipolar_sigmas is None else cloud.epipolar_sigmas for cloud in clouds])
     whole = PointCloud(
         np.concatenate([cloud.points for cloud in clouds]),
         np.concatenate([cloud.covariances for cloud in clouds if cloud.covariances is not None]),
         np.concatenate([cloud.views for cloud in clouds if cloud.views is not None]),
         np.concatenate([cloud.trigger_ids for cloud in clouds if cloud.trigger_ids is not None]),
         np.concatenate([cloud.table_deg for cloud in clouds if cloud.table_deg is not None]),
+        sigmas if all(cloud.epipolar_sigmas is not None for cloud in clouds) else None,
     )
     assert whole.trigger_ids is not None
     return whole.select(np.argsort(whole.trigger_ids, kind="stable"))
