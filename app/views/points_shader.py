@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 - without it no actor has a shader property
+
 _VERTEX_DECLARED = """//VTK::Normal::Dec
 out float litVS;
 """
