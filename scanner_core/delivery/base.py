@@ -46,7 +46,9 @@ def find_base(mesh: TriangleMesh) -> Base | None:
     supported = supported_vertices(mesh)
     if supported is None or supported.all() or not supported.any():
         return None
-    bare = np.flatnonzero(~supported[mesh.triangles].all(axis=1))
+    bare = np.flatnonzero(~supported[mesh.triangles].any(axis=1))
+    if not len(bare):
+        return None
     label = _pieces(mesh.triangles[bare])
     areas, vectors = mesh.areas(), mesh.area_vectors()[bare]
     size = np.bincount(label, areas[bare])
@@ -61,7 +63,7 @@ def find_base(mesh: TriangleMesh) -> Base | None:
 
 
 def coverage(mesh: TriangleMesh) -> float | None:
-    """Share of the area beside the base that rests on points, 0 to 1; None where the mesh does not tell.
+    """Share of the area beside the base, and what borders on it, that rests on points, 0 to 1; None where the mesh does not tell.
 
     A triangle counts by the share of its corners that rest on points.
     """
@@ -69,7 +71,10 @@ def coverage(mesh: TriangleMesh) -> float | None:
     if supported is None:
         return None
     areas, base = mesh.areas(), find_base(mesh)
-    rest = np.ones(len(areas), np.bool_) if base is None else ~base.triangles
+    on_base = np.zeros(len(mesh.vertices), np.bool_)
+    if base is not None:
+        on_base[mesh.triangles[base.triangles]] = True
+    rest = ~on_base[mesh.triangles].any(axis=1)
     total = float(areas[rest].sum())
     return float((areas * supported[mesh.triangles].mean(axis=1))[rest].sum()) / total if total > 0 else None
 

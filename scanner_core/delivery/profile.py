@@ -10,8 +10,7 @@ from scanner_core.delivery.file_name import DEFAULT_TEMPLATE
 
 FORMATS = (".stl", ".ply", ".obj", ".3mf")
 """Suffixes of the meshes."""
-UNITS = {"mm": 1.0, "cm": 0.1, "m": 0.001, "inch": 1 / 25.4}
-"""By name: one millimetre in it."""
+UNITS = ("mm", "cm", "m", "inch")
 LONGEST_NAME = 60
 
 

@@ -43,10 +43,7 @@ def check_size(mesh: TriangleMesh, kind: str) -> Check:
         return Check("size", OPEN, "size.open", fields, longest, "mm")
     fields |= {"kind": expected.words, "least_mm": f"{expected.least_mm:.0f}", "most_mm": f"{expected.most_mm:.0f}"}
     low, high = expected.least_mm, expected.most_mm
-    if low <= longest <= high:
-        verdict = PASS
-    else:
-        verdict = WARN if low / UNIT_FACTOR < longest < high * UNIT_FACTOR else FAIL
+    verdict = PASS if low <= longest <= high else WARN if low / UNIT_FACTOR < longest < high * UNIT_FACTOR else FAIL
     too_small = longest < low
     return Check("size", verdict, f"size.{verdict.value}", fields, longest, "mm", low if too_small else high, at_least=too_small)
 

@@ -34,6 +34,9 @@ _FINISHED = 4
 DECIDED = 0.75
 """Ratio of the two residuals below which the smaller one wins."""
 
+FLOOR_MM = 0.03
+"""A smaller residual is noise: a shape that fits both ways so well is its own mirror image."""
+
 
 class SideFit(Enum):
     """Which way the two surfaces fit."""
@@ -58,7 +61,9 @@ class SideMatch:
     direct_um: float
 
 
-def match_sides(one: TriangleMesh, other: TriangleMesh, *, progress: OnProgress = lambda _: None, cancelled: IsCancelled = lambda: False) -> SideMatch:
+def match_sides(
+    one: TriangleMesh, other: TriangleMesh, *, progress: OnProgress = lambda _: None, cancelled: IsCancelled = lambda: False
+) -> SideMatch:
     """Lay `other` on `one` as it is and mirrored, from any pose.
 
     Parameters
@@ -76,11 +81,8 @@ def match_sides(one: TriangleMesh, other: TriangleMesh, *, progress: OnProgress 
     for number, way in enumerate((moving.mirrored(), moving)):
         progress(Progress("side", 0.5 * number))
         residuals.append(_best_residual(target, way, cancelled))
-    mirrored, direct = residuals
-    if mirrored < DECIDED * direct:
-        fit = SideFit.MIRRORED
-    else:
-        fit = SideFit.DIRECT if direct < DECIDED * mirrored else SideFit.UNDECIDED
+    mirrored, direct = (max(residual, FLOOR_MM) for residual in residuals)
+    fit = SideFit.MIRRORED if mirrored < DECIDED * direct else SideFit.DIRECT if direct < DECIDED * mirrored else SideFit.UNDECIDED
     return SideMatch(fit, 1e3 * mirrored, 1e3 * direct)
 
 
@@ -117,7 +119,7 @@ def _distances(sample: SurfaceSample, points: Array, normals: Array) -> Array:
     plane = np.abs(np.einsum("ij,ij->i", points - sample.points[which], sample.normals[which]))
     facing = np.einsum("ij,ij->i", normals, sample.normals[which]) > 0.5
     beside = away > 2 * sample.spacing_mm  # beyond its edge a plane says nothing
-    return np.where(facing & ~beside, plane, np.maximum(away, sample.spacing_mm))
+    return np.asarray(np.where(facing & ~beside, plane, np.maximum(away, sample.spacing_mm)), np.float64)
 
 
 def _compared(mesh: TriangleMesh) -> ComparedSurface:

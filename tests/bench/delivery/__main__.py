@@ -32,15 +32,21 @@ def main() -> None:
             begun_s = time.perf_counter()
             found = match_sides(left, laid_down(other, rng))
             seconds = time.perf_counter() - begun_s
-            right = SideFit.MIRRORED if name == "right pair" else SideFit.DIRECT
-            rows.append((name, found.fit is right, found.fit is SideFit.UNDECIDED, found.mirrored_um, found.direct_um, seconds))
-            print(f"{number:3d} {name:15s} {found.fit.value:10s} mirrored {found.mirrored_um:6.0f} um, as it is {found.direct_um:6.0f} um, {seconds:.1f} s")
+            wanted = SideFit.MIRRORED if name == "right pair" else SideFit.DIRECT
+            rows.append((name, found.fit is wanted, found.fit is SideFit.UNDECIDED, found.mirrored_um, found.direct_um, seconds))
+            both = f"mirrored {found.mirrored_um:4.0f} um, as it is {found.direct_um:4.0f} um"
+            print(f"{number:3d} {name:15s} {found.fit.value:10s} {both}, {seconds:.1f} s", flush=True)
     told = {}
     for name in ("right pair", "same ear twice"):
         own = [row for row in rows if row[0] == name]
         ratios = [min(row[3:5]) / max(row[3:5]) for row in own]
         wrong = sum(not row[1] and not row[2] for row in own)
-        told[name] = {"right": sum(row[1] for row in own), "undecided": sum(row[2] for row in own), "wrong": wrong, "worst_ratio": round(max(ratios), 3)}
+        told[name] = {
+            "right": sum(row[1] for row in own),
+            "undecided": sum(row[2] for row in own),
+            "wrong": wrong,
+            "worst_ratio": round(max(ratios), 3),
+        }
     seconds = sorted(row[5] for row in rows)
     print(json.dumps(told | {"seed": given.seed, "median_s": round(seconds[len(seconds) // 2], 2), "most_s": round(seconds[-1], 2)}, indent=1))
 
