@@ -31,7 +31,7 @@ _INTERRUPTED = {
 _log = logging.getLogger("impronta")
 _LINE = 'by a laser line instead of the spot (a rig file: shape = "line" in [laser]); 8 table positions where none are asked for'
 _UNTIL = "scan on where the surface is uncertain, until its standard uncertainty is below U um wherever light reaches, or the points are spent"
-_SPECIMENS = "ear, arch, heart, sphere, or a mesh file (STL, PLY, OBJ, VTP in millimetres, 3MF)"
+_SPECIMENS = "ear, ear-pair (not for demo), arch, heart, sphere, or a mesh file (STL, PLY, OBJ, VTP in millimetres, 3MF)"
 
 
 def main(argv: Sequence[str] | None = None) -> int:
