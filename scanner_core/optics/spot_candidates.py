@@ -91,7 +91,10 @@ def look_at(image: Image, detector: SpotDetector) -> FrameLook:
 
 
 def settled(look: FrameLook, chosen: Spot | None, others: str, *, reason: str = "") -> FrameLook:
-    """The look after both cameras were heard: the `chosen` spot gets a `reason` (none when it is measured with), and what else passed gets `others`."""
+    """The look after both cameras were heard.
+
+    The `chosen` spot gets a `reason`, none when it is measured with; what else passed the gates gets `others`.
+    """
     candidates = []
     for candidate in look.candidates:
         if candidate.spot is not None:

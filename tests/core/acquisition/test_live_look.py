@@ -20,7 +20,7 @@ from scanner_core.virtual.motion_state import MotionInstant
 from scanner_core.virtual.presets import PRESETS
 from scanner_core.virtual.specimens import load_specimen
 
-DIRECTIONS = [(float(x), float(y)) for y in np.linspace(1.5, 5.5, 6) for x in np.linspace(-3, 5, 12)]
+DIRECTIONS = [(float(x), float(y)) for y in np.linspace(1.5, 5.5, 4) for x in np.linspace(-3, 5, 10)]
 
 
 class Beam:
@@ -65,7 +65,7 @@ def test_the_epipolar_line_passes_the_spot_within_a_pixel(config: RigConfig) -> 
                 accepted = look.looks[side].accepted
                 assert accepted is not None
                 away.append(_away_px(look.lines[side], accepted.x_px, accepted.y_px))
-    assert len(away) > 60
+    assert len(away) > 40
     assert max(away) < 1.0
 
 
@@ -83,7 +83,7 @@ def test_what_one_frame_cannot_tell_the_other_camera_settles_at_the_spots(config
             if look.verdict in ("epipolar", "outside_volume", "table"):
                 assert frame_look.accepted is None
                 assert any(candidate.reason == look.verdict for candidate in frame_look.candidates)
-    assert settled > 5
+    assert settled > 3
 
 
 def test_without_a_calibration_there_are_spots_and_no_lines(config: RigConfig) -> None:

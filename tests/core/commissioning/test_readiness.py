@@ -77,7 +77,7 @@ def test_an_open_lid_and_a_lamp_are_seen_and_the_lid_comes_first() -> None:
 def test_pictures_that_show_nothing(change: Callable[[np.ndarray], np.ndarray], obstacle: Obstacle) -> None:
     with open_rig(CONFIG) as rig:
         seen: Any = SimpleNamespace(config=CONFIG, left=_grabbing(change), right=rig.right, motion=rig.motion)
-        (finding,) = check_ready(seen, Path("/"), None, computed=True, now=NOW)  
+        (finding,) = check_ready(seen, Path("/"), None, computed=True, now=NOW)
         assert (finding.obstacle, finding.fields["camera"]) == (obstacle, "left")
 
 
@@ -86,7 +86,7 @@ def test_a_lit_laser_is_the_first_thing_to_be_told() -> None:
     with open_rig(CONFIG) as rig:
         motion = SimpleNamespace(status=lambda: status, needs_homing=True)
         seen: Any = SimpleNamespace(config=CONFIG, left=rig.left, right=rig.right, motion=motion)
-        found = check_ready(seen, Path("/"), NOW, computed=False, now=NOW)  
+        found = check_ready(seen, Path("/"), NOW, computed=False, now=NOW)
     assert [finding.obstacle for finding in found] == [Obstacle.LASER_LIT, Obstacle.ALARM, Obstacle.NOT_HOMED]
 
 

@@ -21,7 +21,8 @@ def _blob(x: float, y: float, sigma_x: float, sigma_y: float, peak_dn: float) ->
         edges = (np.arange(n + 1) - 0.5 - centre) / (sigma * np.sqrt(2))
         return np.diff(erf(edges)) / 2
 
-    return 2 * np.pi * sigma_x * sigma_y * peak_dn * np.outer(over_pixels(SHAPE[0], y, sigma_y), over_pixels(SHAPE[1], x, sigma_x))
+    flux_dn = 2 * np.pi * sigma_x * sigma_y * peak_dn
+    return np.asarray(flux_dn * np.outer(over_pixels(SHAPE[0], y, sigma_y), over_pixels(SHAPE[1], x, sigma_x)))
 
 
 def _frame(*blobs: np.ndarray, seed: int = 0) -> np.ndarray:
@@ -81,18 +82,24 @@ def test_the_ellipse_lies_as_the_spot_does() -> None:
     across = -(x - 300) * np.sin(turn) + (y - 150) * np.cos(turn)
     (found,) = look_at(_frame(170 * np.exp(-0.5 * ((along / 3) ** 2 + (across / 1.4) ** 2))), DETECTOR).candidates
     long, short, angle = found.ellipse()
-    assert (long, short, angle) == (pytest.approx(3, rel=0.08), pytest.approx(1.4, rel=0.08), pytest.approx(30, abs=2))
+    assert long == pytest.approx(3, rel=0.08)
+    assert short == pytest.approx(1.4, rel=0.08)
+    assert angle == pytest.approx(30, abs=2)
+
+
+BLOBS = st.tuples(st.floats(-2, 606), st.floats(-2, 296), st.floats(0.3, 8), st.floats(0.3, 8), st.floats(3, 600))
 
 
 @settings(max_examples=40, deadline=None)
-@given(st.lists(st.tuples(st.floats(-2, 606), st.floats(-2, 296), st.floats(0.3, 8), st.floats(0.3, 8), st.floats(3, 600)), max_size=5), st.integers(0, 99))
+@given(st.lists(BLOBS, max_size=5), st.integers(0, 99))
 def test_what_is_accepted_is_what_a_scan_takes(blobs: list[tuple[float, float, float, float, float]], seed: int) -> None:
     image = _frame(*(_blob(*blob) for blob in blobs), seed=seed)
     look, seen = look_at(image, DETECTOR), DETECTOR.detect(image)
     assert look.seen == seen
     accepted = [c for c in look.candidates if c.accepted]
     if isinstance(seen, Spot):
-        assert [(c.x_px, c.y_px) for c in accepted] == [(pytest.approx(seen.x_px, abs=0.5), pytest.approx(seen.y_px, abs=0.5))]
+        assert len(accepted) == 1
+        assert np.hypot(accepted[0].x_px - seen.x_px, accepted[0].y_px - seen.y_px) < 0.5
     else:
         assert accepted == []
         if seen.reason is MissReason.AMBIGUOUS:
