@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -18,7 +19,7 @@ from scanner_core.optics.spot import Spot
 from scanner_core.virtual.bench import VirtualBench
 from scanner_core.virtual.motion_state import MotionInstant
 from scanner_core.virtual.presets import PRESETS
-from scanner_core.virtual.specimens import load_specimen
+from scanner_core.virtual.specimens import Specimen, load_specimen
 
 DIRECTIONS = [(float(x), float(y)) for y in np.linspace(1.5, 5.5, 4) for x in np.linspace(-3, 5, 10)]
 
@@ -30,9 +31,14 @@ class Beam:
         return MotionInstant(*DIRECTIONS[int(time_s)], 0.0, 1.0)
 
 
+@cache
+def _heart() -> Specimen:
+    return load_specimen("heart")
+
+
 def _pairs(specular: float) -> tuple[VirtualBench, Iterator[tuple[Frame, Frame]]]:
     preset = replace(PRESETS["bench"], specular=specular)
-    bench = VirtualBench(preset, load_specimen("heart"), SteppedClock(), Beam(), seed=3)
+    bench = VirtualBench(preset, _heart(), SteppedClock(), Beam(), seed=3)
 
     def frames() -> Iterator[tuple[Frame, Frame]]:
         for i in range(len(DIRECTIONS)):

@@ -19,7 +19,7 @@ DETECTOR = SpotDetector(SpotDetectorParameters(max_area_px=120))
 def _blob(x: float, y: float, sigma_x: float, sigma_y: float, peak_dn: float) -> np.ndarray:
     def over_pixels(n: int, centre: float, sigma: float) -> np.ndarray:
         edges = (np.arange(n + 1) - 0.5 - centre) / (sigma * np.sqrt(2))
-        return np.diff(erf(edges)) / 2
+        return np.asarray(np.diff(erf(edges)) / 2)
 
     flux_dn = 2 * np.pi * sigma_x * sigma_y * peak_dn
     return np.asarray(flux_dn * np.outer(over_pixels(SHAPE[0], y, sigma_y), over_pixels(SHAPE[1], x, sigma_x)))
