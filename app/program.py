@@ -38,7 +38,7 @@ from app.pump import Pump
 from app.services import Services
 from app.settings import load_settings, save_settings, settings_path
 from app.stop_key import StopKey
-from app.theme import apply_theme, icon
+from app.theme import icon, set_theme
 from app.undo import UndoHistory
 from app.views.main_window import MainWindow
 from scanner_core.log_file import log_fault, log_versions
@@ -71,7 +71,7 @@ class Program(QObject):
         application.setApplicationName("Impronta")
         application.setWindowIcon(icon("mark"))
         self._translator = _translate(application, self.settings.language)
-        apply_theme(application)
+        set_theme(application, self.settings.theme)
         self.background = Background()
         self.pump = Pump(self)
         self.heartbeat = Heartbeat(self)

@@ -30,6 +30,8 @@ class Settings:
 
     version: int = VERSION
     language: str = ""
+    """Of the texts, as "it"; the system's when empty."""
+    theme: str = "system"
     preset: str = "bench"
     """A preset's name, or the path of a rig file."""
     own_rigs: list[str] = field(default_factory=list)
