@@ -150,6 +150,10 @@ def _parser() -> argparse.ArgumentParser:
     register.add_argument("--pairs", metavar="FILE", help=pairs)
     register.add_argument("--seed", type=_seed, default=0, metavar="N", help="of the search")
 
+    split = _command(commands, "split", "the run of a pair tray, both ears on one table, to a case for each ear")
+    split.add_argument("case", metavar="CASE")
+    split.add_argument("--out", metavar="DIR", help="folder of the two cases (default: beside CASE)")
+
     reconstruct = _command(commands, "reconstruct", "points to a closed triangular mesh")
     reconstruct.add_argument("input", metavar="INPUT", help="PLY, XYZ/TXT/CSV/ASC, NPY or a case")
     reconstruct.add_argument("--out", required=True, metavar="MESH", help=".stl .ply .obj .3mf")

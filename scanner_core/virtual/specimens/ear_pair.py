@@ -22,7 +22,7 @@ def ear_pair() -> Specimen:
     vertices, triangles, first = [], [], 0
     for seat in PAIR_TRAY.seats:
         mesh = meshes[seat.side]
-        vertices.append(mesh.vertices + [seat.x_mm, seat.y_mm, 0.0])
+        vertices.append(mesh.vertices + np.array([seat.x_mm, seat.y_mm, 0.0]))
         triangles.append(mesh.triangles + first)
         first += len(mesh.vertices)
     return Specimen("ear-pair", TriangleMesh(np.concatenate(vertices), np.concatenate(triangles)))
@@ -33,4 +33,4 @@ def left_ear(right: TriangleMesh) -> TriangleMesh:
     stretched = right.vertices * _STRETCH
     height = stretched[:, 2] / stretched[:, 2].max()
     stretched[:, 1] += _BEND_MM * height**2
-    return TriangleMesh(stretched * [-1.0, 1.0, 1.0], right.triangles[:, ::-1])
+    return TriangleMesh(stretched * np.array([-1.0, 1.0, 1.0]), right.triangles[:, ::-1])

@@ -22,7 +22,13 @@ from scanner_core.virtual.specimens.specimen import opening_down
 from scanner_core.virtual.specimens.sphere import CENTRE_MM, STEM_RADIUS_MM
 from tests.core.virtual.conftest import box
 
-SIZES_MM = {"sphere": (22.266, 22.266, 24.133), "ear": (18, 14.2, 22), "ear-pair": (60.3, 14.2, 22.6), "arch": (59.6, 48.8, 10.9), "heart": (70, 104, 99)}
+SIZES_MM = {
+    "sphere": (22.266, 22.266, 24.133),
+    "ear": (18, 14.2, 22),
+    "ear-pair": (60.3, 14.2, 22.6),
+    "arch": (59.6, 48.8, 10.9),
+    "heart": (70, 104, 99),
+}
 
 
 @pytest.mark.parametrize("name", SPECIMENS)
