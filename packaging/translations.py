@@ -32,7 +32,7 @@ def main(argv: Sequence[str]) -> int:
     if given.open:
         print(json.dumps(unfinished(ts_file(given.open)), ensure_ascii=False, indent=1))
         return 0
-    languages = LANGUAGES
+    languages: Sequence[str] = LANGUAGES
     if given.take:
         language, file = given.take
         languages = (language,)

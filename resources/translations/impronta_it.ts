@@ -1964,6 +1964,13 @@
     </message>
 </context>
 <context>
+    <name>Preferences</name>
+    <message>
+        <source>reset of the settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ProcessingRows</name>
     <message>
         <source> σ</source>
@@ -2476,6 +2483,161 @@ After: {after}</source>
     <name>SceneView</name>
     <message>
         <source>grid {mm:.0f} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SettingsPage</name>
+    <message>
+        <source>As the system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the system ({language})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the end of a view, with the beam as slow as it needs to be; it costs some seconds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the folder: {name}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything on this page as on the first day; Ctrl+Z takes it back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exports</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder of the log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder: {name}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Live surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure weak places again by itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of everything in the window, from the next start on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off leaves a slow computer more time for the points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off: a file that leaves the house tells the order, the side and the day, and no patient.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Privacy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset to defaults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scanning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second try</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the surface while it is scanned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The log holds no patients and no orders. A support bundle (Help) packs it with what else helps.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The patient may stand in file names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The window changes its language when the scan or the reconstruction has ended and the program starts again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The window is made anew in it; the open case stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} %</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4117,6 +4279,10 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Surface</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4149,6 +4315,45 @@ After: {after}</source>
     </message>
     <message>
         <source>without shrinking</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>preferences</name>
+    <message>
+        <source>another folder for cases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another folder for exports</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another pattern of file names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of the language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of the size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of the theme</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measuring weak places again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>patient in file names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface while scanning</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

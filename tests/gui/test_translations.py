@@ -47,7 +47,9 @@ def test_what_the_program_reads_is_made_from_what_the_translators_wrote(language
 @pytest.mark.parametrize("language", OTHERS)
 def test_a_translation_has_the_fields_of_its_source(language: str) -> None:
     wrong = [
-        (context, source, words) for context, source, words in _translated(language) if Counter(FIELD.findall(source)) != Counter(FIELD.findall(words))
+        (context, source, words)
+        for context, source, words in _translated(language)
+        if Counter(FIELD.findall(source)) != Counter(FIELD.findall(words))
     ]
     assert not wrong
 
