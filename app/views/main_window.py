@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,7 +14,6 @@ from app.controllers.support import SupportController
 from app.draft import next_order
 from app.services import Services
 from app.undo import UndoHistory
-from app.views import format as fmt
 from app.views.activity import activity_words
 from app.views.banner import Banner
 from app.views.coverage_page import CoveragePage
@@ -27,7 +24,7 @@ from app.views.page import Page
 from app.views.pages import ASIDE, PAGES
 from app.views.parts import seam
 from app.views.rail import Rail
-from app.views.scan_words import status_words
+from app.views.scene_link import SceneLink
 from app.views.stage import Stage
 from app.views.status_line import StatusLine
 from app.views.support_dialog import SupportDialog
@@ -50,8 +47,6 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.services = services
         self._undo = undo
-        self.scene: SceneView | None = None
-        self._told_s = 0.0
         self._support: SupportDialog | None = None
         self.setWindowTitle("Impronta")
         self.actions_by_id = make_actions(self)
@@ -68,10 +63,12 @@ class MainWindow(QMainWindow):
             page.wanted.connect(self.show_page)
             page.intent.connect(self._do)
             page.noted.connect(self.banner.tell_note)
-            page.aside_changed.connect(self._show_aside)
-            page.flight.connect(lambda points, normal: self._with_scene(lambda scene: scene.fly_to(points, normal)))
             self.pages[info.id] = page
             self._stack.addWidget(page)
+        self._link = SceneLink(services, self.stage, self.actions_by_id, lambda: self.pages[self.page_id], self)
+        for page in self.pages.values():
+            page.aside_changed.connect(self._link.show_aside)
+            page.flight.connect(lambda points, normal: self._link.call(lambda scene: scene.fly_to(points, normal)))
         self._stage_seam = seam(upright=True)
         middle = QHBoxLayout()
         middle.setSpacing(0)
@@ -106,12 +103,14 @@ class MainWindow(QMainWindow):
         self._show_undo()
 
     # -------------------------------------------------------------------------------- the 3D view
+    @property
+    def scene(self) -> SceneView | None:
+        """None until its libraries are loaded."""
+        return self._link.scene
+
     def put_scene(self, scene: SceneView) -> None:
-        """The 3D view is there: show what has come meanwhile."""
-        self.scene = scene
-        self.stage.put_scene(scene)
-        self._show_case()
-        self._show_aside()
+        """The 3D view is there."""
+        self._link.put_scene(scene)
 
     def paint_scene(self) -> float:
         """For the pump."""
@@ -135,7 +134,7 @@ class MainWindow(QMainWindow):
         self.rail.show_page(info.of or page_id)
         self._show_whose()
         page.entered()
-        self._show_aside()
+        self._link.show_aside()
 
     @property
     def page_id(self) -> str:
@@ -231,31 +230,25 @@ class MainWindow(QMainWindow):
             self.services.reconstruction.start(self.services.draft.values)
 
     def view_fit(self) -> None:
-        if not self.pages[self.page_id].look("fit"):
-            self._with_scene(lambda scene: scene.view_fit())
+        self._link.look("fit")
 
     def view_front(self) -> None:
-        if not self.pages[self.page_id].look("front"):
-            self._with_scene(lambda scene: scene.view_front())
+        self._link.look("front")
 
     def view_top(self) -> None:
-        if not self.pages[self.page_id].look("top"):
-            self._with_scene(lambda scene: scene.view_top())
+        self._link.look("top")
 
     def show_points(self, on: bool) -> None:
-        self._with_scene(lambda scene: scene.set_points_visible(on))
-        self._show_legend()
+        self._link.show_points(on)
 
     def show_surface(self, on: bool) -> None:
-        self.services.live_surface.want(on)
-        self._with_scene(lambda scene: scene.set_surface_visible(on))
+        self._link.show_surface(on)
 
     def show_edges(self, on: bool) -> None:
-        self._with_scene(lambda scene: scene.set_edges(on))
+        self._link.show_edges(on)
 
     def show_uncertainty(self, on: bool) -> None:
-        self._with_scene(lambda scene: scene.set_uncertainty(on))
-        self._show_legend()
+        self._link.show_uncertainty(on)
 
     def show_support(self) -> None:
         if self._support is None:
@@ -280,10 +273,6 @@ class MainWindow(QMainWindow):
         what = self.tr("The surface of {case} is done.").format(case=path.stem)
         self.banner.tell_note(what, self.tr("It is kept in its case; open that to see it."))
 
-    def _with_scene(self, call: Callable[[SceneView], None]) -> None:
-        if self.scene is not None:
-            call(self.scene)
-
     def _do(self, action_id: str) -> None:
         self.actions_by_id[action_id].trigger()
 
@@ -292,17 +281,13 @@ class MainWindow(QMainWindow):
         services.draft.changed.connect(lambda _: self.rail.show_order(services.draft.values))
         services.rig.changed.connect(self._show_rig)
         services.acquisition.began.connect(self._begin_scan)
-        services.acquisition.changed.connect(self._show_scan)
-        services.acquisition.ended.connect(self._end_scan)
-        services.acquisition.add_point_sink(lambda points, towards: self._with_scene(lambda scene: scene.append_points(points, towards)))
         services.case.opened.connect(self._show_case)
-        services.case.meshed.connect(self._show_mesh)
         services.case.meshed_elsewhere.connect(self._tell_meshed)
         services.case.edited.connect(self._show_activity)
-        services.reconstruction.began.connect(self._begin_reconstruction)
-        services.reconstruction.grown.connect(lambda surface: self._with_scene(lambda scene: scene.show_mesh(surface)))
-        services.reconstruction.ended.connect(self._end_reconstruction)
-        services.reconstruction.changed.connect(self._show_activity)
+        self._link.shown.connect(self._show_activity)
+        self._link.shown.connect(self._show_actions)
+        for told in (services.reconstruction.began, services.reconstruction.ended, services.reconstruction.changed):
+            told.connect(self._show_activity)
         services.comparing.answers.changed.connect(self._show_activity)
         services.comparing.draft.changed.connect(self._show_whose)
         services.assistant.changed.connect(self._show_activity)
@@ -330,82 +315,13 @@ class MainWindow(QMainWindow):
 
     def _begin_scan(self) -> None:
         self.show_page("scan")
-        self._with_scene(lambda scene: scene.clear())
-        self._with_scene(lambda scene: scene.set_live(True))
-        self.actions_by_id["show_points"].setChecked(True)
-        self._show_activity()
-
-    def _show_scan(self) -> None:
-        now = time.monotonic()
-        if self.services.acquisition.running and now - self._told_s < 0.1:
-            return
-        self._told_s = now
-        status = self.services.acquisition.status
-        if status is not None:
-            self.stage.show_facts(status_words(status))
-        self._show_legend()
-        self._show_activity()
-        self._show_actions()
-
-    def _end_scan(self) -> None:
-        self._with_scene(lambda scene: scene.set_live(False))
-        cloud = self.services.case.cloud
-        if cloud is not None:  # the live points are those before the views were registered
-            self._with_scene(lambda scene: scene.replace_cloud(cloud))
-        self._show_activity()
-        self._show_actions()
-
-    def _begin_reconstruction(self) -> None:
-        self._with_scene(lambda scene: scene.show_mesh(None))
-        self._with_scene(lambda scene: scene.set_live(True))
-        self._with_scene(lambda scene: scene.set_points_quiet(True))
-        self.actions_by_id["show_points"].setChecked(True)
-        self._show_activity()
-
-    def _end_reconstruction(self) -> None:
-        self._with_scene(lambda scene: scene.set_live(False))
-        self._with_scene(lambda scene: scene.set_points_quiet(False))
-        if self.services.case.surface is None:
-            self._with_scene(lambda scene: scene.show_mesh(None))
         self._show_activity()
 
     def _show_case(self) -> None:
-        """Everything of the open case, after it was opened or closed."""
-        self._show_activity()
-        scene, case = self.scene, self.services.case
-        path = case.path
+        path = self.services.case.path
         self.setWindowTitle(f"{path.stem} – Impronta" if path is not None else "Impronta")
-        if scene is None:
-            return
-        config = self.services.rig.snapshot.config
-        if not self.services.acquisition.running:
-            scene.clear()
-            if case.cloud is not None:
-                scene.show_cloud(case.cloud)
-        if config is not None:
-            scene.show_table(config.volume.radius_mm)
-        self._show_mesh()
-
-    def _show_mesh(self) -> None:
-        surface = self.services.case.surface
-        if surface is not None:
-            self.actions_by_id["show_points"].setChecked(False)
-        self._with_scene(lambda scene: scene.show_mesh(surface))
-        if surface is not None:
-            self.stage.show_facts(self.tr("{n} triangles").format(n=fmt.count(len(surface.mesh.triangles))))
-        elif self.services.case.cloud is not None:
-            self.stage.show_facts(self.tr("{n} points").format(n=fmt.count(len(self.services.case.cloud))))
-        else:
-            self.stage.show_facts("")
-        self._show_legend()
+        self._show_activity()
         self._show_actions()
-
-    def _show_aside(self) -> None:
-        self._with_scene(lambda scene: scene.show_aside(self.pages[self.page_id].aside()))
-        self._show_legend()
-
-    def _show_legend(self) -> None:
-        self.stage.legend.show_scene(self.scene, points=self.actions_by_id["show_points"].isChecked())
 
     def _show_actions(self) -> None:
         running, case = self.services.acquisition.running, self.services.case

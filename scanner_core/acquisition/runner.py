@@ -209,7 +209,7 @@ class ScanRunner:
                 if self._follower.marks is not None and (marks := self._follower.marks.report()) is not None:
                     self._store.audit("marks", json.dumps(marks.as_dict()))
                 if counts.measured and not isinstance(error, StorageError):
-                    views = register_case(self._store, scan_id, self._rig.config, self.calibration)
+                    views = register_case(self._store, scan_id, self._rig.config, self.calibration, self._health.closure_um)
                 # Last: a scan that is killed before its views are registered must not count as complete.
                 self._store.end_scan(scan_id, reason, counts)
         except BaseException as fault:

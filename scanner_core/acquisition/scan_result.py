@@ -44,3 +44,11 @@ class ScanResult:
     error: ImprontaError | None
     marks: MarksReport | None = None
     laser: str = "spot"
+
+    @property
+    def closure_um(self) -> float | None:
+        """By how much, in um, the first view lay beside itself when it was measured again after the turn.
+
+        None where the turn was not closed.
+        """
+        return self.health.closure_um

@@ -20,6 +20,7 @@ from scanner_core.virtual.specimens.arch import arch
 from tests.gui import compare_plates
 from tests.gui.compare_plates import AFTER, DRAWN_AFTER, RIGHT, overlay, pane_of, pixel, shown
 from tests.gui.pictures import near, pixels_of
+from tests.gui.pointer import move
 from tests.gui.waiting import until, wait_ms
 
 made, view = compare_plates.made, compare_plates.view
@@ -39,7 +40,7 @@ def test_the_pointer_tells_vertex_value_and_sign_and_a_click_picks(view: Compari
     hovers, picks = QSignalSpy(view.hovered), QSignalSpy(view.picked)
     vertex = int(np.argmin(((AFTER.vertices - [9.0, -6.0, 0.0]) ** 2).sum(axis=1)))
     pane, place = pane_of(view), pixel(view, AFTER.vertices[vertex])
-    QTest.mouseMove(pane, place)
+    move(pane, place)
     until(lambda: hovers.count() > 0)
     met = hovers.at(hovers.count() - 1)[0]
     assert isinstance(met, Pointed)
@@ -53,7 +54,7 @@ def test_the_pointer_tells_vertex_value_and_sign_and_a_click_picks(view: Compari
     hidden = pixel(view, np.array([-9.0, -6.0, 0.0]))
     QTest.mouseClick(pane, Qt.MouseButton.LeftButton, pos=hidden)
     assert picks.at(1)[0].signed_um is None  # no counterpart is no zero
-    QTest.mouseMove(pane, QPoint(3, 3))
+    move(pane, QPoint(3, 3))
     until(lambda: hovers.at(hovers.count() - 1)[0] is None)
 
 
@@ -66,7 +67,7 @@ def test_the_brush_paints_along_its_way_and_only_within_its_radius(view: Compari
     start, end = (pixel(view, np.array([x, -8.0, 0.0])) for x in (-10.0, 10.0))
     camera = view.camera_position
     QTest.mousePress(pane, Qt.MouseButton.LeftButton, pos=start)
-    QTest.mouseMove(pane, end)
+    move(pane, end, Qt.MouseButton.LeftButton)
     QTest.mouseRelease(pane, Qt.MouseButton.LeftButton, pos=end)
     assert view.camera_position == camera
     assert ends.count() == 1
@@ -97,7 +98,7 @@ def test_the_lasso_takes_only_what_is_visible(view: ComparisonScene) -> None:
     corners = [QPoint(8, 8), QPoint(210, 8), QPoint(210, 392), QPoint(8, 392)]
     QTest.mousePress(pane, Qt.MouseButton.LeftButton, pos=corners[0])
     for corner in corners[1:]:
-        QTest.mouseMove(pane, corner)
+        move(pane, corner, Qt.MouseButton.LeftButton)
     QTest.mouseRelease(pane, Qt.MouseButton.LeftButton, pos=corners[-1])
     assert spy.count() == 1
     taken = spy.at(0)[0]

@@ -18,6 +18,7 @@ from scanner_core.geometry.rigid import RigidTransform
 from tests.gui import compare_plates
 from tests.gui.compare_plates import AFTER, BEFORE, COUNT, DRAWN_AFTER, DRAWN_BEFORE, RIGHT, SCALE, bright, overlay, pane_of, pixel, plate, shown
 from tests.gui.pictures import coloured, near
+from tests.gui.pointer import move
 from tests.gui.waiting import until, wait_ms
 
 made, view = compare_plates.made, compare_plates.view
@@ -100,8 +101,8 @@ def test_side_by_side_the_two_views_turn_together(view: ComparisonScene) -> None
     assert not coloured(first[:, 212:], 30).any()
     pane = pane_of(view)
     QTest.mousePress(pane, Qt.MouseButton.LeftButton, pos=QPoint(100, 200))
-    QTest.mouseMove(pane, QPoint(130, 240))
-    QTest.mouseMove(pane, QPoint(150, 270))
+    move(pane, QPoint(130, 240), Qt.MouseButton.LeftButton)
+    move(pane, QPoint(150, 270), Qt.MouseButton.LeftButton)
     QTest.mouseRelease(pane, Qt.MouseButton.LeftButton, pos=QPoint(150, 270))
     turned = view.grab_picture()
     left, right = bright(turned[40:, :208]), bright(turned[40:, 210:418])
@@ -119,7 +120,7 @@ def test_the_curtain_shows_before_on_its_left_and_after_on_its_right_and_is_drag
     position = view.camera_position
     pane = pane_of(view)
     QTest.mousePress(pane, Qt.MouseButton.LeftButton, pos=QPoint(212, 200))
-    QTest.mouseMove(pane, QPoint(315, 200))
+    move(pane, QPoint(315, 200), Qt.MouseButton.LeftButton)
     QTest.mouseRelease(pane, Qt.MouseButton.LeftButton, pos=QPoint(315, 200))
     assert view.amount == pytest.approx(0.25)
     assert spy.count() == 1
@@ -252,7 +253,7 @@ def test_what_only_the_overlay_shows_costs_no_picture(view: ComparisonScene) -> 
     pictures = view.pictures
     view.set_tool("paint")
     for x in range(100, 200, 10):
-        QTest.mouseMove(pane_of(view), QPoint(x, 200))
+        move(pane_of(view), QPoint(x, 200))
         wait_ms(5)
     wait_ms(60)
     assert view.pictures == pictures

@@ -20,6 +20,7 @@ from scanner_core.geometry.icosahedron import icosahedron
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.subdivision import subdivide_uniform
 from tests.gui.pictures import coloured, near
+from tests.gui.pointer import move
 from tests.gui.waiting import until, wait_ms
 
 
@@ -148,11 +149,11 @@ def test_fewer_points_are_drawn_while_the_camera_is_dragged(scene: SceneView) ->
     pane = scene.findChild(QOpenGLWidget)
     assert isinstance(pane, QOpenGLWidget)
     QTest.mousePress(pane, Qt.MouseButton.LeftButton, pos=QPoint(250, 200))
-    QTest.mouseMove(pane, QPoint(300, 220))
+    move(pane, QPoint(300, 220), Qt.MouseButton.LeftButton)
     wait_ms(50)
     assert not scene.still
     assert scene.cloud.drawn <= 30_000
-    QTest.mouseMove(pane, QPoint(330, 230))
+    move(pane, QPoint(330, 230), Qt.MouseButton.LeftButton)
     QTest.mouseRelease(pane, Qt.MouseButton.LeftButton, pos=QPoint(330, 230))
     assert scene.still
     assert scene.cloud.drawn == 50_000

@@ -9,21 +9,16 @@ from numpy.typing import NDArray
 
 from scanner_core.comparison.colour_scale import HATCH, NO_COUNTERPART, THRESHOLD_LINE, DeviationScale
 from scanner_core.comparison.comparison import Comparison
-from scanner_core.comparison.report.raster import Raster, rasterized
 from scanner_core.comparison.report.viewpoint import Viewpoint
 from scanner_core.jobs.progress import Cancelled, IsCancelled
+from scanner_core.pictures.raster import Raster, rasterized
+from scanner_core.pictures.shaded import FINER, coarser, lit
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 STABLE, MOVABLE = (52, 142, 110), (214, 217, 221)
 """Of the region that carries the alignment, and of the rest."""
-_LIGHT = np.array([-0.30, 0.45, 0.84])
-"""Direction to the light: right, up, towards the eye."""
-_FINER = 2
-"""Pixels that are computed for one of the picture, along either edge: soft edges."""
-_STEP_MM = 1.2
-"""A step in depth between neighbouring pixels that is drawn as an edge."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -89,7 +84,7 @@ class Painter:
         known = np.zeros(raster.seen.shape, np.bool_)
         known[raster.seen] = ~np.isnan(values)
         image[_border(beyond, known)] = (*THRESHOLD_LINE, 255.0)
-        return Picture(_coarser(image), self._numbers(raster, points, viewpoint, pixel_mm))
+        return Picture(coarser(image), self._numbers(raster, points, viewpoint, pixel_mm))
 
     def stable(self, viewpoint: Viewpoint, pixel_mm: float, width: int, height: int) -> Picture:
         """The region that carries the alignment, in green."""
@@ -97,7 +92,7 @@ class Painter:
         carrying = raster.sampled(self._triangles, self._comparison.alignment.stable.astype(np.float64)) > 0.5
         colours = np.where(carrying[:, None], np.array(STABLE, np.float64), np.array(MOVABLE, np.float64))
         colours[~carrying & np.isnan(raster.sampled(self._triangles, self._values))] = NO_COUNTERPART
-        return Picture(_coarser(self._shaded(raster, viewpoint, colours)), ())
+        return Picture(coarser(self._shaded(raster, viewpoint, colours)), ())
 
     def _raster(self, viewpoint: Viewpoint, pixel_mm: float, width: int, height: int) -> tuple[Raster, Array]:
         """The raster, and the vertices as seen from there relative to the picture's middle, mm."""
@@ -106,27 +101,16 @@ class Painter:
         points = self._points @ viewpoint.axes.T
         centre = 0.5 * (points.min(axis=0) + points.max(axis=0))
         points = points - centre
-        return rasterized(points, self._triangles, pixel_mm / _FINER, width * _FINER, height * _FINER, np.zeros(2)), points
+        return rasterized(points, self._triangles, pixel_mm / FINER, width * FINER, height * FINER, np.zeros(2)), points
 
     def _shaded(self, raster: Raster, viewpoint: Viewpoint, colours: Array) -> Array:
-        """(h, w, 4) 0 to 255: the colours under light, silhouettes drawn finely, nothing where nothing is seen."""
-        normals = raster.sampled(self._triangles, self._normals @ viewpoint.axes.T)
-        normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-12)[:, None]
-        normals *= np.where(normals[:, 2] < 0, -1.0, 1.0)[:, None]
-        light = 0.55 + 0.45 * np.clip(normals @ (_LIGHT / np.linalg.norm(_LIGHT)), 0, 1)
-        image = np.zeros((*raster.seen.shape, 4))
-        image[raster.seen] = np.column_stack([colours * light[:, None], np.full(len(colours), 255.0)])
-        depth = np.where(raster.seen, raster.depth, -1e6)
-        edge = np.zeros(raster.seen.shape, np.bool_)
-        edge[:, 1:] |= np.abs(np.diff(depth, axis=1)) > _STEP_MM
-        edge[1:] |= np.abs(np.diff(depth, axis=0)) > _STEP_MM
-        image[edge & raster.seen, :3] *= 0.45
-        return image
+        """(h, w, 4) 0 to 255, of colours (n, 3) of the pixels that show the surface."""
+        return lit(raster, self._triangles, self._normals @ viewpoint.axes.T, colours)
 
     def _numbers(self, raster: Raster, points: Array, viewpoint: Viewpoint, pixel_mm: float) -> tuple[tuple[int, float, float], ...]:
         """Of every area of which a good part is seen: its rank, in the middle of that part."""
         height, width = raster.seen.shape
-        fine = pixel_mm / _FINER
+        fine = pixel_mm / FINER
         found = []
         for area in self._comparison.areas:
             own = points[area.vertices]
@@ -158,12 +142,3 @@ def _border(beyond: Mask, known: Mask) -> Mask:
         border[a] |= change
         border[b] |= change
     return border
-
-
-def _coarser(image: Array) -> NDArray[np.uint8]:
-    """Means of squares of pixels, the colours weighted by their opacity."""
-    height, width = image.shape[0] // _FINER, image.shape[1] // _FINER
-    blocks = image.reshape(height, _FINER, width, _FINER, 4)
-    opacity = blocks[..., 3:].sum(axis=(1, 3))
-    colours = (blocks[..., :3] * blocks[..., 3:]).sum(axis=(1, 3)) / np.maximum(opacity, 1.0)
-    return np.asarray(np.concatenate([colours, opacity / _FINER**2], axis=2).round(), np.uint8)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from scanner_core.comparison.arch_frame import arch_frame
 from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.parameters import Jaw
+from scanner_core.pictures.shaded import looking
 
 Array = NDArray[np.float64]
 
@@ -30,9 +31,7 @@ class Viewpoint:
     @classmethod
     def looking(cls, name: str, towards_eye: Array, up: Array) -> Viewpoint:
         """From unit directions (3,), not parallel to each other."""
-        right = np.cross(up, towards_eye)
-        right = right / np.linalg.norm(right)
-        return cls(name, np.stack([right, np.cross(towards_eye, right), towards_eye]))
+        return cls(name, looking(towards_eye, up))
 
 
 _X, _Y, _Z = np.eye(3)

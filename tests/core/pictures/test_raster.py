@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from scanner_core.comparison.report import raster
-from scanner_core.comparison.report.raster import rasterized
+from scanner_core.pictures import raster
+from scanner_core.pictures.raster import rasterized
 
 Array = NDArray[np.float64]
 

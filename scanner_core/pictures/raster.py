@@ -1,4 +1,4 @@
-"""A picture of a surface in parallel projection, computed here: a report must not depend on a display or on OpenGL."""
+"""A picture of a surface in parallel projection, computed here: a report or a thumbnail must not depend on a display or on OpenGL."""
 
 from __future__ import annotations
 

@@ -1,0 +1,147 @@
+"""What the 3D view shows: it follows scan, reconstruction, case and page, and the actions of the View menu."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QAction
+
+from app.services import Services
+from app.views import format as fmt
+from app.views.page import Page
+from app.views.scan_words import status_words
+from app.views.stage import Stage
+
+if TYPE_CHECKING:
+    from app.views.scene_view import SceneView
+
+
+class SceneLink(QObject):
+    """Everything that comes before there is a 3D view is shown once it is there."""
+
+    shown = Signal()
+    """There is another case, surface or state of the scan: what can be done with it may be another."""
+
+    def __init__(self, services: Services, stage: Stage, actions: Mapping[str, QAction], page: Callable[[], Page], parent: QObject) -> None:
+        super().__init__(parent)
+        self._services, self._stage, self._actions, self._page = services, stage, actions, page
+        self.scene: SceneView | None = None
+        self._told_s = 0.0
+        services.acquisition.began.connect(self._begin_scan)
+        services.acquisition.changed.connect(self._show_scan)
+        services.acquisition.ended.connect(self._end_scan)
+        services.acquisition.add_point_sink(lambda points, towards: self.call(lambda scene: scene.append_points(points, towards)))
+        services.case.opened.connect(self.show_case)
+        services.case.meshed.connect(self._show_mesh)
+        services.reconstruction.began.connect(self._begin_reconstruction)
+        services.reconstruction.grown.connect(lambda surface: self.call(lambda scene: scene.show_mesh(surface)))
+        services.reconstruction.ended.connect(self._end_reconstruction)
+
+    def put_scene(self, scene: SceneView) -> None:
+        """The 3D view is there: show what has come meanwhile."""
+        self.scene = scene
+        self._stage.put_scene(scene)
+        self.show_case()
+        self.show_aside()
+
+    def call(self, call: Callable[[SceneView], Any]) -> None:
+        """Do something with the 3D view, if there is one."""
+        if self.scene is not None:
+            call(self.scene)
+
+    # -------------------------------------------------------------------------------- actions of the View menu
+    def look(self, view: str) -> None:
+        """Turn the view of the page, or that of the case: ``fit``, ``front`` or ``top``."""
+        if not self._page().look(view):
+            self.call(lambda scene: {"fit": scene.view_fit, "front": scene.view_front, "top": scene.view_top}[view]())
+
+    def show_points(self, on: bool) -> None:
+        self.call(lambda scene: scene.set_points_visible(on))
+        self._show_legend()
+
+    def show_surface(self, on: bool) -> None:
+        self._services.live_surface.want(on)
+        self.call(lambda scene: scene.set_surface_visible(on))
+
+    def show_edges(self, on: bool) -> None:
+        self.call(lambda scene: scene.set_edges(on))
+
+    def show_uncertainty(self, on: bool) -> None:
+        self.call(lambda scene: scene.set_uncertainty(on))
+        self._show_legend()
+
+    # -------------------------------------------------------------------------------- what is shown
+    def show_case(self) -> None:
+        """Everything of the open case, after it was opened or closed."""
+        scene, case = self.scene, self._services.case
+        if scene is not None:
+            config = self._services.rig.snapshot.config
+            if not self._services.acquisition.running:
+                scene.clear()
+                if case.cloud is not None:
+                    scene.show_cloud(case.cloud)
+            if config is not None:
+                scene.show_table(config.volume.radius_mm)
+            self._show_mesh()
+
+    def show_aside(self) -> None:
+        """What the page shows in the place of the case."""
+        self.call(lambda scene: scene.show_aside(self._page().aside()))
+        self._show_legend()
+
+    def _show_mesh(self) -> None:
+        case = self._services.case
+        surface = case.surface
+        if surface is not None:
+            self._actions["show_points"].setChecked(False)
+        self.call(lambda scene: scene.show_mesh(surface))
+        if surface is not None:
+            self._stage.show_facts(self.tr("{n} triangles").format(n=fmt.count(len(surface.mesh.triangles))))
+        elif case.cloud is not None:
+            self._stage.show_facts(self.tr("{n} points").format(n=fmt.count(len(case.cloud))))
+        else:
+            self._stage.show_facts("")
+        self._show_legend()
+        self.shown.emit()
+
+    def _show_legend(self) -> None:
+        self._stage.legend.show_scene(self.scene, points=self._actions["show_points"].isChecked())
+
+    # -------------------------------------------------------------------------------- scan and reconstruction
+    def _begin_scan(self) -> None:
+        self.call(lambda scene: scene.clear())
+        self.call(lambda scene: scene.set_live(True))
+        self._actions["show_points"].setChecked(True)
+
+    def _show_scan(self) -> None:
+        now = time.monotonic()
+        if self._services.acquisition.running and now - self._told_s < 0.1:
+            return
+        self._told_s = now
+        status = self._services.acquisition.status
+        if status is not None:
+            self._stage.show_facts(status_words(status))
+        self._show_legend()
+        self.shown.emit()
+
+    def _end_scan(self) -> None:
+        self.call(lambda scene: scene.set_live(False))
+        cloud = self._services.case.cloud
+        if cloud is not None:  # the live points are those before the views were registered
+            self.call(lambda scene: scene.replace_cloud(cloud))
+        self.shown.emit()
+
+    def _begin_reconstruction(self) -> None:
+        self.call(lambda scene: scene.show_mesh(None))
+        self.call(lambda scene: scene.set_live(True))
+        self.call(lambda scene: scene.set_points_quiet(True))
+        self._actions["show_points"].setChecked(True)
+
+    def _end_reconstruction(self) -> None:
+        self.call(lambda scene: scene.set_live(False))
+        self.call(lambda scene: scene.set_points_quiet(False))
+        if self._services.case.surface is None:
+            self.call(lambda scene: scene.show_mesh(None))

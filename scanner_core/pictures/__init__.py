@@ -1,0 +1,1 @@
+"""Pictures of surfaces that need neither a display nor OpenGL."""
