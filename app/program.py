@@ -25,6 +25,7 @@ from app.controllers.live_surface import LiveSurfaceController
 from app.controllers.mount_picks import MountPicks
 from app.controllers.mounts import MountsController
 from app.controllers.preferences import Preferences
+from app.controllers.readiness import ReadinessController
 from app.controllers.reconstruction import ReconstructionController
 from app.controllers.recovery import RecoveryController
 from app.controllers.rig import RigController
@@ -107,6 +108,7 @@ class Program(QObject):
         coverage = CoverageController(self.background, cases, acquisition, self.tell, self)
         mounts = MountsController(self.background, cases, acquisition, rig, self.tell, self)
         picks = MountPicks(self.compare_stack, mounts, self)
+        readiness = ReadinessController(self.background, rig, self.settings, self)
         self.services = Services(
             self.settings,
             draft,
@@ -124,6 +126,7 @@ class Program(QObject):
             mounts,
             picks,
             preferences,
+            readiness,
         )
         draft.load(first_order(self.settings.last_order) if after is None else after.order)
         live.allow(self.settings.live_surface)

@@ -48,8 +48,8 @@ class Settings:
     case_folder: str = field(default_factory=_documents)
     export_folder: str = field(default_factory=_documents)
     name_template: str = "{order}_{side}_{type}_{date}-{rev}"
-    patient_in_names: bool = False
-    """What tells of the patient may stand in the name of a file."""
+    code_in_names: bool = False
+    """Whether the patient's code may stand in a file's name."""
     live_surface: bool = True
     retry: bool = True
     """Weak places are measured again at the end of a view."""

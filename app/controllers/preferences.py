@@ -19,7 +19,7 @@ STEPS: Final[Mapping[str, str]] = {
     "case_folder": QT_TRANSLATE_NOOP("preferences", "another folder for cases"),
     "export_folder": QT_TRANSLATE_NOOP("preferences", "another folder for exports"),
     "name_template": QT_TRANSLATE_NOOP("preferences", "another pattern of file names"),
-    "patient_in_names": QT_TRANSLATE_NOOP("preferences", "patient in file names"),
+    "code_in_names": QT_TRANSLATE_NOOP("preferences", "patient's code in file names"),
     "live_surface": QT_TRANSLATE_NOOP("preferences", "surface while scanning"),
     "retry": QT_TRANSLATE_NOOP("preferences", "measuring weak places again"),
 }

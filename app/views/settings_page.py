@@ -78,7 +78,7 @@ class SettingsPage(Page):
         self.template.editingFinished.connect(self._name_files)
         self._showing["name_template"] = lambda value: self.template.setText(str(value))
         self._line(grid, self.tr("File names"), self.template)
-        names = self._switch("patient_in_names", self.tr("The patient may stand in file names"))
+        names = self._switch("code_in_names", self.tr("The patient's code may stand in file names"))
         note = label(self.tr("Off: a file that leaves the house tells the order, the side and the day, and no patient."), "faint", wrap=True)
         self._line(grid, self.tr("Privacy"), names, note)
 

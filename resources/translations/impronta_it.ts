@@ -2042,6 +2042,21 @@ After: {after}</source>
     </message>
 </context>
 <context>
+    <name>ReadyLine</name>
+    <message>
+        <source>Attention</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ReconstructPage</name>
     <message>
         <source>% supported</source>
@@ -2621,7 +2636,7 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The patient may stand in file names</source>
+        <source>The patient&apos;s code may stand in file names</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4061,6 +4076,10 @@ After: {after}</source>
 <context>
     <name>draft</name>
     <message>
+        <source>Both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Change number of points</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4089,7 +4108,15 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Dental arch</source>
+        <source>Dental model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dental model, after treatment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dental model, before treatment</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4109,11 +4136,19 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Lower jaw</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Other</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upper jaw</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4349,11 +4384,122 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>patient in file names</source>
+        <source>patient&apos;s code in file names</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>surface while scanning</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ready</name>
+    <message>
+        <source>Calibrate…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checking the rig…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laser off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only {free_gib} GB are free where the cases are kept: free some space.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready to measure.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set up…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The axes have not found their reference yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration does not fit this rig: it must be another one&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration expired {days} days ago.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller is halted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller is in alarm: look what stopped it, then unlock it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller reports that the laser is lit, and nobody has asked for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lid was opened: close it, then unlock.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reference sphere was last measured {days} days ago: have the rig verified.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reference sphere was never measured on this rig: have it verified.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig is not calibrated yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {camera} camera sends black pictures: take the cap off its lens and look at its cable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {camera} camera sends pictures of {size} pixels, the rig file says {expected}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too much light falls into the {camera} camera: switch the lamp off or close the lid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{sentence} (and {more} more)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

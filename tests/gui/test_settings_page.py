@@ -51,7 +51,7 @@ def test_a_reset_is_one_step(shared_program: Program, shared_settings: Path) -> 
         box.click()
     page.scales[150].click()
     changed = load_settings(shared_settings)
-    assert (changed.patient_in_names, changed.live_surface, changed.retry, changed.scale_percent) == (True, False, False, 150)
+    assert (changed.code_in_names, changed.live_surface, changed.retry, changed.scale_percent) == (True, False, False, 150)
     page.reset.click()
     first, now = Settings(), load_settings(shared_settings)
     assert {name: getattr(now, name) for name in STEPS} == {name: getattr(first, name) for name in STEPS}
