@@ -149,8 +149,12 @@ class PlanRequest:
             raise UsageError("E-USE-01", what=f"An uncertainty of {self.until_um} um makes no plan", do="ask for 1 to 10,000 um")
 
 
-def read_plan(path: Path) -> PlanRequest:
+def read_plan(path: Path, *, retry: bool = True) -> PlanRequest:
     """A plan request from a TOML file with the keys of :class:`PlanRequest`.
+
+    Parameters
+    ----------
+    retry : where the file does not say
 
     Raises
     ------
@@ -170,7 +174,7 @@ def read_plan(path: Path) -> PlanRequest:
                 raise ValueError(f"'{name}' is no number")
             if name in ("views", "points") and not isinstance(value, int):
                 raise ValueError(f"'{name}' is no whole number")
-        return PlanRequest(**values)
+        return PlanRequest(**({"retry": retry} | values))
     except UsageError:
         raise
     except (OSError, ValueError) as fault:

@@ -254,6 +254,7 @@ class ScanRunner:
             error=error,
             laser=self._rig.config.laser.shape,
             marks=None if self._follower.marks is None else self._follower.marks.report(),
+            plan=self.views(),
         )
         with self._lock:
             self.result = result
