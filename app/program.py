@@ -24,6 +24,7 @@ from app.controllers.export import ExportController
 from app.controllers.live_surface import LiveSurfaceController
 from app.controllers.mount_picks import MountPicks
 from app.controllers.mounts import MountsController
+from app.controllers.readiness import ReadinessController
 from app.controllers.reconstruction import ReconstructionController
 from app.controllers.recovery import RecoveryController
 from app.controllers.rig import RigController
@@ -37,7 +38,7 @@ from app.pump import Pump
 from app.services import Services
 from app.settings import load_settings, save_settings, settings_path
 from app.stop_key import StopKey
-from app.theme import apply_theme, icon
+from app.theme import icon, set_theme
 from app.undo import UndoHistory
 from app.views.main_window import MainWindow
 from scanner_core.log_file import log_fault, log_versions
@@ -70,7 +71,7 @@ class Program(QObject):
         application.setApplicationName("Impronta")
         application.setWindowIcon(icon("mark"))
         self._translator = _translate(application, self.settings.language)
-        apply_theme(application)
+        set_theme(application, self.settings.theme)
         self.background = Background()
         self.pump = Pump(self)
         self.heartbeat = Heartbeat(self)
@@ -88,6 +89,7 @@ class Program(QObject):
         coverage = CoverageController(self.background, cases, acquisition, self.tell, self)
         mounts = MountsController(self.background, cases, acquisition, rig, self.tell, self)
         picks = MountPicks(self.compare_stack, mounts, self)
+        readiness = ReadinessController(self.background, rig, self.settings, self)
         self.services = Services(
             self.settings,
             draft,
@@ -104,6 +106,7 @@ class Program(QObject):
             coverage,
             mounts,
             picks,
+            readiness,
         )
         draft.load(first_order(self.settings.last_order))
         self._event_log = EventLog(self.services, self)

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QCoreApplication, QSize, Qt
-from PySide6.QtWidgets import QButtonGroup, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QButtonGroup, QPushButton, QVBoxLayout, QWidget
 
 from app.controllers.emission import Emission
 from app.draft import KINDS, DraftValues
-from app.theme import ACCENT, MUTED, TEXT, drawing, icon
+from app.theme import Sign, icon
 from app.views.pages import PageInfo
 from app.views.parts import SideBadge, button, label, row, seam
 
@@ -24,8 +24,7 @@ class Rail(QWidget):
         self.setProperty("role", "panel")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setFixedWidth(WIDTH)
-        mark = QLabel()
-        mark.setPixmap(drawing("mark", ACCENT, QSize(26, 26)))
+        mark = Sign(26, "mark", "accent")
         head = row(mark, label("Impronta", "title"), 1, spacing=9)
         head.setContentsMargins(16, 14, 12, 12)
         self._order = label("", "")
@@ -57,7 +56,7 @@ class Rail(QWidget):
             step = QPushButton(QCoreApplication.translate("pages", page.title))
             step.setProperty("role", "step")
             step.setCheckable(True)
-            step.setIcon(icon(page.icon, MUTED, TEXT))
+            step.setIcon(icon(page.icon, "muted", "text"))
             step.setIconSize(QSize(19, 19))
             step.setShortcut(f"Ctrl+{number}")
             step.setToolTip(f"Ctrl+{number}")
@@ -66,7 +65,7 @@ class Rail(QWidget):
             self._steps[page.id] = step
             box.addWidget(step)
         box.addStretch(1)
-        self.stop_button = button(self.tr("Stop · laser off"), "laser", laser_off, "laser", "#ff8589")
+        self.stop_button = button(self.tr("Stop · laser off"), "laser", laser_off, "laser", "laser_text")
         self.stop_button.setToolTip(self.tr("Stops every movement and switches the laser off, from every page (Esc)"))
         foot = QVBoxLayout()
         foot.setContentsMargins(14, 0, 14, 0)
@@ -111,6 +110,6 @@ class Rail(QWidget):
         words = {Emission.LIT: self.tr("Laser on · stop"), Emission.UNKNOWN: self.tr("Stop · laser?")}
         self.stop_button.setProperty("lit", lit)
         self.stop_button.setText(words.get(emission, self.tr("Stop · laser off")))
-        self.stop_button.setIcon(icon("laser", "#ffffff" if lit else "#ff8589"))
+        self.stop_button.setIcon(icon("laser", "on_laser" if lit else "laser_text"))
         self.stop_button.style().unpolish(self.stop_button)
         self.stop_button.style().polish(self.stop_button)

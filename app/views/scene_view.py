@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QWidget
 
-from app.theme import MUTED, SEAM
+from app.theme import look
 from app.views.aside import Aside
 from app.views.cloud_actor import CloudActor
 from app.views.comparison_camera import ComparisonCamera
@@ -51,7 +51,8 @@ class SceneView(InteractorView):
         engine.add_actor(self.cloud.actor, render=False)
         for actor in (self.mesh.actor, *self.holed.actors):
             engine.add_actor(actor, render=False)
-        engine.add_axes(line_width=2, color=MUTED, x_color="#e0857a", y_color="#7fc98f", z_color="#7aa7e8", viewport=(0.0, 0.0, 0.14, 0.17))
+        engine.add_axes(line_width=2, color=look.muted, x_color="#e0857a", y_color="#7fc98f", z_color="#7aa7e8", viewport=(0.0, 0.0, 0.14, 0.17))
+        self.restyle()
 
     # -------------------------------------------------------------------------------- what is shown
     def show_table(self, radius_mm: float) -> None:
@@ -59,7 +60,7 @@ class SceneView(InteractorView):
         engine = self._open()
         if self._table is not None:
             engine.remove_actor(self._table, render=False)
-        self._table = engine.add_mesh(_table_lines(radius_mm), color=SEAM, line_width=1, lighting=False, render=False, pickable=False)
+        self._table = engine.add_mesh(_table_lines(radius_mm), color=look.seam, line_width=1, lighting=False, render=False, pickable=False)
         self._scale.show()
         if not len(self.cloud) and self.mesh.surface is None:
             self._frame(np.array([[-radius_mm, -radius_mm, 0.0], [radius_mm, radius_mm, 1.2 * radius_mm]]) * 0.75)

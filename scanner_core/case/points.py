@@ -57,13 +57,17 @@ def triangulate_observations(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class TablePoints:
-    """n points in the rig frame, mm, with covariances (n, 3, 3) mm^2, and the views, table angles and trigger ids (n,) that they are of."""
+    """n points in the rig frame, mm, with covariances (n, 3, 3) mm^2, and the views, table angles and trigger ids (n,) that they are of.
+
+    Of a laser line also the numbers (n,) of the peaks in their frames.
+    """
 
     points: NDArray[np.float64]
     covariances: NDArray[np.float64]
     view: NDArray[np.int32]
     table_deg: NDArray[np.float64]
     trigger_id: NDArray[np.int64]
+    place: NDArray[np.int32] | None = None
 
 
 def placed_cloud(
@@ -89,7 +93,8 @@ def placed_cloud(
     covariances += surface_mm**2 * np.eye(3)
     if systematic is not None:  # common to neighbouring points: it is no scatter, and no registration takes it out
         covariances += systematic
-    return PointCloud(points, covariances, seen.view.copy(), seen.trigger_id.copy(), seen.table_deg.copy()), surface_mm
+    places = None if seen.place is None else seen.place.copy()
+    return PointCloud(points, covariances, seen.view.copy(), seen.trigger_id.copy(), seen.table_deg.copy(), places), surface_mm
 
 
 def finite(measured: MeasuredCloud, store: CaseStore) -> MeasuredCloud:

@@ -54,9 +54,17 @@ def merged(parts: Sequence[MeasuredCloud]) -> PointCloud:
         np.concatenate([cloud.views for cloud in clouds if cloud.views is not None]),
         np.concatenate([cloud.trigger_ids for cloud in clouds if cloud.trigger_ids is not None]),
         np.concatenate([cloud.table_deg for cloud in clouds if cloud.table_deg is not None]),
+        _places(clouds),
     )
     assert whole.trigger_ids is not None
     return whole.select(np.argsort(whole.trigger_ids, kind="stable"))
+
+
+def _places(clouds: Sequence[PointCloud]) -> NDArray[np.int32] | None:
+    """Of scans by line, and 0 of every laser spot beside them."""
+    if all(cloud.places is None for cloud in clouds):
+        return None
+    return np.concatenate([np.zeros(len(cloud), np.int32) if cloud.places is None else cloud.places for cloud in clouds])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
