@@ -31,7 +31,7 @@ _INTERRUPTED = {
 _log = logging.getLogger("impronta")
 _LINE = 'by a laser line instead of the spot (a rig file: shape = "line" in [laser]); 8 table positions where none are asked for'
 _UNTIL = "scan on where the surface is uncertain, until its standard uncertainty is below U um wherever light reaches, or the points are spent"
-_SPECIMENS = "ear, arch, heart, sphere, or a mesh file (STL, PLY, OBJ, VTP in millimetres, 3MF)"
+_SPECIMENS = "ear, ear-pair (not for demo), arch, heart, sphere, or a mesh file (STL, PLY, OBJ, VTP in millimetres, 3MF)"
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -149,6 +149,10 @@ def _parser() -> argparse.ArgumentParser:
     pairs = "at least three points of a mount, one a line: mount, x, y, z on it, and x, y, z of the same place on the first mount, mm"
     register.add_argument("--pairs", metavar="FILE", help=pairs)
     register.add_argument("--seed", type=_seed, default=0, metavar="N", help="of the search")
+
+    split = _command(commands, "split", "the run of a pair tray, both ears on one table, to a case for each ear")
+    split.add_argument("case", metavar="CASE")
+    split.add_argument("--out", metavar="DIR", help="folder of the two cases (default: beside CASE)")
 
     reconstruct = _command(commands, "reconstruct", "points to a closed triangular mesh")
     reconstruct.add_argument("input", metavar="INPUT", help="PLY, XYZ/TXT/CSV/ASC, NPY or a case")
