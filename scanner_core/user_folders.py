@@ -1,4 +1,4 @@
-"""Where the program keeps what is the user's and no case: the window's settings, and the log."""
+"""Where the program keeps what is the user's and no case: the window's settings, the log, and what can be made again."""
 
 from __future__ import annotations
 
@@ -14,6 +14,15 @@ def log_folder() -> Path:
     if sys.platform == "darwin" and not os.environ.get("XDG_STATE_HOME"):
         return Path.home() / "Library" / "Logs" / "Impronta"
     return Path(os.environ.get("XDG_STATE_HOME") or Path.home() / ".local" / "state") / "impronta"
+
+
+def cache_folder() -> Path:
+    """Of what can be thrown away at any time; it need not exist yet."""
+    if sys.platform == "win32":
+        return _local() / "Impronta" / "cache"
+    if sys.platform == "darwin" and not os.environ.get("XDG_CACHE_HOME"):
+        return Path.home() / "Library" / "Caches" / "Impronta"
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "impronta"
 
 
 def settings_file() -> Path:

@@ -13,7 +13,7 @@ class DeviceThread:
     """Runs calls one after the other; in between, every `period_s`, it calls `idle`."""
 
     def __init__(self, name: str, idle: Call, period_s: float, tell: Callable[[BaseException], None]) -> None:
-        self._idle, self._period_s, self._tell = idle, period_s, tell
+        self._idle, self.period_s, self._tell = idle, period_s, tell
         self._calls: queue.SimpleQueue[Call | None] = queue.SimpleQueue()
         self._thread = threading.Thread(target=self._run, name=name)
 
@@ -35,7 +35,7 @@ class DeviceThread:
     def _run(self) -> None:
         while True:
             try:
-                work = self._calls.get(timeout=self._period_s)
+                work = self._calls.get(timeout=self.period_s)
             except queue.Empty:
                 work = self._idle
             if work is None:

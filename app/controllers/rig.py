@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from scanner_core.metrology.history import SphereTrend
     from scanner_core.optics.calibration_result import CalibrationResult
 
-SPECIMENS = ("ear", "arch", "heart", "sphere")
+SPECIMENS = ("ear", "ear-pair", "arch", "heart", "sphere")
 SPEEDS: tuple[str, ...] = ("1", "5", "max")
 _STATUS_PERIOD_S = 0.3
 _log = logging.getLogger("impronta")
@@ -78,6 +78,7 @@ class RigController(QObject):
         self.calibration = CalibrationRun()
         self.target = TargetController(background, tell, self)
         self._closing = threading.Event()
+        self._look: Callable[[OpenRig], object] | None = None
         self._may_be_lit = False
         self._told: list[ImprontaError] = []
         """Of the rig that is not open."""
@@ -113,6 +114,19 @@ class RigController(QObject):
         """The calibration in use stays."""
         self.calibration.cancelled.set()
         self._news(replace(self.snapshot, cancelling=True))
+
+    def use(self, work: Callable[[OpenRig], object]) -> None:
+        """Have something done with the idle open rig, in the device thread; nothing while it is not open, or lent."""
+        self._device.call(partial(self._use, work))
+
+    def watch_with(self, look: Callable[[OpenRig], object] | None, period_s: float = _STATUS_PERIOD_S) -> None:
+        """Have the idle open rig looked at every so many seconds, in place of the pictures that nobody judges; None: as before."""
+        self._look, self._device.period_s = look, period_s
+
+    def aim(self, on: bool) -> None:
+        """A person aims, and has lit the laser."""
+        if self.snapshot.aiming != on:
+            self._news(replace(self.snapshot, aiming=on))
 
     def transcript(self) -> list[Line]:
         """The controller's last lines, also of one that is closed or was not understood; asks nothing."""
@@ -232,6 +246,17 @@ class RigController(QObject):
             self._news(replace(self.snapshot, acting=name))
             self._device.call(act)
 
+    def _use(self, work: Callable[[OpenRig], object]) -> None:
+        rig = self._devices.rig
+        if rig is None or self._loaned.is_set():
+            return
+        try:
+            work(rig)
+        except MotionStoppedError:
+            pass  # by a person, who knows
+        except DeviceError as fault:
+            self._fell_out(fault)
+
     def _calibrate(self, by_hand: ByHand | None) -> None:
         rig, wanted = self._devices.rig, self._devices.wanted
         if rig is None or wanted is None:
@@ -266,7 +291,10 @@ class RigController(QObject):
         if rig is None or self._loaned.is_set():
             return
         try:
-            if self.watching.is_set():
+            look = self._look
+            if look is not None:
+                look(rig)
+            elif self.watching.is_set():
                 for camera, config in ((rig.left, rig.config.left), (rig.right, rig.config.right)):
                     if config.driver != "replay":  # its frames are those of a measurement, which would miss them
                         self.frames[camera.name].put(camera.grab())

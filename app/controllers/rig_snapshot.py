@@ -35,6 +35,7 @@ class RigSnapshot:
     failure : what keeps it from being open, and at which device
     opening : somebody is opening it just now
     busy : a scan owns it
+    aiming : a person aims by the live pictures, and has lit the laser
     motion : the controller's newest report
     needs_homing : the controller does not know its position, and can find it
     acting : what the controller does because a person asked: ``home``, ``unlock``, or nothing
@@ -57,6 +58,7 @@ class RigSnapshot:
     failure: DeviceFailure | None = None
     opening: bool = False
     busy: bool = False
+    aiming: bool = False
     motion: MotionStatus | None = None
     needs_homing: bool = False
     acting: str = ""

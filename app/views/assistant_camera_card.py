@@ -12,7 +12,7 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QPushButton, QVBoxLayout, QWidget
 
 from app.controllers.assistant_choice import VIRTUAL, key_of
-from app.theme import ACCENT, GROUND, MUTED, ON_ACCENT, SEAM, TEXT
+from app.palettes import DARK
 from app.views.assistant_words import camera_details, camera_name, camera_state
 from app.views.parts import Lamp, button, label, row
 from scanner_core.devices.found_camera import CameraState, FoundCamera
@@ -63,16 +63,16 @@ class Thumbnail(QAbstractButton):
             self._paint(painter)
 
     def _paint(self, painter: QPainter) -> None:
-        painter.fillRect(self.rect(), QColor(GROUND))
+        painter.fillRect(self.rect(), QColor(DARK.ground))
         if self._image is None:
-            painter.setPen(QColor(MUTED))
+            painter.setPen(QColor(DARK.muted))
             painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, self.tr("no picture"))
         else:
             scale = min(self.width() / self._image.width(), self.height() / self._image.height())
             width, height = self._image.width() * scale, self._image.height() * scale
             painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
             painter.drawImage(QRectF((self.width() - width) / 2, (self.height() - height) / 2, width, height), self._image)
-        colour = TEXT if self.hasFocus() else ACCENT if self.word else MUTED if self.underMouse() and self.isEnabled() else SEAM
+        colour = DARK.text if self.hasFocus() else DARK.accent if self.word else DARK.muted if self.underMouse() and self.isEnabled() else DARK.seam
         painter.setPen(QPen(QColor(colour), 2 if self.word or self.hasFocus() else 1))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(QRectF(self.rect()).adjusted(1, 1, -1, -1))
@@ -81,8 +81,8 @@ class Thumbnail(QAbstractButton):
             font.setBold(True)
             painter.setFont(font)
             box = QRectF(1, 1, painter.fontMetrics().horizontalAdvance(self.word) + 18, 24)
-            painter.fillRect(box, QColor(ACCENT))
-            painter.setPen(QColor(ON_ACCENT))
+            painter.fillRect(box, QColor(DARK.accent))
+            painter.setPen(QColor(DARK.on_accent))
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, self.word)
 
 

@@ -10,7 +10,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 from PySide6.QtWidgets import QGridLayout, QWidget
 
-from app.theme import ACCENT
+from app.palettes import DARK
 from app.views.assistant_words import picture_name
 from app.views.camera_preview import CameraPreview
 from app.views.check_names import check_name
@@ -45,7 +45,7 @@ class CheckPicture(CameraPreview):
         scale = target.width() / self._image.width()
         at = QPointF(target.left() + (self.mark_px[0] + 0.5) * scale, target.top() + (self.mark_px[1] + 0.5) * scale)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(QPen(QColor(ACCENT), 1.6))
+        painter.setPen(QPen(QColor(DARK.accent), 1.6))
         painter.drawEllipse(at, _REACH, _REACH)
         if self._zoom < 3:
             self._lens(painter, self.mark_px, at)

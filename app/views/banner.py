@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QApplication, QFrame, QLabel, QPlainTextEdit, QPushButton, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication, QFrame, QPlainTextEdit, QPushButton, QToolButton, QVBoxLayout, QWidget
 
 from app.faults import details_of, sentence_of
-from app.theme import ACCENT, MUTED, WARNING, drawing, icon
+from app.theme import Sign, icon
 from app.views.parts import button, label, row
 
 
@@ -19,7 +19,7 @@ class Banner(QFrame):
         """`show_support` is offered beside the details."""
         super().__init__(parent)
         self.setProperty("role", "banner")
-        self._mark = QLabel()
+        self._mark = Sign(22)
         self._what = label(wrap=True, selectable=True)
         self._what.setStyleSheet("font-weight: 600;")
         self._do = label("", "muted", wrap=True, selectable=True)
@@ -30,7 +30,7 @@ class Banner(QFrame):
         self._support = button(self.tr("Support bundle…"), "", show_support or self.dismiss)
         self._offers_support = show_support is not None
         close = QToolButton()
-        close.setIcon(icon("cross", MUTED))
+        close.setIcon(icon("cross", "muted"))
         close.setToolTip(self.tr("Close this message"))
         close.setAccessibleName(self.tr("Close this message"))
         close.clicked.connect(self.dismiss)
@@ -93,7 +93,7 @@ class Banner(QFrame):
         self.setProperty("mood", mood)
         self.style().unpolish(self)
         self.style().polish(self)
-        self._mark.setPixmap(drawing("note" if mood == "note" else "warning", ACCENT if mood == "note" else WARNING, QSize(22, 22)))
+        self._mark.show_sign(*(("note", "accent") if mood == "note" else ("warning", "warning")))
         self._what.setText(what)
         self._do.setText(do)
         self._do.setVisible(bool(do))

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from app.theme import ACCENT, GOOD, WARNING
+from app.palettes import DARK
 from app.views.camera_preview import CameraPreview
 from scanner_core.devices.camera import Frame
 
@@ -39,7 +39,7 @@ class BoardPicture(CameraPreview):
     def _overlay(self, painter: QPainter) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if self._corners_px is not None:
-            painter.setPen(QPen(QColor(ACCENT), 1.5))
+            painter.setPen(QPen(QColor(DARK.accent), 1.5))
             for x, y in self._corners_px:
                 painter.drawEllipse(self._on_widget(float(x), float(y)), _RADIUS, _RADIUS)
         if self.words and not self._good:
@@ -50,7 +50,7 @@ class BoardPicture(CameraPreview):
     def _caption(self, painter: QPainter) -> None:
         super()._caption(painter)
         if self.words and self._good:
-            painter.setPen(QColor(GOOD))
+            painter.setPen(QColor(DARK.good))
             painter.drawText(self.rect().adjusted(8, 5, -8, -5), Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop, self.words)
 
     def _pill(self, painter: QPainter) -> None:
@@ -65,7 +65,7 @@ class BoardPicture(CameraPreview):
         painter.setBrush(QColor(16, 18, 20, 215))
         painter.drawRoundedRect(box, 17, 17)
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(QColor(WARNING))
+        painter.setPen(QColor(DARK.warning))
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, self.words)
 
     def _on_widget(self, x_px: float, y_px: float) -> QPointF:

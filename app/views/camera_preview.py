@@ -8,7 +8,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QImage, QMouseEvent, QPainter, QPaintEvent, QPen, QWheelEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.theme import ACCENT, GROUND, MUTED, SEAM, TEXT, WARNING
+from app.palettes import DARK
 from app.views import format as fmt
 from scanner_core.acquisition.handover import Preview
 from scanner_core.devices.camera import Frame
@@ -101,16 +101,16 @@ class CameraPreview(QWidget):
             self._paint(painter)
 
     def _paint(self, painter: QPainter) -> None:
-        painter.fillRect(self.rect(), QColor(GROUND))
+        painter.fillRect(self.rect(), QColor(DARK.ground))
         if self._image is None:
-            painter.setPen(QColor(MUTED))
+            painter.setPen(QColor(DARK.muted))
             painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, self._waiting)
         else:
             painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, self._zoom < 4)
             painter.drawImage(self._target(), self._image)
             self._overlay(painter)
         self._caption(painter)
-        painter.setPen(QColor(SEAM))
+        painter.setPen(QColor(DARK.seam))
         painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
 
     def _overlay(self, painter: QPainter) -> None:
@@ -131,7 +131,7 @@ class CameraPreview(QWidget):
         scale = target.width() / self._image.width()
         at = QPointF(target.left() + (spot.x_px + 0.5) * scale, target.top() + (spot.y_px + 0.5) * scale)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(QPen(QColor(ACCENT), 1.4))
+        painter.setPen(QPen(QColor(DARK.accent), 1.4))
         reach = max(7.0, 4 * spot.sigma_x_px * scale)
         painter.drawEllipse(at, reach, reach)
         if self._zoom < 3:
@@ -148,7 +148,7 @@ class CameraPreview(QWidget):
         painter.fillRect(frame, QColor(0, 0, 0))
         painter.drawImage(frame, self._image, source)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
-        painter.setPen(QColor(MUTED))
+        painter.setPen(QColor(DARK.muted))
         painter.drawRect(frame)
 
     def _caption(self, painter: QPainter) -> None:
@@ -163,17 +163,17 @@ class CameraPreview(QWidget):
         words = painter.fontMetrics()
         line = 18 if words.horizontalAdvance(self._name) + words.horizontalAdvance(sizes) + 12 > area.width() else 0
         painter.fillRect(0, 0, self.width(), 24 + line + (18 if self._advice else 0), QColor(16, 18, 20, 150))
-        painter.setPen(QColor(TEXT))
+        painter.setPen(QColor(DARK.text))
         painter.drawText(area, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, self._name)
         area.translate(0, line)
         if self._spot is not None:
-            painter.setPen(QColor(MUTED))
+            painter.setPen(QColor(DARK.muted))
             painter.drawText(area, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop, sizes)
         elif self._miss:
-            painter.setPen(QColor(WARNING))
+            painter.setPen(QColor(DARK.warning))
             painter.drawText(area, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop, self._miss)
         if self._advice:
-            painter.setPen(QColor(WARNING))
+            painter.setPen(QColor(DARK.warning))
             advice = painter.fontMetrics().elidedText(self._advice, Qt.TextElideMode.ElideRight, area.width())
             painter.drawText(area.adjusted(0, 18, 0, 0), Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop, advice)
 

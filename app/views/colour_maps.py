@@ -39,7 +39,7 @@ MISSING: Final = {True: "#7d858e", False: "#9aa1a9"}
 """On a dark and on a light ground: what is not known of a point (yet)."""
 MAPS: Final = {
     PointColour.HEIGHT: ColourMap(
-        ("#5b7fd4", "#3f9fd0", "#3fbcae", "#86d08a", "#e6da78", "#fff3d2"), ("#3a1a66", "#3b4a8a", "#2c6d8e", "#1f868a", "#1d967e", "#2fa36a")
+        ("#5b7fd4", "#3f9fd0", "#3fbcae", "#86d08a", "#e6da78", "#fff3d2"), ("#3a1a66", "#3b4a8a", "#2c6d8e", "#1f868a", "#1a9079", "#28985f")
     ),
     PointColour.VIEW: ColourMap(
         ("#e69f00", "#56b4e9", "#f0e442", "#6f92ee", "#d98fb8", "#c9ced6", "#ee7433", "#1bb489"),
@@ -56,6 +56,6 @@ MAPS: Final = {
         ("#6079c4", "#8490b4", "#a9a69c", "#c9bb7c", "#e6d45c", "#fff08a"), ("#8d8450", "#777558", "#5f6568", "#44536d", "#243f6b", "#00224e")
     ),
     PointColour.AGE: ColourMap(
-        ("#66758a", "#5a8bab", "#52a8bb", "#66c6b6", "#a3e4ae", "#f1fccb"), ("#8b96a5", "#5f86a0", "#357d93", "#1f6a72", "#124a52", "#06222a")
+        ("#66758a", "#5a8bab", "#52a8bb", "#66c6b6", "#a3e4ae", "#f1fccb"), ("#818c9c", "#587f9a", "#357d93", "#1f6a72", "#124a52", "#06222a")
     ),
 }

@@ -9,7 +9,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QSizePolicy, QSlider, QStackedLayout, QToolButton, QVBoxLayout, QWidget
 
-from app.theme import MUTED, TEXT, icon
+from app.theme import icon
 from app.views.comparison_words import value_words
 from app.views.deviation_legend import DeviationLegend
 from app.views.parts import button, column, label, row, seam
@@ -193,7 +193,7 @@ def _bar() -> QWidget:
 
 def _tool(drawing: str, text: str, clicked: Callable[[], None]) -> QToolButton:
     made = QToolButton()
-    made.setIcon(icon(drawing, MUTED, TEXT))
+    made.setIcon(icon(drawing, "muted", "text"))
     made.setIconSize(QSize(20, 20))
     made.setToolTip(text)
     made.setAccessibleName(text)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF
 
-from app.theme import GROUND, TEXT
+from app.palettes import DARK
 from app.views.compared_actor import ComparedActor
 from app.views.comparison_overlay import ComparisonOverlay, Tag
 from app.views.line_actor import LineActor, together
@@ -37,8 +37,8 @@ class ComparisonMarks:
 
     def __init__(self, after: ComparedActor, overlay: ComparisonOverlay) -> None:
         self._after, self._overlay = after, overlay
-        self._outlines, self._part_outline = LineActor(TEXT, 1.4), LineActor(_PART, 4.0)
-        self._chosen_outline = (LineActor(GROUND, 6.0, behind=True), LineActor("#ffffff", 3.2))
+        self._outlines, self._part_outline = LineActor(DARK.text, 1.4), LineActor(_PART, 4.0)
+        self._chosen_outline = (LineActor(DARK.ground, 6.0, behind=True), LineActor("#ffffff", 3.2))
         self._threshold = LineActor("#{:02x}{:02x}{:02x}".format(*THRESHOLD_LINE), 1.8, behind=True)
         self.lines = (self._threshold, *self._chosen_outline, self._outlines, self._part_outline)
         self._areas: list[tuple[Area, NDArray[np.int64], Any]] = []

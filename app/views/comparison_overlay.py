@@ -12,7 +12,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
-from app.theme import ACCENT, GROUND, MUTED, SEAM, TEXT
+from app.theme import look
 
 _HANDLE = QRectF(-15, -15, 30, 30)
 
@@ -74,19 +74,19 @@ class ComparisonOverlay(QWidget):
 
     def _paint_curtain(self, painter: QPainter) -> None:
         if self.seam_x is not None:
-            painter.setPen(QPen(QColor(GROUND), 2))
+            painter.setPen(QPen(QColor(look.ground), 2))
             painter.drawLine(QPointF(self.seam_x, 0), QPointF(self.seam_x, self.height()))
         if self.curtain_x is None:
             return
         x = self.curtain_x
-        for colour, width in ((GROUND, 4.0), (TEXT, 1.6)):
+        for colour, width in ((look.ground, 4.0), (look.text, 1.6)):
             painter.setPen(QPen(QColor(colour), width))
             painter.drawLine(QPointF(x, 0), QPointF(x, self.height()))
         middle = QPointF(x, 0.5 * self.height())
-        painter.setPen(QPen(QColor(GROUND), 1.5))
-        painter.setBrush(QColor(TEXT))
+        painter.setPen(QPen(QColor(look.ground), 1.5))
+        painter.setBrush(QColor(look.text))
         painter.drawEllipse(_HANDLE.translated(middle))
-        painter.setPen(QPen(QColor(GROUND), 2.2, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin))
+        painter.setPen(QPen(QColor(look.ground), 2.2, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         for side in (-1, 1):
             painter.drawPolyline([middle + QPointF(side * dx, dy) for dx, dy in ((4.0, -5.0), (9.0, 0.0), (4.0, 5.0))])
@@ -106,7 +106,7 @@ class ComparisonOverlay(QWidget):
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(_glass())
             painter.drawRoundedRect(box, 5, 5)
-            painter.setPen(QColor(TEXT))
+            painter.setPen(QColor(look.text))
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, word)
 
     def _paint_keys(self, painter: QPainter) -> None:
@@ -120,7 +120,7 @@ class ComparisonOverlay(QWidget):
             middle = top + 22.0 * i + 11
             painter.setPen(QPen(QColor(colour), 3))
             painter.drawLine(QPointF(20, middle), QPointF(42, middle))
-            painter.setPen(QColor(TEXT))
+            painter.setPen(QColor(look.text))
             painter.drawText(QRectF(50, middle - 11, width + 8, 22), Qt.AlignmentFlag.AlignVCenter, word)
 
     def _paint_measures(self, painter: QPainter) -> None:
@@ -129,20 +129,20 @@ class ComparisonOverlay(QWidget):
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(_glass())
             painter.drawRoundedRect(box, 5, 5)
-            painter.setPen(QColor(TEXT))
+            painter.setPen(QColor(look.text))
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, word)
         if self.bar is None:
             return
         length, word = self.bar
         end = QPointF(self.width() - 18, self.height() - 18)
         start = end - QPointF(length, 0)
-        painter.setPen(QPen(QColor(TEXT), 1.6))
+        painter.setPen(QPen(QColor(look.text), 1.6))
         painter.drawPolyline([start - QPointF(0, 5), start, end, end - QPointF(0, 5)])
         painter.drawText(QRectF(start.x(), end.y() - 26, length, 18), Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextDontClip, word)
 
     def _paint_landmarks(self, painter: QPainter) -> None:
-        painter.setPen(QPen(QColor(GROUND), 1.5))
-        painter.setBrush(QColor(TEXT))
+        painter.setPen(QPen(QColor(look.ground), 1.5))
+        painter.setBrush(QColor(look.text))
         for point in self.points:
             painter.drawEllipse(point, 4.5, 4.5)
 
@@ -150,17 +150,17 @@ class ComparisonOverlay(QWidget):
         painter.setBrush(Qt.BrushStyle.NoBrush)
         if self.brush is not None:
             middle, radius, erases = self.brush
-            for colour, width in ((GROUND, 3.5), (MUTED if erases else ACCENT, 1.8)):
+            for colour, width in ((look.ground, 3.5), (look.muted if erases else look.accent, 1.8)):
                 painter.setPen(QPen(QColor(colour), width, Qt.PenStyle.DashLine if erases else Qt.PenStyle.SolidLine))
                 painter.drawEllipse(middle, radius, radius)
         if len(self.lasso) > 1:
-            fill = QColor(ACCENT)
+            fill = QColor(look.accent)
             fill.setAlpha(40)
             painter.setBrush(fill)
-            painter.setPen(QPen(QColor(ACCENT), 1.8))
+            painter.setPen(QPen(QColor(look.accent), 1.8))
             painter.drawPolygon(QPolygonF(self.lasso))
         if self.twin is not None:
-            for colour, width in ((GROUND, 4.0), (TEXT, 1.6)):
+            for colour, width in ((look.ground, 4.0), (look.text, 1.6)):
                 painter.setPen(QPen(QColor(colour), width))
                 painter.drawLine(self.twin - QPointF(9, 0), self.twin + QPointF(9, 0))
                 painter.drawLine(self.twin - QPointF(0, 9), self.twin + QPointF(0, 9))
@@ -175,12 +175,12 @@ class ComparisonOverlay(QWidget):
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(_glass())
             painter.drawRoundedRect(box, 5, 5)
-            painter.setPen(QColor(TEXT))
+            painter.setPen(QColor(look.text))
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, word)
 
 
 def _glass() -> QColor:
-    colour = QColor(GROUND)
+    colour = QColor(look.ground)
     colour.setAlpha(215)
     return colour
 
@@ -195,15 +195,15 @@ def _paint_tag(painter: QPainter, tag: Tag) -> None:
     font.setWeight(QFont.Weight.DemiBold)
     painter.setFont(font)
     if tag.at != tag.spot:
-        for colour, width in ((GROUND, 3.5), (TEXT, 1.2)):
+        for colour, width in ((look.ground, 3.5), (look.text, 1.2)):
             painter.setPen(QPen(QColor(colour), width))
             painter.drawLine(tag.at, tag.spot)
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(QColor(TEXT))
+        painter.setBrush(QColor(look.text))
         painter.drawEllipse(tag.at, 2.5, 2.5)
-    painter.setPen(QPen(QColor(TEXT if tag.chosen else SEAM), 1.2))
-    painter.setBrush(QColor(ACCENT) if tag.chosen else _glass())
+    painter.setPen(QPen(QColor(look.text if tag.chosen else look.seam), 1.2))
+    painter.setBrush(QColor(look.accent) if tag.chosen else _glass())
     box = _box(tag)
     painter.drawRoundedRect(box, 11, 11)
-    painter.setPen(QColor(GROUND if tag.chosen else TEXT))
+    painter.setPen(QColor(look.ground if tag.chosen else look.text))
     painter.drawText(box, Qt.AlignmentFlag.AlignCenter, tag.text)

@@ -16,7 +16,7 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QWidget
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
-from app.theme import PANEL
+from app.theme import look
 from app.views.compared_actor import ComparedActor
 from app.views.comparison_camera import ComparisonCamera
 from app.views.comparison_captions import ComparisonCaptions
@@ -62,7 +62,6 @@ class ComparisonScene(InteractorView):
         super().__init__(parent)
         engine = self._open()
         engine.enable_trackball_style()
-        engine.set_background(PANEL)  # a gradient costs as much as ten thousand triangles
         self._before, self._after = ComparedActor(BEFORE_COLOUR), ComparedActor(AFTER_COLOUR)
         self._overlay = ComparisonOverlay(self)
         self._overlay.setGeometry(self.rect())
@@ -88,6 +87,11 @@ class ComparisonScene(InteractorView):
         self._captions = ComparisonCaptions(self._overlay)
         self._tools = ComparisonTools(self, engine, self._overlay)
         self._arrange()
+        self.restyle()
+
+    def restyle(self) -> None:
+        self._open().set_background(look.panel)  # a gradient costs as much as ten thousand triangles
+        self._dirty = True
 
     # -------------------------------------------------------------------------------- what is shown
     def show_pair(self, before: DrawnSurface, after: DrawnSurface) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from app.theme import GROUND
+from app.palettes import DARK
 from app.views.coverage_words import REASON_COLOURS
 from app.views.height_colours import rgb
 from app.views.line_actor import LineActor, outlines
@@ -28,7 +28,7 @@ class CoverageAside:
         look = self._mesh.actor.GetProperty()
         look.SetAmbient(0.4)  # what looks down has its colour too
         look.SetDiffuse(0.6)
-        self._rim = (LineActor(GROUND, 6.0, behind=True), LineActor("#ffffff", 3.2))
+        self._rim = (LineActor(DARK.ground, 6.0, behind=True), LineActor("#ffffff", 3.2))
         self.colour(by_uncertainty=False)
 
     @property

@@ -8,7 +8,7 @@ from PySide6.QtCore import QRectF, QSize
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.theme import ACCENT, RAISED
+from app.theme import look
 from scanner_core.optics.board_watch import FIELDS
 
 _GAP = 2.0
@@ -64,4 +64,4 @@ class CoverageMap(QWidget):
             for row in range(rows):
                 for column in range(columns):
                     field = QRectF(column * width, row * height, width - _GAP, height - _GAP)
-                    painter.fillRect(field, QColor(ACCENT if self._covered[row, column] else RAISED))
+                    painter.fillRect(field, QColor(look.accent if self._covered[row, column] else look.raised))

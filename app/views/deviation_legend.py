@@ -6,7 +6,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.theme import FAINT, MUTED, TEXT
+from app.theme import look
 from app.views.comparison_words import fine_millimetres
 from scanner_core.comparison.colour_scale import HATCH, NO_COUNTERPART, THRESHOLD_LINE, WITHIN_LEVEL, DeviationScale
 
@@ -62,7 +62,7 @@ class DeviationLegend(QWidget):
         def at(um: float) -> float:
             return bar.left() + bar.width() * (min(max(um, -scale.limit_um), scale.limit_um) / scale.limit_um + 1) / 2
 
-        painter.setPen(QColor(MUTED))
+        painter.setPen(QColor(look.muted))
         painter.drawText(QPointF(bar.left(), 14), self.tr("− inward"))
         word = self.tr("outward +")
         painter.drawText(QPointF(bar.right() - metrics.horizontalAdvance(word), 14), word)
@@ -79,11 +79,11 @@ class DeviationLegend(QWidget):
         if 0 < threshold <= scale.limit_um:
             for sign in (-1, 1):
                 x = at(sign * threshold)
-                painter.setPen(QPen(QColor(TEXT), 3.2))
+                painter.setPen(QPen(QColor(look.text), 3.2))
                 painter.drawLine(QPointF(x, bar.top() - 3), QPointF(x, bar.bottom() + 3))
                 painter.setPen(QPen(QColor(*THRESHOLD_LINE), 1.6))
                 painter.drawLine(QPointF(x, bar.top() - 3), QPointF(x, bar.bottom() + 3))
-        painter.setPen(QColor(TEXT))
+        painter.setPen(QColor(look.text))
         free = bar.left() - 100.0
         for um, text in scale.ticks():
             width = metrics.horizontalAdvance(text)
@@ -94,7 +94,7 @@ class DeviationLegend(QWidget):
         if self._value_um is not None:
             x = at(self._value_um)
             painter.setPen(QPen(QColor(*THRESHOLD_LINE), 1))
-            painter.setBrush(QColor(TEXT))
+            painter.setBrush(QColor(look.text))
             painter.drawPolygon(QPolygonF([QPointF(x, bar.top() + 2), QPointF(x - 5, bar.top() - 7), QPointF(x + 5, bar.top() - 7)]))
 
     def _paint_key(self, painter: QPainter, metrics: QFontMetricsF, scale: DeviationScale, threshold: float) -> None:
@@ -116,10 +116,10 @@ class DeviationLegend(QWidget):
                 painter.drawLine(QPointF(box.left(), box.center().y()), QPointF(box.right(), box.center().y()))
             else:
                 _hatch(painter, box)
-            painter.setPen(QPen(QColor(FAINT), 1))
+            painter.setPen(QPen(QColor(look.faint), 1))
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.drawRect(box)
-            painter.setPen(QColor(MUTED))
+            painter.setPen(QColor(look.muted))
             painter.drawText(QPointF(box.right() + 6, box.bottom() - 1), word)
             x = box.right() + 6 + metrics.horizontalAdvance(word) + 16
 

@@ -10,8 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QLabel, QVBoxLayout, QWidget
 
 from app.comparison_draft import LoadedSurface
-from app.controllers.case import read_case_name
-from app.theme import ACCENT, FAINT, SEAM
+from app.controllers.case_files import read_case_name
 from app.views import format as fmt
 from app.views.parts import button, label
 
@@ -25,6 +24,7 @@ class DropTarget(QFrame):
         self, title: str, what: str, *, open_file: Callable[[], None], open_case: Callable[[], None], chosen: Callable[[Path], None]
     ) -> None:
         super().__init__()
+        self.setProperty("role", "target")
         self._chosen = chosen
         self._name = label("", wrap=True)
         self._name.setStyleSheet("font-weight: 600;")
@@ -55,7 +55,9 @@ class DropTarget(QFrame):
 
     def light(self, on: bool) -> None:
         """A file is held over it."""
-        self.setStyleSheet(f"DropTarget {{ border: 2px dashed {ACCENT if on else SEAM}; border-radius: 8px; }}")
+        self.setProperty("lit", on)
+        self.style().unpolish(self)
+        self.style().polish(self)
 
     def show_surface(self, loaded: LoadedSurface | None, reading: str | None) -> None:
         """What stands there, or is being read."""
@@ -92,6 +94,4 @@ class DropTarget(QFrame):
 
 def arrow() -> QLabel:
     """Between the two targets: what is before and what is after."""
-    made = label("→")
-    made.setStyleSheet(f"color: {FAINT}; font-size: 26px;")
-    return made
+    return label("→", "arrow")

@@ -12,7 +12,7 @@ from app.views import format as fmt
 from app.views.area_list import AreaList
 from app.views.comparison_words import JAWS, fine_millimetres, millimetres, motion_words, translated
 from app.views.facts import Fact, Facts
-from app.views.parts import BigNumber, button, column, label, row, scrolled, seam
+from app.views.parts import BigNumber, button, column, give_role, label, row, scrolled, seam
 from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.parameters import Jaw
 
@@ -174,7 +174,7 @@ class FindingsPanel(QWidget):
     def _turn(self, place: int) -> None:
         self._below.setCurrentIndex(place)
         for number, made in enumerate(self._views):
-            made.setStyleSheet("" if number == place else "color: #a3abb5;")
+            give_role(made, "link" if number == place else "quiet-link")
 
     def _say_jaw(self, jaw: Jaw) -> None:
         self._services.comparing.draft.edit("jaw", jaw=jaw)

@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty
 
-from app.theme import WARNING
+from app.palettes import DARK
 from app.views.height_colours import SUPPORTED, UNSUPPORTED, rgb
 from app.views.holed_surface import HoledSurface
 from app.views.vtk_arrays import copied, copied_ids
@@ -54,7 +54,7 @@ class HoledActor:
         rim = self._rim.GetProperty()
         rim.LightingOff()
         rim.SetLineWidth(2.5)
-        _colour(rim, WARNING)
+        _colour(rim, DARK.warning)
 
     @property
     def surface(self) -> HoledSurface | None:

@@ -9,7 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication, QSize, Qt, QTimer
 from PySide6.QtWidgets import QButtonGroup, QGridLayout, QHBoxLayout, QLineEdit, QListWidget, QListWidgetItem, QPushButton, QVBoxLayout, QWidget
 
-from app.controllers.case import read_case_name
+from app.controllers.case_files import read_case_name
 from app.draft import KINDS, SIDES, DraftValues
 from app.faults import sentence_of
 from app.services import Services
@@ -98,7 +98,7 @@ class HomePage(Page):
         plan.addLayout(row(self._on_table, self._change, 1, spacing=14), 1, 1)
         for count_field in (self._views, self._points):
             count_field.setMinimumHeight(34)
-        self._start = button(self.tr("Start scan"), "primary", lambda: self.intent.emit("start_scan"), "play", "#0b1f1b")
+        self._start = button(self.tr("Start scan"), "primary", lambda: self.intent.emit("start_scan"), "play", "on_accent")
         self._start.setMinimumHeight(46)
         self._start.setStyleSheet("font-size: 15px;")
         self._ready = label("", "muted", wrap=True)

@@ -13,14 +13,14 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QCloseEvent, QKeyEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 from pyvistaqt import QtInteractor
 from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
-from app.theme import GROUND, RAISED
+from app.theme import look
 from app.views.vtk_arrays import bytes_of, reals_of
 
 
@@ -64,7 +64,8 @@ class InteractorView(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._engine: Any = _Engine(self, auto_update=False, multi_samples=0, line_smoothing=False)
+        self._engine: Any = None
+        self._engine = _Engine(self, auto_update=False, multi_samples=0, line_smoothing=False)
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.addWidget(self._engine)
@@ -77,7 +78,6 @@ class InteractorView(QWidget):
         """How long the last picture took."""
         self.pictures = 0
         engine = self._open()
-        engine.set_background(GROUND, top=RAISED)
         engine.enable_terrain_style(mouse_wheel_zooms=True)
         engine.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         interactor = engine.iren.interactor
@@ -150,6 +150,16 @@ class InteractorView(QWidget):
         engine, self._engine = self._engine, None
         if engine is not None:
             engine.close()
+
+    def restyle(self) -> None:
+        """In the colours of the palette in use: at the end of a scene's constructor, and whenever that changes."""
+        self._open().set_background(look.scene_low, top=look.scene_high)
+        self._dirty = True
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
+        if event.type() == QEvent.Type.PaletteChange and not self.closed:
+            self.restyle()
+        super().changeEvent(event)
 
     def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802 - Qt's name
         self.close_scene()

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from datetime import datetime
 
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QFrame, QLabel, QVBoxLayout
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFrame, QVBoxLayout
 
 from app.services import Services
-from app.theme import WARNING, drawing
+from app.theme import Sign
 from app.views import format as fmt
 from app.views.parts import button, label, row
 
@@ -21,8 +21,7 @@ class InterruptedStrip(QFrame):
         self._services = services
         recovery = services.recovery
         self.setProperty("role", "banner")
-        mark = QLabel()
-        mark.setPixmap(drawing("warning", WARNING, QSize(22, 22)))
+        mark = Sign(22, "warning", "warning")
         self._what = label("", wrap=True)
         self._what.setStyleSheet("font-weight: 600;")
         self._how = label("", "muted", wrap=True)

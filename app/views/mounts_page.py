@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QFrame, QLabel, QProgressBar, QVBoxLayout, QWidget
 
 from app.services import Services
-from app.theme import WARNING, drawing
+from app.theme import Sign
 from app.views.aside import Aside
 from app.views.coverage_words import remount_words
 from app.views.mount_words import mount_colour, mount_line, mount_title, refusal
@@ -102,8 +101,7 @@ class MountsPage(Page):
         """Why a mount was not joined, and the ways out."""
         made = QFrame()
         made.setProperty("role", "banner")
-        mark = QLabel()
-        mark.setPixmap(drawing("warning", WARNING, QSize(20, 20)))
+        mark = Sign(20, "warning", "warning")
         self.reason = label("", wrap=True)
         kept = label(self.tr("Nothing is lost: all points are kept in the case."), "muted", wrap=True)
         words = QVBoxLayout()

@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QValidator
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLayout, QPushButton, QScrollArea, QSizePolicy, QSpinBox, QVBoxLayout, QWidget
 
 from app.draft import SIDES
-from app.theme import GOOD, LASER, LEFT_EAR, MUTED, RIGHT_EAR, TEXT, WARNING, icon
+from app.theme import icon, look_of
 from app.views import format as fmt
 
 BoxT = TypeVar("BoxT", QHBoxLayout, QVBoxLayout)
@@ -28,8 +28,8 @@ def label(text: str = "", role: str = "", *, wrap: bool = False, selectable: boo
     return made
 
 
-def give_role(made: QLabel, role: str) -> None:
-    """Another role of the theme for a label that is already shown."""
+def give_role(made: QWidget, role: str) -> None:
+    """Another role of the theme for what is already shown."""
     if made.property("role") != role:
         made.setProperty("role", role)
         made.style().unpolish(made)
@@ -38,11 +38,7 @@ def give_role(made: QLabel, role: str) -> None:
 
 def make_primary(made: QWidget, primary: bool) -> None:
     """Whether a button that is already shown is what is to be done next."""
-    role = "primary" if primary else ""
-    if made.property("role") != role:
-        made.setProperty("role", role)
-        made.style().unpolish(made)
-        made.style().polish(made)
+    give_role(made, "primary" if primary else "")
 
 
 def seam(*, upright: bool = False) -> QFrame:
@@ -56,7 +52,7 @@ def seam(*, upright: bool = False) -> QFrame:
     return made
 
 
-def button(text: str, role: str, clicked: Callable[[], object], drawing: str = "", colour: str = TEXT) -> QPushButton:
+def button(text: str, role: str, clicked: Callable[[], object], drawing: str = "", colour: str = "text") -> QPushButton:
     made = QPushButton(text)
     if role:
         made.setProperty("role", role)
@@ -169,16 +165,19 @@ class SideBadge(QLabel):
         if not side:
             return
         word = QCoreApplication.translate("draft", SIDES[side])
-        colour = LEFT_EAR if side == "left" else RIGHT_EAR
+        self.setProperty("role", "badge")
+        self.setProperty("side", side)
+        self.style().unpolish(self)
+        self.style().polish(self)
         self.setText(word)
-        self.setStyleSheet(f"color: {colour}; border: 1px solid {colour}; border-radius: 4px; padding: 1px 7px; font-weight: 600;")
+        self.updateGeometry()
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
 
 
 class Lamp(QWidget):
     """A dot with a word; the word says it all, the dot only sooner."""
 
-    COLOURS: ClassVar[dict[str, str]] = {"good": GOOD, "warn": WARNING, "idle": MUTED, "laser": LASER}
+    COLOURS: ClassVar[dict[str, str]] = {"good": "good", "warn": "warning", "idle": "muted", "laser": "laser"}
 
     def __init__(self, text: str = "") -> None:
         super().__init__()
@@ -201,16 +200,17 @@ class _Dot(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setFixedSize(9, 9)
-        self._colour = QColor(MUTED)
+        self._colour = "muted"
 
     def paint_in(self, colour: str) -> None:
-        if self._colour != QColor(colour):
-            self._colour = QColor(colour)
+        """A colour of the palette, by its name."""
+        if self._colour != colour:
+            self._colour = colour
             self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802 - Qt's name
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(self._colour)
+        painter.setBrush(QColor(look_of(self._colour)))
         painter.drawEllipse(self.rect())

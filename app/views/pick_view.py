@@ -11,7 +11,7 @@ from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QWidget
 
-from app.theme import PANEL
+from app.theme import look
 from app.views.comparison_overlay import ComparisonOverlay, Tag
 from app.views.interactor import InteractorView
 from app.views.mounts_aside import POINT_SIZE, point_actor
@@ -35,7 +35,6 @@ class PickView(InteractorView):
         super().__init__(parent)
         engine = self._open()
         engine.enable_trackball_style()
-        engine.set_background(PANEL)
         engine.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         engine.setAccessibleName(name)
         engine.setAccessibleDescription(
@@ -48,6 +47,11 @@ class PickView(InteractorView):
         self._marks: Sequence[Sequence[float]] = ()
         self._pressed: QPointF | None = None
         engine.installEventFilter(self)
+        self.restyle()
+
+    def restyle(self) -> None:
+        self._open().set_background(look.panel)
+        self._dirty = True
 
     def show_points(self, points: Array, towards: Array, colour: str) -> None:
         """Points (n, 3) mm with the directions (n, 3) from which they were seen; all of them in sight."""

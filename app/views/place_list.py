@@ -8,7 +8,8 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QListWidget, QListWidgetItem, QWidget
 
-from app.theme import GROUND, MUTED
+from app.palettes import DARK
+from app.theme import look
 from app.views.coverage_words import REASON_COLOURS, REASON_SIGNS, area_text, help_words, reason_words, side_words, where_words
 from app.views.parts import column, label, row
 from scanner_core.coverage.place import CoveragePlace
@@ -75,14 +76,14 @@ class ReasonBadge(QWidget):
         colour = QColor(REASON_COLOURS[self._reason])
         with QPainter(self) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            painter.setPen(QColor(MUTED))
+            painter.setPen(QColor(look.muted))
             painter.setBrush(colour)
             painter.drawRoundedRect(self.rect().adjusted(1, 1, -1, -1), 5, 5)
             font = painter.font()
             font.setPixelSize(13)
             font.setBold(True)
             painter.setFont(font)
-            painter.setPen(QColor(GROUND if colour.lightness() > 100 else "#ffffff"))
+            painter.setPen(QColor(DARK.ground if colour.lightness() > 100 else "#ffffff"))
             painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, REASON_SIGNS[self._reason])
 
 

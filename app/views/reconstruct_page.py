@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QCoreApplication, QSize, Qt
-from PySide6.QtWidgets import QGridLayout, QLabel, QProgressBar, QVBoxLayout, QWidget
+from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtWidgets import QGridLayout, QProgressBar, QVBoxLayout, QWidget
 
 from app.controllers.reconstruction import PHASES
 from app.services import Services
-from app.theme import ACCENT, FAINT, drawing
+from app.theme import Sign
 from app.translation import QT_TRANSLATE_NOOP
 from app.views import format as fmt
 from app.views.page import Page
@@ -194,8 +194,7 @@ class _PhaseLine(QWidget):
     def __init__(self, name: str) -> None:
         super().__init__()
         title, what = (QCoreApplication.translate("phases", word) for word in PHASE_WORDS[name])
-        self._mark = QLabel()
-        self._mark.setFixedWidth(20)
+        self._mark = Sign(15)
         self._title = label(title)
         self._time = label("", "muted")
         line = row(self._mark, self._title, label(what, "faint"), 1, self._time, spacing=6)
@@ -208,8 +207,8 @@ class _PhaseLine(QWidget):
         if (active, seconds) == self._shown:
             return
         self._shown = (active, seconds)
-        name, colour = ("play", ACCENT) if active else ("check", ACCENT) if seconds is not None else ("note", FAINT)
-        self._mark.setPixmap(drawing(name, colour, QSize(15, 15)))
+        name, colour = ("play", "accent") if active else ("check", "accent") if seconds is not None else ("note", "faint")
+        self._mark.show_sign(name, colour)
         self._title.setStyleSheet("font-weight: 600;" if active else "")
         self._time.setText("" if seconds is None else f"{seconds:.1f} s")
 

@@ -19,6 +19,7 @@ from app.views.device_list import DeviceList
 from app.views.fault_panel import FaultPanel
 from app.views.page import Page
 from app.views.parts import button, label, row, scrolled, seam
+from app.views.ready_line import ReadyLine
 from app.views.rig_choice import RigChoice
 from app.views.transcript_window import TranscriptWindow
 
@@ -31,9 +32,16 @@ class RigPage(Page):
     def __init__(self, services: Services) -> None:
         super().__init__(services)
         self.setAcceptDrops(True)
-        box = QHBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
+        whole = QVBoxLayout(self)
+        whole.setContentsMargins(0, 0, 0, 0)
+        whole.setSpacing(0)
+        self.ready = ReadyLine(services.readiness, self.wanted.emit, self._calibrate)
+        self.ready.setContentsMargins(40, 12, 36, 12)
+        box = QHBoxLayout()
         box.setSpacing(0)
+        whole.addWidget(self.ready)
+        whole.addWidget(seam())
+        whole.addLayout(box, 1)
         self._transcript: TranscriptWindow | None = None
         self._preparing = False
         self.choice = RigChoice(services.rig)

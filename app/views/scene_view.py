@@ -12,7 +12,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QWidget
 
-from app.theme import MUTED, SEAM
+from app.theme import is_dark, look
 from app.views.aside import Aside
 from app.views.cloud_actor import CloudActor
 from app.views.cloud_points import CloudPoints, Floats
@@ -28,6 +28,8 @@ from scanner_core.acquisition.live_points import LivePoints
 from scanner_core.geometry.point_cloud import PointCloud
 
 GRID_MM = 10.0
+AXES = {True: ("#e0857a", "#7fc98f", "#7aa7e8"), False: ("#b5382b", "#23803b", "#2b5fb8")}
+"""Colours of the axes on a dark and on a light ground."""
 _REFIT = 1.15
 """The camera follows a growing cloud in steps of this factor, until a person moves it."""
 
@@ -59,7 +61,17 @@ class SceneView(InteractorView):
         self.cloud.chunks.put_into(engine.renderer)
         for actor in (self.mesh.actor, *self.holed.actors):
             engine.add_actor(actor, render=False)
-        engine.add_axes(line_width=2, color=MUTED, x_color="#e0857a", y_color="#7fc98f", z_color="#7aa7e8", viewport=(0.0, 0.0, 0.14, 0.17))
+        self.restyle()
+
+    def restyle(self) -> None:
+        """In the colours of the palette in use."""
+        super().restyle()
+        engine = self._open()
+        x, y, z = AXES[is_dark()]
+        engine.add_axes(line_width=2, color=look.muted, x_color=x, y_color=y, z_color=z, viewport=(0.0, 0.0, 0.14, 0.17))
+        self.cloud.restyle(dark=is_dark())
+        if self._table is not None:
+            self._table.prop.color = look.seam
 
     # -------------------------------------------------------------------------------- what is shown
     def show_table(self, radius_mm: float) -> None:
@@ -67,7 +79,7 @@ class SceneView(InteractorView):
         engine = self._open()
         if self._table is not None:
             engine.remove_actor(self._table, render=False)
-        self._table = engine.add_mesh(_table_lines(radius_mm), color=SEAM, line_width=1, lighting=False, render=False, pickable=False)
+        self._table = engine.add_mesh(_table_lines(radius_mm), color=look.seam, line_width=1, lighting=False, render=False, pickable=False)
         self._scale.show()
         if not len(self.cloud) and self.mesh.surface is None:
             self._frame(np.array([[-radius_mm, -radius_mm, 0.0], [radius_mm, radius_mm, 1.2 * radius_mm]]) * 0.75)

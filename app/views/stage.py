@@ -10,7 +10,7 @@ from PySide6.QtGui import QAction, QColor, QLinearGradient, QPainter, QPaintEven
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QStackedLayout, QToolButton, QVBoxLayout, QWidget
 
-from app.theme import MUTED
+from app.theme import look
 from app.views.height_colours import HEIGHT, SUPPORTED, UNCERTAINTY, UNSUPPORTED
 from app.views.parts import label, seam
 
@@ -130,7 +130,7 @@ class Legend(QWidget):
         if not self._stops:
             for left, colour, word in ((0, SUPPORTED, self._low), (self.width() // 2 - 8, UNSUPPORTED, self._high)):
                 painter.fillRect(left, 13, 9, 9, QColor(colour))
-                painter.setPen(QColor(MUTED))
+                painter.setPen(QColor(look.muted))
                 painter.drawText(left + 15, 22, word)
             return
         bar = QRect(0, 7, self.width() - 1, 6)
@@ -138,7 +138,7 @@ class Legend(QWidget):
         for i, stop in enumerate(self._stops):
             fill.setColorAt(i / (len(self._stops) - 1), QColor(stop))
         painter.fillRect(bar, fill)
-        painter.setPen(QColor(MUTED))
+        painter.setPen(QColor(look.muted))
         words = self.rect().adjusted(0, 16, -1, 0)
         painter.drawText(words, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, self._low)
         painter.drawText(words, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop, self._high)

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 
-from PySide6.QtGui import QColor, QFontDatabase, QSyntaxHighlighter, QTextCharFormat, QTextDocument
+from PySide6.QtCore import QEvent
+from PySide6.QtGui import QColor, QFontDatabase, QSyntaxHighlighter, QTextCharFormat
 from PySide6.QtWidgets import QPlainTextEdit, QWidget
 
-from app.theme import ACCENT, ACCENT_DIM, TEXT
+from app.theme import look
 
 MOST_CHARACTERS = 200_000
 """More than that nobody reads in a window; the archive holds all of it."""
@@ -25,6 +26,11 @@ class SupportPreview(QPlainTextEdit):
         self.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         self._marks = _MarkHighlighter(self.document())
 
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
+        if event.type() == QEvent.Type.PaletteChange:
+            self._marks.rehighlight()
+        super().changeEvent(event)
+
     def show_text(self, text: str, *, from_end: bool) -> None:
         cut = len(text) > MOST_CHARACTERS
         part = text if not cut else text[-MOST_CHARACTERS:] if from_end else text[:MOST_CHARACTERS]
@@ -36,14 +42,10 @@ class SupportPreview(QPlainTextEdit):
 
 
 class _MarkHighlighter(QSyntaxHighlighter):
-    def __init__(self, document: QTextDocument) -> None:
-        super().__init__(document)
-        self._look = QTextCharFormat()
-        self._look.setForeground(QColor(TEXT))
-        self._look.setBackground(QColor(ACCENT_DIM))
-        self._home = QTextCharFormat()
-        self._home.setForeground(QColor(ACCENT))
-
     def highlightBlock(self, text: str) -> None:  # noqa: N802 - Qt's name
+        mark, home = QTextCharFormat(), QTextCharFormat()
+        mark.setForeground(QColor(look.text))
+        mark.setBackground(QColor(look.accent_dim))
+        home.setForeground(QColor(look.accent))
         for found in _MARKS.finditer(text):
-            self.setFormat(found.start(), len(found[0]), self._home if found[0] == "~" else self._look)
+            self.setFormat(found.start(), len(found[0]), home if found[0] == "~" else mark)

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from PySide6.QtWidgets import QComboBox, QFrame, QToolButton
 
 from app.comparison_draft import LoadedSurface
-from app.theme import MUTED, icon
+from app.theme import icon
 from app.views import format as fmt
 from app.views.facts import Fact, Facts
 from app.views.parts import button, column, label, row
@@ -34,7 +34,7 @@ class SurfaceCard(QFrame):
         self._replace = button("", "link", replace)
         self.stop = button(self.tr("Cancel"), "link", stop)
         self._remove = QToolButton()
-        self._remove.setIcon(icon("cross", MUTED))
+        self._remove.setIcon(icon("cross", "muted"))
         self._remove.setToolTip(self.tr("Take this surface out"))
         self._remove.setAccessibleName(self.tr("Take this surface out"))
         self._remove.clicked.connect(lambda: remove())

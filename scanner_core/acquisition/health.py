@@ -55,6 +55,11 @@ class HealthReport:
     views_compared: int = 0
     closure: Closure | None = None
 
+    @property
+    def closure_um(self) -> float | None:
+        """By how much the turn did not close; None where nobody knows."""
+        return None if self.closure is None or np.isnan(self.closure.shift_um) else self.closure.shift_um
+
     def as_dict(self) -> dict[str, object]:
         """For JSON."""
         return {
@@ -93,6 +98,11 @@ class HealthMonitor:
     def findings(self) -> tuple[Finding, ...]:
         with self._lock:
             return tuple(self._findings.values())
+
+    @property
+    def closure_um(self) -> float | None:
+        """See :attr:`HealthReport.closure_um`."""
+        return self.report().closure_um
 
     def report(self) -> HealthReport:
         with self._lock:

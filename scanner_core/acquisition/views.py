@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from scanner_core.case.closure import CLOSURE
 from scanner_core.case.line_points import measured_cloud, scan_table
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import RigConfig
@@ -26,11 +27,21 @@ class RegisteredViews:
     noise: NoiseModel
 
 
-def register_case(store: CaseStore, scan_id: int, rig: RigConfig, calibration: StereoCalibration) -> RegisteredViews:
-    """Register the views of a scan, keep the corrections and the report in the case, and return the merged cloud."""
+def register_case(
+    store: CaseStore, scan_id: int, rig: RigConfig, calibration: StereoCalibration, turn_closure_um: float | None = None
+) -> RegisteredViews:
+    """Register the views of a scan, keep the corrections and the report in the case, and return the merged cloud.
+
+    Parameters
+    ----------
+    turn_closure_um : by how much the turn did not close; kept with the report (:func:`~scanner_core.case.closure.closure_um`)
+    """
     table = scan_table(store, scan_id)
     registration = register_views(measured_cloud(table, rig, calibration).cloud)
     store.put_corrections(scan_id, registration.corrections)
-    store.put_registration(scan_id, calibration.identity(), registration.as_dict())
+    report = registration.as_dict()
+    if turn_closure_um is not None:
+        report[CLOSURE] = round(turn_closure_um, 1)
+    store.put_registration(scan_id, calibration.identity(), report)
     measured = measured_cloud(table, rig, calibration, store.corrections(scan_id))
     return RegisteredViews(measured.cloud, registration, measured.noise)

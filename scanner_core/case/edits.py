@@ -110,6 +110,12 @@ class EditJournal(CaseDatabase):
         with damaged(self.path, "audit trail"):
             return [AuditLine(*map(text, row)) for row in self._rows("SELECT time, event, detail FROM audit ORDER BY id")]
 
+    def first_and_last_time(self) -> tuple[str, str]:
+        """ISO dates and times of the first and of the newest line of the audit trail; empty without one."""
+        with damaged(self.path, "audit trail"):
+            rows = self._rows("SELECT time FROM audit WHERE id IN ((SELECT min(id) FROM audit), (SELECT max(id) FROM audit)) ORDER BY id")
+            return (text(rows[0][0]), text(rows[-1][0])) if rows else ("", "")
+
     # ------------------------------------------------------------------------------------------ for the parts that build on it
     def _edit(self, connection: sqlite3.Connection, key: str, value: object, words: str, before: object = None) -> CaseEdit | None:
         """`before` is what undo goes back to, where that is not the value as it stands."""

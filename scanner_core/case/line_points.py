@@ -54,7 +54,7 @@ def line_cloud(
         if planes is not None:
             factors[here] = planes.noise_factor(points[here], covariances[here], frame)
     covariances *= (SAMPLES_PER_PX * factors)[:, None, None]
-    seen = TablePoints(points, covariances, table.view, table.table_deg, table.trigger_id)
+    seen = TablePoints(points, covariances, table.view, table.table_deg, table.trigger_id, table.place)
     cloud, surface_mm = placed_cloud(seen, rig, calibration, corrections)
     noise = NoiseModel(float(np.median(factors)) if len(table) else 1.0, 0.0, 1e3 * surface_mm, len(table))
     return MeasuredCloud(cloud, noise)

@@ -52,7 +52,8 @@ def triangulate_observations(
     sigmas = noise.centroid_sigmas(calibration, pixels)
     seen = triangulator.triangulate(table.left_px, table.right_px, *sigmas)
     expected_px = triangulator.epipolar_sigma(table.left_px, table.right_px, *sigmas)
-    points = TablePoints(seen.points, seen.covariances, table.view, table.table_deg, table.trigger_id, seen.epipolar_residual_px / expected_px)
+    in_sigmas = seen.epipolar_residual_px / expected_px
+    points = TablePoints(seen.points, seen.covariances, table.view, table.table_deg, table.trigger_id, epipolar_sigmas=in_sigmas)
     cloud, surface_mm = placed_cloud(points, rig, calibration, corrections)
     return MeasuredCloud(cloud, replace(noise, surface_um=1e3 * surface_mm))
 
@@ -65,6 +66,7 @@ class TablePoints:
     ----------
     points, covariances : (n, 3) mm and (n, 3, 3) mm^2
     view, table_deg, trigger_id : (n,) that they are of
+    place : (n,) of a laser line, the numbers of the peaks in their frames
     epipolar_sigmas : (n,) epipolar residuals over their standard deviations, where there are any
     """
 
@@ -73,6 +75,7 @@ class TablePoints:
     view: NDArray[np.int32]
     table_deg: NDArray[np.float64]
     trigger_id: NDArray[np.int64]
+    place: NDArray[np.int32] | None = None
     epipolar_sigmas: NDArray[np.float64] | None = None
 
 
@@ -99,7 +102,8 @@ def placed_cloud(
     covariances += surface_mm**2 * np.eye(3)
     if systematic is not None:  # common to neighbouring points: it is no scatter, and no registration takes it out
         covariances += systematic
-    cloud = PointCloud(points, covariances, seen.view.copy(), seen.trigger_id.copy(), seen.table_deg.copy(), seen.epipolar_sigmas)
+    places = None if seen.place is None else seen.place.copy()
+    cloud = PointCloud(points, covariances, seen.view.copy(), seen.trigger_id.copy(), seen.table_deg.copy(), places, seen.epipolar_sigmas)
     return cloud, surface_mm
 
 

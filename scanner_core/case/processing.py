@@ -3,6 +3,9 @@
 Nothing measured is changed.  A :class:`Processing` is a person's choice, kept in the case under the key ``processing``,
 so it can be undone; the same choice gives the same points to the last bit, in the order of the trigger ids.
 
+Points that a person took out are left away at the end: views are registered and the noise is estimated with all of them, so that
+no other point moves when one is taken out.
+
 What can be taken in again: everything that both cameras saw as one spot, whatever its verdict, so also what the epipolar
 constraint, the volume or the table had rejected.  What the detector rejects within one image (no spot, too dim, saturated,
 ambiguous, ...) is not kept as a centroid, so the gates of the spot can be made narrower but not wider.
@@ -27,6 +30,7 @@ from scanner_core.case.line_points import ScanTable
 from scanner_core.case.observation import MEASURED, ObservationTable, PairTable
 from scanner_core.case.points import case_calibration, case_rig
 from scanner_core.case.records import ScanRecord
+from scanner_core.case.removed_points import RemovedPoints
 from scanner_core.case.scan_parts import ScanPart, merged, placed_motions, refine_parts
 from scanner_core.case.store import CaseStore
 from scanner_core.case.stripes import StripeTable
@@ -43,6 +47,8 @@ _GEOMETRIC = ("epipolar_sigmas", "volume_radius_mm", "volume_height_mm", "table_
 """Gates that need the point."""
 _BY_GEOMETRY = (MEASURED, "epipolar", "outside_volume", "table", "mark")
 """Verdicts that a change of those gates, or of the calibration, decides anew."""
+REMOVED = "removed"
+"""Verdict of a point that a person took out."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,25 +99,28 @@ class Processing:
     without_views : numbers of views that are left out
     scans : ids of the scans that are merged; empty for the newest of every mount that has points, was not discarded, and
         whose mount's pose was accepted
+    removed : points that a person took out
     """
 
     calibration: str | None = None
     gates: Gates = field(default_factory=Gates)
     without_views: tuple[int, ...] = ()
     scans: tuple[int, ...] = ()
+    removed: RemovedPoints = field(default_factory=RemovedPoints)
 
     @property
     def as_scanned(self) -> bool:
         return self == Processing()
 
     def as_dict(self) -> dict[str, object]:
-        """For the case and JSON."""
-        return {
+        """For the case and JSON; without points that were taken out it is what older programs wrote."""
+        told: dict[str, object] = {
             "calibration": self.calibration,
             "gates": self.gates.given(),
             "without_views": list(self.without_views),
             "scans": list(self.scans),
         }
+        return told | ({"removed": self.removed.as_dict()} if self.removed else {})
 
     @classmethod
     def from_dict(cls, values: Mapping[str, Any]) -> Processing:
@@ -122,7 +131,8 @@ class Processing:
         views, scans = (tuple(values.get(key, ())) for key in ("without_views", "scans"))
         if not all(isinstance(number, int) and not isinstance(number, bool) for number in (*views, *scans)):
             raise TypeError("views and scans are whole numbers")
-        return cls(calibration, Gates(**gates), tuple(sorted(set(views))), tuple(sorted(set(scans))))
+        removed = RemovedPoints.from_dict(values["removed"]) if "removed" in values else RemovedPoints()
+        return cls(calibration, Gates(**gates), tuple(sorted(set(views))), tuple(sorted(set(scans))), removed)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -134,6 +144,7 @@ class ProcessedCase:
     processing : with the scans that were taken
     cloud : registered, mm, in the order of the trigger ids; views of later scans are numbered on.  The points of one mount are
         in its object frame, those of several in that of the first mount of the case
+    taken_out : the points that a person took out, as they would be in the cloud; None for none
     mounts : that the points are of, each with where its object frame lies in the frame of the cloud
     counts : over the plans of the scans, with the verdicts as they are now
     calibrations : identities that the points were computed with
@@ -150,21 +161,26 @@ class ProcessedCase:
     registered: bool
     registration: dict[str, object] | None
     mounts: Mapping[int, RigidTransform] = field(default_factory=lambda: {0: RigidTransform.identity()})
+    taken_out: PointCloud | None = None
 
     def as_dict(self) -> dict[str, object]:
         """For JSON and a mesh's provenance."""
-        counts = self.counts
-        return self.processing.as_dict() | {
-            "calibrations": list(self.calibrations),
-            "mounts": list(self.mounts),
-            "registered_anew": self.registered,
-            "registration": self.registration,
-            "planned": counts.planned,
-            "measured": counts.measured,
-            "rejected": counts.rejected,
-            "skipped": counts.skipped,
-            "noise": [asdict(noise) for noise in self.noise],
-        }
+        counts, removed = self.counts, self.processing.removed
+        return (
+            self.processing.as_dict()
+            | ({"removed": removed.told()} if removed else {})
+            | {
+                "calibrations": list(self.calibrations),
+                "mounts": list(self.mounts),
+                "registered_anew": self.registered,
+                "registration": self.registration,
+                "planned": counts.planned,
+                "measured": counts.measured,
+                "rejected": counts.rejected,
+                "skipped": counts.skipped,
+                "noise": [asdict(noise) for noise in self.noise],
+            }
+        )
 
     def provenance(self) -> dict[str, object]:
         """Scans, calibration and processing, for the provenance of a mesh of these points."""
@@ -215,7 +231,7 @@ def process_case(store: CaseStore, processing: Processing, other: StereoCalibrat
     """
     scans = _scans(store, processing)
     poses = _poses(store, scans)
-    anew = len(scans) > len(poses) or not replace(processing, scans=()).as_scanned
+    anew = len(scans) > len(poses) or not replace(processing, scans=(), removed=RemovedPoints()).as_scanned
     taken: list[ScanPart] = []
     corrections: dict[int, RigidTransform] = {}
     verdicts: Counter[str] = Counter()
@@ -241,16 +257,29 @@ def process_case(store: CaseStore, processing: Processing, other: StereoCalibrat
         corrections = dict(enumerate(found.corrections))
     motions = placed_motions(taken, poses, corrections) if len(poses) > 1 else corrections
     measured = [part.measured(store, motions) for part in taken]
+    cloud, taken_out = parted(merged(measured), processing.removed)
+    if not len(cloud):
+        raise CaseError("E-CASE-05", path=store.path, what="points", do="bring back some of those that were taken out")
+    if taken_out is not None:
+        verdicts[MEASURED] -= len(taken_out)
+        verdicts[REMOVED] += len(taken_out)
     return ProcessedCase(
         processing=replace(processing, scans=tuple(scan.id for scan in scans)),
-        cloud=merged(measured) if len(poses) == 1 else replace(merged(measured), table_deg=None),
+        cloud=cloud if len(poses) == 1 else replace(cloud, table_deg=None),
         counts=ScanCounts.of(planned, verdicts),
         calibrations=tuple(dict.fromkeys(part.calibration.identity() for part in taken)),
         noise=tuple(part.noise for part in measured),
         registered=anew,
         registration=registration,
         mounts=poses,
+        taken_out=taken_out if taken_out is None or len(poses) == 1 else replace(taken_out, table_deg=None),
     )
+
+
+def parted(cloud: PointCloud, removed: RemovedPoints) -> tuple[PointCloud, PointCloud | None]:
+    """A cloud of a case without the points that were taken out, and those; None for none."""
+    out = removed.of_points(cloud)
+    return (cloud.select(~out), cloud.select(out)) if out.any() else (cloud, None)
 
 
 # ------------------------------------------------------------------------------------------ inner

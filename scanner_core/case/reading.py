@@ -23,8 +23,12 @@ LARGEST_LOG = 2 << 30
 """Bytes; the log is folded in every few MB, and one mesh, the largest that is ever added at once, is shorter than this."""
 
 
-def open_for_reading(path: Path, header: Header) -> tuple[sqlite3.Connection, Callable[[], None]]:
+def open_for_reading(path: Path, header: Header, *, whole: bool = True) -> tuple[sqlite3.Connection, Callable[[], None]]:
     """A connection that only reads, and what closes it.
+
+    Parameters
+    ----------
+    whole : every page of a case at rest is checked; otherwise only what it defines, and it has little time to answer
 
     Raises
     ------
@@ -37,7 +41,7 @@ def open_for_reading(path: Path, header: Header) -> tuple[sqlite3.Connection, Ca
     if _at_rest(place, header):
         connection = database(place, "ro")
         try:
-            vet(connection, path)  # also says whether it is locked
+            vet(connection, path, whole=whole)  # also says whether it is locked
         except BaseException:
             connection.close()
             raise

@@ -33,6 +33,16 @@ class ScanRecord:
     mount: int = 0
 
 
+@dataclass(frozen=True, slots=True)
+class ScanEnd:
+    """How a scan ended; `finish_reason` and `counts` are None when it was interrupted."""
+
+    id: int
+    kind: str
+    finish_reason: str | None
+    counts: dict[str, object] | None
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class MountPose:
     """Where the object frame of a mount lies, as it was found once.

@@ -48,17 +48,31 @@ def merged(parts: Sequence[MeasuredCloud]) -> PointCloud:
     if len(parts) == 1:
         return parts[0].cloud
     clouds = [part.cloud for part in parts]
-    sigmas = np.concatenate([np.empty(0) if cloud.epipolar_sigmas is None else cloud.epipolar_sigmas for cloud in clouds])
     whole = PointCloud(
         np.concatenate([cloud.points for cloud in clouds]),
         np.concatenate([cloud.covariances for cloud in clouds if cloud.covariances is not None]),
         np.concatenate([cloud.views for cloud in clouds if cloud.views is not None]),
         np.concatenate([cloud.trigger_ids for cloud in clouds if cloud.trigger_ids is not None]),
         np.concatenate([cloud.table_deg for cloud in clouds if cloud.table_deg is not None]),
-        sigmas if all(cloud.epipolar_sigmas is not None for cloud in clouds) else None,
+        _places(clouds),
+        _epipolar_sigmas(clouds),
     )
     assert whole.trigger_ids is not None
     return whole.select(np.argsort(whole.trigger_ids, kind="stable"))
+
+
+def _places(clouds: Sequence[PointCloud]) -> NDArray[np.int32] | None:
+    """Of scans by line, and 0 of every laser spot beside them."""
+    if all(cloud.places is None for cloud in clouds):
+        return None
+    return np.concatenate([np.zeros(len(cloud), np.int32) if cloud.places is None else cloud.places for cloud in clouds])
+
+
+def _epipolar_sigmas(clouds: Sequence[PointCloud]) -> NDArray[np.float64] | None:
+    """Of scans by spot, and no number of the points of every line beside them."""
+    if all(cloud.epipolar_sigmas is None for cloud in clouds):
+        return None
+    return np.concatenate([np.full(len(cloud), np.nan) if cloud.epipolar_sigmas is None else cloud.epipolar_sigmas for cloud in clouds])
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -14,7 +14,7 @@ from scanner_core.case import decoding
 from scanner_core.case.database import CaseDatabase, note
 from scanner_core.case.decoding import damaged, text
 from scanner_core.case.observation import LINE_FRAME, MEASURED, ExposureTable, ObservationTable, PairTable, StereoObservation
-from scanner_core.case.records import RegistrationRecord, ScanRecord
+from scanner_core.case.records import RegistrationRecord, ScanEnd, ScanRecord
 from scanner_core.errors import CaseFormatError
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.one_line import one_line
@@ -102,6 +102,14 @@ class ScanTables(CaseDatabase):
                     mount=decoding.mount(mount),
                 )
                 for number, kind, calibration, plan, started, ended, reason, counts, mount in rows
+            ]
+
+    def scan_ends(self) -> list[ScanEnd]:
+        """Of all scans in the order of their beginning what tells how they ended, without their plans."""
+        with damaged(self.path, "list of scans"):
+            return [
+                ScanEnd(int(number), text(kind), None if reason is None else text(reason), None if counts is None else decoding.table(counts))
+                for number, kind, reason, counts in self._rows("SELECT id, kind, finish_reason, counts_json FROM scan ORDER BY id")
             ]
 
     def rig_toml(self, scan_id: int) -> str:

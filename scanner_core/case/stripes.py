@@ -18,8 +18,8 @@ from scanner_core.optics.stripe_pairs import StripePairs
 
 _INSERT = "INSERT INTO stripe_point VALUES (" + ",".join("?" * 12) + ")"
 _FARTHEST_PX = 1e5
-_BOUNDS = np.array([(0, MOST_ID), (0, 359), (-1e6, 1e6), *[(-_FARTHEST_PX, _FARTHEST_PX)] * 4, (0, 3), (0, 1e12), (0, 1e12), (-7, 7)])
-_COLUMNS = ("trigger id", "view", "table angle", *["place"] * 4, "kind of peak", *["uncertainty"] * 2, "direction")
+_BOUNDS = np.array([(0, MOST_ID), (0, 359), (-1e6, 1e6), *[(-_FARTHEST_PX, _FARTHEST_PX)] * 4, (0, 3), (0, 1e12), (0, 1e12), (-7, 7), (0, 2**20 - 1)])
+_COLUMNS = ("trigger id", "view", "table angle", *["place"] * 4, "kind of peak", *["uncertainty"] * 2, "direction", "number")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -29,12 +29,14 @@ class StripeTable:
     Attributes
     ----------
     trigger_id, view, table_deg : (n,), several of one trigger id
+    place : (n,) number of the peak in its frame; with the trigger id it names a point
     pairs : where both images show them
     """
 
     trigger_id: NDArray[np.int64]
     view: NDArray[np.int32]
     table_deg: NDArray[np.float64]
+    place: NDArray[np.int32]
     pairs: StripePairs
 
     def __len__(self) -> int:
@@ -42,7 +44,7 @@ class StripeTable:
 
     def select(self, which: NDArray[np.bool_]) -> StripeTable:
         """The rows of a mask (n,)."""
-        return StripeTable(self.trigger_id[which], self.view[which], self.table_deg[which], self.pairs.select(which))
+        return StripeTable(self.trigger_id[which], self.view[which], self.table_deg[which], self.place[which], self.pairs.select(which))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -96,7 +98,8 @@ class StripeTables(CaseDatabase):
     def stripe_points(self, scan_id: int) -> StripeTable:
         """The measured places of a scan in the order of their trigger ids."""
         rows = self._rows(
-            "SELECT p.trigger_id, view, table_deg, p.left_x_px, p.left_y_px, p.right_x_px, p.right_y_px, peak, peak_u_upx, other_u_upx, tangent_rad "
+            "SELECT p.trigger_id, view, table_deg, p.left_x_px, p.left_y_px, p.right_x_px, p.right_y_px, "
+            "peak, peak_u_upx, other_u_upx, tangent_rad, p.number "
             "FROM stripe_point p JOIN observation o ON o.trigger_id = p.trigger_id "
             "WHERE p.scan_id = ? AND p.verdict = (SELECT id FROM verdict WHERE name = ?) ORDER BY p.trigger_id, p.number",
             (scan_id, MEASURED),
@@ -121,4 +124,4 @@ def _table(rows: Sequence[tuple[Any, ...]]) -> StripeTable:
         other_px=numbers[:, 9] * 1e-6,
         tangent_rad=numbers[:, 10].copy(),
     )
-    return StripeTable(numbers[:, 0].astype(np.int64), numbers[:, 1].astype(np.int32), numbers[:, 2].copy(), pairs)
+    return StripeTable(numbers[:, 0].astype(np.int64), numbers[:, 1].astype(np.int32), numbers[:, 2].copy(), numbers[:, 11].astype(np.int32), pairs)

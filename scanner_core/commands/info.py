@@ -56,8 +56,9 @@ def _case_words(values: dict[str, Any]) -> list[str]:
     for pose in values["mounts"]:
         words = f"joined, residual {pose['residual_um']} um" if pose["accepted"] else f"kept apart: {pose['reason']}"
         lines.append(f"Mount {pose['mount']}: {words}")
-    choice = ", ".join(f"{name.replace('_', ' ')} {value}" for name, value in values["processing"].items() if value)
-    lines.append(f"Points: {choice or 'as scanned'}")
+    choice = ", ".join(f"{name.replace('_', ' ')} {value}" for name, value in values["processing"].items() if value and name != "removed")
+    removed = values["processing"].get("removed")
+    lines.append(f"Points: {choice or 'as scanned'}" + (f", {removed['count']} taken out by hand" if removed else ""))
     mesh = values.get("mesh")
     lines.append(f"Meshes: {values['meshes']}" + (f"; the chosen one has {mesh['triangles']} triangles" if mesh else ""))
     for kept in values["comparisons"]:
@@ -112,7 +113,8 @@ def _case(path: Path) -> dict[str, object]:
         ]
         values: dict[str, object] = {"kind": "case", "file": str(path), "order": asdict(store.order()), "scans": scans, "meshes": store.mesh_count()}
         values["comparisons"] = [_comparison(path, kept) for kept in kept_comparisons(store)]
-        values["processing"] = chosen_processing(store).as_dict()
+        choice = chosen_processing(store)
+        values["processing"] = choice.as_dict() | ({"removed": choice.removed.told()} if choice.removed else {})
         if (marks := case_marks(store)) is not None:
             values["marks"] = marks.as_dict()
         values["mounts"] = [_mount(pose) for _, pose in sorted(store.mount_poses().items())]

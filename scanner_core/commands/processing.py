@@ -8,9 +8,10 @@ from pathlib import Path
 
 from scanner_core.case.edits import PROCESSING
 from scanner_core.case.processing import GATES, Gates, ProcessedCase, Processing, chosen_processing, keep_processing, process_case
+from scanner_core.case.removed_points import RemovedPoints
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import RigConfig, load_rig_or_preset
-from scanner_core.errors import CalibrationError, UsageError
+from scanner_core.errors import CalibrationError, CaseFormatError, UsageError
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +51,15 @@ def asked_processing(store: CaseStore, given: argparse.Namespace) -> AskedProces
         rig = _calibrated(given.calibration)
         identity = None if rig is None or rig.calibration is None else rig.calibration.identity()
     views, scans = (tuple(sorted(set(numbers))) for numbers in (given.without_view, given.scan))
-    return AskedProcessing(Processing(identity, _gates(given.gate), views, scans), rig)
+    return AskedProcessing(Processing(identity, _gates(given.gate), views, scans, _removed(store)), rig)
+
+
+def _removed(store: CaseStore) -> RemovedPoints:
+    """What a person took out stays so whatever the points are computed with; nothing where the case's choice is damaged, which this one replaces."""
+    try:
+        return chosen_processing(store).removed
+    except CaseFormatError:
+        return RemovedPoints()
 
 
 def _calibrated(name: str | None) -> RigConfig | None:

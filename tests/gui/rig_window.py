@@ -10,6 +10,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QPushButton
 
 from app.background import Background
+from app.controllers.readiness import ReadinessController
 from app.controllers.rig import RigController
 from app.services import Services
 from app.settings import Settings
@@ -25,7 +26,9 @@ class RigWindow:
         self.told: list[BaseException] = []
         self.background = Background()
         self.rig = RigController(self.background, folder / "rigs", self.told.append)
-        self.page = RigPage(cast(Services, SimpleNamespace(rig=self.rig, settings=Settings())))
+        settings = Settings()
+        self.readiness = ReadinessController(self.background, self.rig, settings)
+        self.page = RigPage(cast(Services, SimpleNamespace(rig=self.rig, settings=settings, readiness=self.readiness)))
         self.page.resize(1190, 746)
         self.page.show()
         self._timer = QTimer()

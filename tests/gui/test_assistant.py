@@ -18,7 +18,7 @@ from app.controllers.assistant_choice import VIRTUAL_PORT, DeviceChoice, first_c
 from app.controllers.assistant_snapshot import AssistantSnapshot, Job
 from app.controllers.emission import Emission
 from app.program import Program
-from app.theme import ACCENT
+from app.theme import look
 from app.views import assistant_words, check_names
 from app.views.assistant_corrections import Corrections, corrections_of, only
 from app.views.assistant_page import CHECK, FIND, WRITE, AssistantPage
@@ -284,7 +284,7 @@ def test_the_whole_way_on_a_virtual_rig_whose_beam_goes_the_wrong_way(
     assert len(shown) == 6
     assert shown["left dark"].mark_px is None
     assert shown["left difference"].mark_px is not None
-    assert near(pixels_of(shown["left difference"]), ACCENT, 40).sum() > 20
+    assert near(pixels_of(shown["left difference"]), look.accent, 40).sum() > 20
     assert "Beam axis x" in checking.summary.text()
     assert {"x"} <= set(checking.corrections.boxes) <= {"x", "left", "right"}
     checked: list[tuple[float, float, float]] = []

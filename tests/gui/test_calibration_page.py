@@ -18,7 +18,7 @@ from app.controllers.calibration import BoardLook
 from app.controllers.rig import RigController
 from app.controllers.rig_devices import WantedRig
 from app.program import Program
-from app.theme import ACCENT, RAISED, WARNING
+from app.theme import look
 from app.views.board_watch_view import BoardWatchView
 from app.views.calibrating_panel import CalibratingPanel
 from app.views.calibration_panel import CalibrationPanel
@@ -110,7 +110,7 @@ def test_a_look_shows_step_corners_coverage_and_what_is_missing(rig: RigControll
     assert "View 7 of 25" in shown
     picture = view.pictures["left"]
     assert picture.words == "3 corners"
-    assert near(pixels_of(picture), ACCENT, 40).sum() > 40
+    assert near(pixels_of(picture), look.accent, 40).sum() > 40
     assert panel.maps["left"].covered.sum() == 24
     assert "24 of 48 fields" in _texts(panel)
     assert panel.spread.texts == {"Largest tilt between two boards": "21°", "Distances of the board": "398 to 470 mm"}
@@ -137,7 +137,7 @@ def test_a_board_that_one_camera_does_not_see_is_told_at_both_pictures(applicati
     assert view.pictures["right"].words == words
     assert view.pictures["left"].words == "Only one camera sees the board."
     for picture in view.pictures.values():
-        assert near(pixels_of(picture), WARNING, 40).sum() > 60
+        assert near(pixels_of(picture), look.warning, 40).sum() > 60
 
 
 def test_a_view_like_an_earlier_one_is_told(application: QApplication) -> None:
@@ -162,11 +162,11 @@ def test_every_covered_field_is_filled_where_it_lies(application: QApplication) 
     covered = np.zeros((6, 8), bool)
     covered[5, 0] = True
     drawn.show_covered(covered, (604, 294))
-    filled = near(pixels_of(drawn), ACCENT)
+    filled = near(pixels_of(drawn), look.accent)
     rows, columns = np.nonzero(filled)
     assert rows.min() >= 65
     assert columns.max() <= 19
-    assert near(pixels_of(drawn), RAISED).sum() > 20 * filled.sum()
+    assert near(pixels_of(drawn), look.raised).sum() > 20 * filled.sum()
     assert "1 of 48" in drawn.accessibleName()
 
 

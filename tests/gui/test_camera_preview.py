@@ -7,7 +7,7 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from app.theme import ACCENT, WARNING
+from app.theme import look
 from app.views.camera_preview import CameraPreview
 from app.views.spot_advice import advice_text
 from scanner_core.acquisition.handover import Preview
@@ -36,7 +36,7 @@ def _frame() -> Frame:
 
 def test_the_spot_is_marked_where_it_is(preview: CameraPreview) -> None:
     preview.show_preview(Preview(_frame(), SPOT))
-    rows, columns = np.nonzero(near(pixels_of(preview), ACCENT, 50))
+    rows, columns = np.nonzero(near(pixels_of(preview), look.accent, 50))
     assert len(rows) > 15
     assert columns.mean() == pytest.approx(151.5 / 2, abs=1.5)
     assert rows.mean() == pytest.approx(100.5 / 2, abs=1.5)
@@ -46,22 +46,22 @@ def test_a_miss_marks_nothing_and_says_why(preview: CameraPreview) -> None:
     preview.show_preview(Preview(_frame(), SPOT))
     preview.show_preview(Preview(_frame(), SpotMiss(MissReason.TOO_DIM)), "spot too dim")
     assert preview.spot is None
-    assert not near(pixels_of(preview), ACCENT, 50).any()
+    assert not near(pixels_of(preview), look.accent, 50).any()
 
 
 def test_advice_stands_in_amber_until_the_spot_is_good(preview: CameraPreview) -> None:
     preview.show_preview(Preview(_frame(), SPOT), advice="spot too sharp: defocus the lens")
-    rows, columns = np.nonzero(near(pixels_of(preview), WARNING, 50))
+    rows, columns = np.nonzero(near(pixels_of(preview), look.warning, 50))
     assert len(rows) > 30
     assert 20 < rows.min() < rows.max() < 42
     assert columns.max() <= 302 - 8
     preview.show_preview(Preview(_frame(), SPOT))
-    assert not near(pixels_of(preview), WARNING, 50).any()
+    assert not near(pixels_of(preview), look.warning, 50).any()
 
 
 def test_advice_that_is_too_long_is_cut_short_inside_of_the_picture(preview: CameraPreview) -> None:
     preview.show_preview(Preview(_frame(), SPOT), advice="spot too sharp: " + 9 * "defocus the lens ")
-    columns = np.nonzero(near(pixels_of(preview), WARNING, 50))[1]
+    columns = np.nonzero(near(pixels_of(preview), look.warning, 50))[1]
     assert 8 <= columns.min() <= columns.max() <= 302 - 8
 
 
@@ -90,7 +90,7 @@ def test_the_wheel_zooms_about_the_cursor_and_a_double_click_shows_all(preview: 
         )
         QApplication.sendEvent(preview, event)
     assert preview.zoom > 5
-    rows, columns = np.nonzero(near(pixels_of(preview), ACCENT, 50))
+    rows, columns = np.nonzero(near(pixels_of(preview), look.accent, 50))
     assert columns.mean() == pytest.approx(75.5, abs=4)
     assert rows.mean() == pytest.approx(50.0, abs=4)
     QTest.mouseDClick(preview, Qt.MouseButton.LeftButton)

@@ -4,10 +4,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from app.palettes import DARK, LIGHT
 from app.views.cloud_actor import LIVE_LIMIT, MOVING_LIMIT, CloudActor
 from app.views.cloud_points import CloudPoints
 from app.views.cloud_store import every
 from app.views.colour_maps import MAPS
+from app.views.height_colours import rgb
 from app.views.point_colour import PointColour
 from scanner_core.geometry.point_cloud import PointCloud
 
@@ -114,8 +116,9 @@ def _contrast(colours: NDArray[np.uint8], ground: tuple[int, int, int]) -> NDArr
 @pytest.mark.parametrize("dark", [True, False])
 @pytest.mark.parametrize("by", list(PointColour))
 def test_no_colour_sinks_into_the_ground(by: PointColour, dark: bool) -> None:
-    for ground in ((0x1C, 0x1F, 0x23), (0x2D, 0x32, 0x38)) if dark else ((0xF4, 0xF5, 0xF7), (0xFF, 0xFF, 0xFF)):
-        assert _contrast(MAPS[by].table(dark), ground).min() > (2.5 if dark else 2.3)
+    palette = DARK if dark else LIGHT
+    for ground in (palette.scene_low, palette.scene_high):
+        assert _contrast(MAPS[by].table(dark), rgb(ground)).min() > 2.5
 
 
 @pytest.mark.parametrize("dark", [True, False])

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from PySide6.QtWidgets import QApplication
 
-from app.theme import TEXT
+from app.theme import look
 from app.views.deviation_legend import DeviationLegend
 from scanner_core.comparison.colour_scale import WITHIN_LEVEL, DeviationScale
 from tests.gui.pictures import near, pixels_of
@@ -52,7 +52,7 @@ def test_the_marker_stands_at_the_value_under_the_pointer(legend: DeviationLegen
     for value in (-500.0, 0.0, 500.0, 4000.0):
         legend.show_value(value)
         picture = pixels_of(legend)
-        changed = (picture != plain).any(axis=2) & near(picture, TEXT, 60)
+        changed = (picture != plain).any(axis=2) & near(picture, look.text, 60)
         places.append(float(np.nonzero(changed)[1].mean()))
     assert places == pytest.approx([26 + 102, 230, 230 + 102, 434], abs=2)
     legend.show_value(None)

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QApplication
 from app.background import Background
 from app.controllers.acquisition import AcquisitionController
 from app.controllers.live_surface import LiveSurfaceController
-from app.theme import WARNING
+from app.theme import look
 from app.views.cloud_actor import CloudActor
 from app.views.cloud_points import CloudPoints
 from app.views.height_colours import SUPPORTED
@@ -70,13 +70,13 @@ def test_a_hole_is_a_net_within_a_rim_and_the_switch_takes_it_all_away(scene: Sc
     scene.show_live_surface(HoledSurface.of(mesh))
     scene.view_front()  # the hole towards the person
     towards = scene.grab_picture()
-    assert near(towards, WARNING, 40).sum() > 100
+    assert near(towards, look.warning, 40).sum() > 100
     scene.view_top()
     beside = scene.grab_picture()
     assert near(beside, SUPPORTED, 90).sum() > 2 * near(towards, SUPPORTED, 90).sum() > 0
     scene.set_surface_visible(False)
     hidden = scene.grab_picture()
-    assert near(hidden, WARNING, 40).sum() == 0
+    assert near(hidden, look.warning, 40).sum() == 0
     scene.set_surface_visible(True)
     scene.show_mesh(Surface.of(mesh, growing=False))
     assert scene.holed.surface is None  # the finished surface stands alone

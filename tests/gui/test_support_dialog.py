@@ -13,7 +13,7 @@ from PySide6.QtTest import QTest
 
 from app.program import Program
 from app.settings import settings_path
-from app.theme import ACCENT_DIM
+from app.theme import look
 from app.views.file_dialogs import FileDialog
 from app.views.support_dialog import KINDS, SupportDialog
 from app.views.support_preview import MOST_CHARACTERS, SupportPreview
@@ -68,7 +68,7 @@ def test_what_was_taken_out_is_marked(dialog: SupportDialog) -> None:
     assert "typed [order] of [patient]" in text
     assert "7731" not in text
     assert "Replaced: " in dialog.said.text()
-    assert near(pixels_of(dialog.preview), ACCENT_DIM, 6).sum() > 100
+    assert near(pixels_of(dialog.preview), look.accent_dim, 6).sum() > 100
 
 
 def test_an_entry_without_its_tick_is_not_saved(dialog: SupportDialog, tmp_path: Path) -> None:

@@ -13,6 +13,7 @@ from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.acquisition.runner import ScanRunner
 from scanner_core.acquisition.scan_result import ScanResult
 from scanner_core.acquisition.status import FinishReason
+from scanner_core.case.closure import closure_um
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import load_preset
 from scanner_core.geometry.icosahedron import icosahedron
@@ -34,6 +35,8 @@ def _scan(folder: Path, body: Specimen, points: int, views: int, *faults: BenchF
         assert counts.planned == counts.measured + sum(counts.rejected.values()) + counts.skipped
         assert runner.status().findings == result.health.findings
         assert [scan.kind for scan in store.scans()] == ["locate", "scan", "closure"]
+        assert result.scan_id is not None
+        assert closure_um(store, result.scan_id) == (None if result.closure_um is None else round(result.closure_um, 1))
     json.dumps(result.health.as_dict())
     return result
 
@@ -62,6 +65,7 @@ def test_a_clean_scan_is_not_accused(tmp_path: Path) -> None:
     assert not report.closure.judged
     assert report.closure.closes
     assert report.closure.shift_um < 15
+    assert report.closure_um == report.closure.shift_um
 
 
 def test_what_goes_wrong_is_named_by_its_cause(tmp_path: Path) -> None:

@@ -18,6 +18,7 @@ from scanner_core.acquisition.scan_result import ScanResult
 from scanner_core.acquisition.status import FinishReason
 from scanner_core.case.processing import Gates, Processing, process_case
 from scanner_core.case.recovery import interruption
+from scanner_core.case.removed_points import RemovedPoints
 from scanner_core.case.store import CaseStore
 from scanner_core.commands.line import lit_by
 from scanner_core.devices.rig import RigConfig, dump_rig, load_preset, parse_rig
@@ -106,6 +107,22 @@ def test_a_narrower_volume_and_a_view_left_out_balance_too(scanned: tuple[Path, 
     assert cut.counts.planned == result.counts.planned
     assert cut.counts.measured + sum(cut.counts.rejected.values()) == cut.counts.planned
     assert cut.counts.rejected["left_out"] > 50
+
+
+def test_single_points_of_a_frame_are_taken_out(scanned: tuple[Path, ScanResult]) -> None:
+    """Several have one trigger id: the peak's number tells them apart, also where a gate has left others away."""
+    path, _ = scanned
+    with CaseStore.open(path, read_only=True) as store:
+        whole = process_case(store, Processing()).cloud
+        out = np.random.default_rng(2).random(len(whole)) < 0.5
+        removed = RemovedPoints.of_cloud(whole.select(out))
+        done = process_case(store, Processing(removed=removed))
+        low = process_case(store, Processing(gates=Gates(volume_height_mm=8.0), removed=removed)).cloud
+    assert removed.count == out.sum()
+    assert np.array_equal(done.cloud.points, whole.points[~out])
+    assert done.counts.rejected["removed"] == out.sum()
+    assert not removed.of_points(low).any()
+    assert 0 < len(low) < len(done.cloud)
 
 
 def test_cancelled_after_a_view_it_is_dark_and_keeps_that_view(tmp_path: Path) -> None:
