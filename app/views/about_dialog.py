@@ -23,7 +23,9 @@ class AboutDialog(QDialog):
         self.resize(860, 600)
         self._version = label(self.tr("Impronta {version}").format(version=__version__), "headline", selectable=True)
         what = label(
-            self.tr("Measures an object with two cameras and a laser spot, and turns the points into a closed surface: ear impressions, dental models."),
+            self.tr(
+                "Measures an object with two cameras and a laser spot, and turns the points into a closed surface: ear impressions, dental models."
+            ),
             wrap=True,
         )
         method = label(
@@ -51,9 +53,10 @@ class AboutDialog(QDialog):
         self.copy = button(self.tr("Copy versions"), "", self._copy)
         self.copy.setToolTip(self.tr("Names and versions of everything in this program, as text"))
         close = button(self.tr("Close"), "", self.close)
-        head = row(Sign(40, "mark", "accent"), column(self._version, what, method, licence, spacing=6), spacing=14)
+        mark = Sign(40, "mark", "accent")
+        head = row(mark, column(self._version, what, method, licence, spacing=6), spacing=14)
         head.setStretch(1, 1)
-        head.setAlignment(head.itemAt(0).widget(), Qt.AlignmentFlag.AlignTop)
+        head.setAlignment(mark, Qt.AlignmentFlag.AlignTop)
         box = QVBoxLayout(self)
         box.setContentsMargins(20, 18, 20, 16)
         box.setSpacing(10)

@@ -30,7 +30,8 @@ HELP: Final[dict[str, PageHelp]] = {
     "rig": PageHelp(
         QT_TRANSLATE_NOOP("help", "This page shows the cameras, the laser, the table and their calibration."),
         QT_TRANSLATE_NOOP(
-            "help", "When everything is green there is nothing to do. Otherwise read the one sentence that is amber: it says what helps, with a button."
+            "help",
+            "When everything is green there is nothing to do. Otherwise read the one sentence that is amber: it says what helps, with a button.",
         ),
         QT_TRANSLATE_NOOP(
             "help",
@@ -45,7 +46,9 @@ HELP: Final[dict[str, PageHelp]] = {
             "Let the exposure be set by itself, or choose a material. Change the limits of the size only when good spots are refused: "
             "the reason stands at each of them.",
         ),
-        QT_TRANSLATE_NOOP("help", "The ellipse is the spot's size, one sigma in pixels. The line is where the other camera says that the spot must be."),
+        QT_TRANSLATE_NOOP(
+            "help", "The ellipse is the spot's size, one sigma in pixels. The line is where the other camera says that the spot must be."
+        ),
     ),
     "scan": PageHelp(
         QT_TRANSLATE_NOOP("help", "The object is measured: the laser visits it point by point, and the table turns it from view to view."),
@@ -55,17 +58,22 @@ HELP: Final[dict[str, PageHelp]] = {
         ),
         QT_TRANSLATE_NOOP(
             "help",
-            "The points count what is in the case already. Rejected points were seen by one camera only, or not sharply enough: a few of them are normal. "
+            "The points count what is in the case already. Rejected points were seen by one camera "
+            "only, or not sharply enough: a few of them are normal. "
             "The time left is computed from the views that are done.",
         ),
     ),
     "edit": PageHelp(
         QT_TRANSLATE_NOOP("help", "Points that do not belong to the object are taken out here, and distances are measured."),
-        QT_TRANSLATE_NOOP("help", "Cut the base off, then brush or lasso what is left over. Every step can be taken back with Ctrl+Z; no point is ever deleted."),
+        QT_TRANSLATE_NOOP(
+            "help", "Cut the base off, then brush or lasso what is left over. Every step can be taken back with Ctrl+Z; no point is ever deleted."
+        ),
         QT_TRANSLATE_NOOP("help", "Lengths are in millimetres between measured points, areas in square millimetres within the section."),
     ),
     "reconstruct": PageHelp(
-        QT_TRANSLATE_NOOP("help", "The points become a closed surface: a balloon is inflated inside them, refined where they ask for it, and smoothed."),
+        QT_TRANSLATE_NOOP(
+            "help", "The points become a closed surface: a balloon is inflated inside them, refined where they ask for it, and smoothed."
+        ),
         QT_TRANSLATE_NOOP("help", "Start it with the detail as it stands. You may stop it and keep what is there, or scan the next order meanwhile."),
         QT_TRANSLATE_NOOP(
             "help",
@@ -80,7 +88,9 @@ HELP: Final[dict[str, PageHelp]] = {
     ),
     "deliver": PageHelp(
         QT_TRANSLATE_NOOP("help", "The surface is checked and leaves the program as a file for the next machine, with a certificate beside it."),
-        QT_TRANSLATE_NOOP("help", "Read the checks: what is amber says in one sentence what it means. Choose the profile of the receiver and deliver."),
+        QT_TRANSLATE_NOOP(
+            "help", "Read the checks: what is amber says in one sentence what it means. Choose the profile of the receiver and deliver."
+        ),
         QT_TRANSLATE_NOOP(
             "help",
             "The coverage is the share of the surface that was measured, the rest was spanned. "
@@ -103,7 +113,9 @@ HELP: Final[dict[str, PageHelp]] = {
     ),
     "assistant": PageHelp(
         QT_TRANSLATE_NOOP("help", "A rig of your own is set up here: its board and cameras are found, checked, and written into a file."),
-        QT_TRANSLATE_NOOP("help", "Go from step to step. Each says what it moves before it does; keep the lid closed and the stop button within reach."),
+        QT_TRANSLATE_NOOP(
+            "help", "Go from step to step. Each says what it moves before it does; keep the lid closed and the stop button within reach."
+        ),
         QT_TRANSLATE_NOOP("help", "Directions and steps are measured by what the cameras see, and corrected in the file where they differ."),
     ),
     "coverage": PageHelp(
@@ -117,12 +129,18 @@ HELP: Final[dict[str, PageHelp]] = {
     ),
     "mounts": PageHelp(
         QT_TRANSLATE_NOOP("help", "The object is scanned again, set down another way, and both scans are brought together."),
-        QT_TRANSLATE_NOOP("help", "Set it down so that what was below looks up, and scan this mount. If it does not fit by itself, pick three points on both."),
+        QT_TRANSLATE_NOOP(
+            "help", "Set it down so that what was below looks up, and scan this mount. If it does not fit by itself, pick three points on both."
+        ),
         QT_TRANSLATE_NOOP("help", "The distance says how well both agree where they overlap; it should be about the noise of a point."),
     ),
     "pick": PageHelp(
         QT_TRANSLATE_NOOP("help", "Three places that both mounts have in common tell the program how the object was set down."),
-        QT_TRANSLATE_NOOP("help", "Pick a place on the left, then the same place on the right, three times and far apart. Without a mouse: turn with the arrow keys, pick with space."),
+        QT_TRANSLATE_NOOP(
+            "help",
+            "Pick a place on the left, then the same place on the right, three times and far apart. "
+            "Without a mouse: turn with the arrow keys, pick with space.",
+        ),
         QT_TRANSLATE_NOOP("help", "The places need not be exact: a few millimetres are enough, the rest is computed from all points."),
     ),
 }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QKeySequence, QShortcut
@@ -28,12 +28,12 @@ _OTHER = (
 """What is no action and no shortcut of Qt's."""
 
 
-def key_lines(pages: dict[str, QWidget]) -> list[Line]:
+def key_lines(pages: Mapping[str, QWidget]) -> list[Line]:
     """Every key of the window, group by group."""
     return list(dict.fromkeys((group, text, keys) for group, text, keys in _lines(pages) if text and keys))
 
 
-def _lines(pages: dict[str, QWidget]) -> Iterator[Line]:
+def _lines(pages: Mapping[str, QWidget]) -> Iterator[Line]:
     translate = QCoreApplication.translate
     infos = {info.id: info for info in (*PAGES, *FOOT, *ASIDE)}
     for group, text, keys in (line for line in _OTHER if line[0] == "Everywhere"):
@@ -83,6 +83,7 @@ class ShortcutsDialog(QDialog):
         self.tree.header().setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         self.tree.header().setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
         self.tree.header().setStretchLastSection(False)
+        self._items: list[tuple[QTreeWidgetItem, QTreeWidgetItem]] = []
         groups: dict[str, QTreeWidgetItem] = {}
         for group, text, keys in lines:
             if group not in groups:
@@ -90,7 +91,7 @@ class ShortcutsDialog(QDialog):
                 font = groups[group].font(0)
                 font.setBold(True)
                 groups[group].setFont(0, font)
-            QTreeWidgetItem(groups[group], [text, keys])
+            self._items.append((groups[group], QTreeWidgetItem(groups[group], [text, keys])))
         self.tree.expandAll()
         self._none = label(self.tr("No shortcut fits."), "muted")
         self._none.hide()
@@ -108,18 +109,15 @@ class ShortcutsDialog(QDialog):
     def filter(self, wanted: str) -> None:
         """Only the lines that hold all words of `wanted`, in what they do, their keys, or their group."""
         words = wanted.casefold().split()
-        any_shown = False
-        for number in range(self.tree.topLevelItemCount()):
-            group = self.tree.topLevelItem(number)
-            shown = 0
-            for place in range(group.childCount()):
-                line = group.child(place)
-                text = f"{group.text(0)} {line.text(0)} {line.text(1)}".casefold()
-                line.setHidden(not all(word in text for word in words))
-                shown += not line.isHidden()
-            group.setHidden(not shown)
-            any_shown = any_shown or bool(shown)
-        self._none.setVisible(not any_shown)
+        shown = []
+        for group, line in self._items:
+            text = f"{group.text(0)} {line.text(0)} {line.text(1)}".casefold()
+            line.setHidden(not all(word in text for word in words))
+            if not line.isHidden():
+                shown.append(id(group))
+        for group, _ in self._items:
+            group.setHidden(id(group) not in shown)
+        self._none.setVisible(not shown)
 
     @property
     def text(self) -> str:

@@ -90,7 +90,9 @@ class WindowHelp(QObject):
     def _steps(self) -> tuple[TourStep, ...]:
         deliver = "deliver" if "deliver" in self._pages else "export"
         return (
-            TourStep(self.tr("The work goes from the top down"), self.tr("Every order passes these steps. Ctrl and a number opens each."), self._rail_head),
+            TourStep(
+                self.tr("The work goes from the top down"), self.tr("Every order passes these steps. Ctrl and a number opens each."), self._rail_head
+            ),
             TourStep(
                 self.tr("One button is next"),
                 self.tr("The filled button is what to do now. A demo order stands here already: press it and watch."),
