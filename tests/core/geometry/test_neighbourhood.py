@@ -49,7 +49,7 @@ def test_density_is_what_lies_on_a_square_millimetre() -> None:
 
 def test_new_points_take_the_normals_of_their_cell_and_else_the_direction_they_were_seen_from() -> None:
     rng = np.random.default_rng(7)
-    outwards = rng.normal(size=(20_000, 3))
+    outwards = rng.normal(size=(60_000, 3))
     outwards /= np.linalg.norm(outwards, axis=1)[:, None]
     grid = NormalGrid(10 * outwards[10_000:], outwards[10_000:], 1.0)
     towards = np.tile([0.0, 0.0, 1.0], (10_000, 1))
