@@ -55,6 +55,9 @@ class Settings:
     """Weak places are measured again at the end of a view."""
     recent_cases: list[str] = field(default_factory=list)
     last_order: str = ""
+    point_colour: str = "height"
+    surface_colour: str = "support"
+    """By what the 3D view is coloured."""
     window: list[int] = field(default_factory=list)
     """Width and height of the window."""
 

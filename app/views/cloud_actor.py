@@ -62,6 +62,8 @@ class CloudActor:
         self.range = ValueRange()
         self.views = 0
         """How many views have points."""
+        self.in_seconds = True
+        """Whether the age of the points is known in seconds, or only their order."""
         self.actor: vtkActor = self._live.actor
         self.restyle(dark=True)
 
@@ -97,6 +99,7 @@ class CloudActor:
         if len(points):
             start = len(self)
             self._store.append(points)
+            self.in_seconds = True
             self._take(start, points.points, lambda first, stride: points.rows(slice(first, None, stride)))
 
     def hold(self, cloud: PointCloud) -> None:
@@ -104,7 +107,15 @@ class CloudActor:
         if len(cloud):
             start = len(self)
             self._store.hold(cloud)
+            self.in_seconds = False
+            if cloud.views is not None:
+                self.see_views(cloud.views)
             self._take(start, cloud.points, lambda first, stride: CloudPoints.of_case(cloud, slice(first, len(cloud), stride)))
+
+    def see_views(self, views: NDArray[np.int32]) -> None:
+        """Points of views with these numbers have come."""
+        if len(views):
+            self.views = max(self.views, int(views.max()) + 1)
 
     def parts(self) -> tuple[StoredPart, ...]:
         """All points; they may be read in another thread."""
@@ -120,6 +131,7 @@ class CloudActor:
         if generation == self.generation:
             self._live.light(normals)
             self._live.put(PointColour.DENSITY, density)
+            self.range.forget()
 
     def take_chunk(self, points: CloudPoints, normals: Floats, generation: int, *, first: bool) -> None:
         """Some more of the whole cloud, unless points went away meanwhile."""

@@ -9,11 +9,11 @@ from app.views.cloud_buffer import CloudBuffer
 from app.views.cloud_points import CloudPoints, Floats
 from app.views.point_colour import PointColour
 
-CHUNK = 15_000
+CHUNK = 10_000
 """Most points of a chunk; a slice of the picture draws one or several."""
 AIM_S = 0.04
 """A slice should take about so long ..."""
-MOST = 4
+MOST = 6
 """... and never holds more chunks than this."""
 
 

@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QAction
 
+from app.colouring import Colouring
 from app.services import Services
 from app.views import format as fmt
 from app.views.page import Page
+from app.views.point_colour import SurfaceColour
 from app.views.scan_words import status_words
 from app.views.stage import Stage
 
@@ -29,6 +31,10 @@ class SceneLink(QObject):
         super().__init__(parent)
         self._services, self._stage, self._actions, self._page = services, stage, actions, page
         self.scene: SceneView | None = None
+        self.colouring = Colouring(services.settings, self)
+        stage.legend.offer(self.colouring)
+        self.colouring.changed.connect(self._colour)
+        actions["show_uncertainty"].setChecked(self.colouring.surface is SurfaceColour.UNCERTAINTY)
         self._told_s = 0.0
         services.acquisition.began.connect(self._begin_scan)
         services.acquisition.changed.connect(self._show_scan)
@@ -44,6 +50,7 @@ class SceneLink(QObject):
         """The 3D view is there: show what has come meanwhile."""
         self.scene = scene
         self._stage.put_scene(scene)
+        self._colour()
         self.show_case()
         self.show_aside()
 
@@ -70,7 +77,18 @@ class SceneLink(QObject):
         self.call(lambda scene: scene.set_edges(on))
 
     def show_uncertainty(self, on: bool) -> None:
-        self.call(lambda scene: scene.set_uncertainty(on))
+        self.colouring.choose(SurfaceColour.UNCERTAINTY if on else SurfaceColour.SUPPORT)
+
+    def next_colour(self) -> None:
+        """Of the points, or of the surface where it alone is to be seen."""
+        bare = self.scene is not None and self.scene.mesh.surface is not None and not self._actions["show_points"].isChecked()
+        self.colouring.next(of_surface=bare)
+
+    def _colour(self) -> None:
+        by_uncertainty = self.colouring.surface is SurfaceColour.UNCERTAINTY
+        self._actions["show_uncertainty"].setChecked(by_uncertainty)
+        self.call(lambda scene: scene.colour_points_by(self.colouring.points))
+        self.call(lambda scene: scene.set_uncertainty(by_uncertainty))
         self._show_legend()
 
     # -------------------------------------------------------------------------------- what is shown

@@ -92,6 +92,7 @@ class SceneView(InteractorView):
         if not len(self.cloud):
             self._begun_points_s = now_s
         self.cloud.append(CloudPoints.of_scan(points, now_s - self._begun_points_s))
+        self.cloud.see_views(points.views)
         self._follow_bounds(self.cloud.bounds_mm)
         self._dirty = True
 
@@ -244,7 +245,9 @@ class SceneView(InteractorView):
         if self.aside is not None:
             self.aside.fit_pixels(self.devicePixelRatioF())
 
-    def _unfinished(self) -> bool:
+    @property
+    def unfinished(self) -> bool:
+        """There are more points to draw into the picture that is there."""
         return self.still and self.cloud.chunks.pending and bool(self.cloud.actor.GetVisibility())
 
     def _begin_whole(self) -> None:
