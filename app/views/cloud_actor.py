@@ -7,8 +7,9 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkRenderingCore import vtkActor, vtkProperty
+from vtkmodules.vtkRenderingCore import vtkActor, vtkProperty, vtkShaderProperty
 
+from app.palettes import DARK, LIGHT
 from app.views.cloud_buffer import CloudBuffer
 from app.views.cloud_chunks import CloudChunks
 from app.views.cloud_points import CloudPoints, Floats
@@ -16,6 +17,7 @@ from app.views.cloud_store import CloudStore, StoredPart, every
 from app.views.colour_maps import MAPS, MISSING
 from app.views.height_colours import rgb
 from app.views.point_colour import PointColour
+from app.views.points_shader import install, put_ground
 from app.views.value_range import ValueRange
 from app.views.vtk_arrays import copied
 from scanner_core.geometry.point_cloud import PointCloud
@@ -47,8 +49,10 @@ class CloudActor:
         self._lookup = vtkLookupTable()
         self._look = vtkProperty()
         self._look.SetRepresentationToPoints()
-        self._live = CloudBuffer(LIVE_LIMIT, self._lookup, self._look)
-        self.chunks = CloudChunks(self._lookup, self._look)
+        self._shader = vtkShaderProperty()
+        install(self._shader)
+        self._live = CloudBuffer(LIVE_LIMIT, self._lookup, self._look, self._shader)
+        self.chunks = CloudChunks(self._lookup, self._look, self._shader)
         """The whole cloud, where it is more than the live buffer holds."""
         self.stride = 1
         """Every so many-th point is in the live buffer."""
@@ -148,6 +152,10 @@ class CloudActor:
         red, green, blue = (channel / 255 for channel in rgb(MISSING[dark]))
         self._lookup.SetNanColor(red, green, blue, 1.0)
         self._look.SetColor(red, green, blue)
+        palette = DARK if dark else LIGHT
+        low, high = (np.array(rgb(colour)) / 255 for colour in (palette.scene_low, palette.scene_high))
+        red, green, blue = 0.5 * (low + high)
+        put_ground(self._shader, (red, green, blue))
         self.prepare(1.0)
 
     def colour_by(self, by: PointColour) -> None:

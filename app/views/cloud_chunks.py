@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkRenderingCore import vtkProperty, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkProperty, vtkRenderer, vtkShaderProperty
 
 from app.views.cloud_buffer import CloudBuffer
 from app.views.cloud_points import CloudPoints, Floats
@@ -20,8 +20,8 @@ MOST = 6
 class CloudChunks:
     """Chunks of points that together are the whole cloud."""
 
-    def __init__(self, lookup: vtkLookupTable, look: vtkProperty) -> None:
-        self._lookup, self._look = lookup, look
+    def __init__(self, lookup: vtkLookupTable, look: vtkProperty, shader: vtkShaderProperty) -> None:
+        self._lookup, self._look, self._shader = lookup, look, shader
         self._renderer: vtkRenderer | None = None
         self._chunks: list[CloudBuffer] = []
         self._done = 0
@@ -45,7 +45,7 @@ class CloudChunks:
         self._chunks, self._done, self.count = [], 0, 0
 
     def add(self, points: CloudPoints, normals: Floats) -> None:
-        chunk = CloudBuffer(len(points), self._lookup, self._look)
+        chunk = CloudBuffer(len(points), self._lookup, self._look, self._shader)
         chunk.append(points, normals)
         chunk.actor.SetVisibility(False)
         if self._renderer is not None:

@@ -50,6 +50,7 @@ class SceneLink(QObject):
         """The 3D view is there: show what has come meanwhile."""
         self.scene = scene
         self._stage.put_scene(scene)
+        scene.coloured.connect(self._show_legend)
         self._colour()
         self.show_case()
         self.show_aside()

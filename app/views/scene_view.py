@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pyvista as pv
 from numpy.typing import NDArray
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QWidget
 
@@ -35,10 +35,14 @@ _REFIT = 1.15
 
 
 class SceneView(InteractorView):
-    """Points coloured by height, a mesh, the turntable, and the three axes."""
+    """Points coloured by what a person chose, a mesh, the turntable, and the three axes."""
+
+    coloured = Signal()
+    """The colours of the points mean something else."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._meant: tuple[object, ...] = ()
         self._scale = label(self.tr("grid {mm:.0f} mm").format(mm=GRID_MM), "faint")
         self._scale.setParent(self)
         self._scale.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
@@ -242,6 +246,10 @@ class SceneView(InteractorView):
     # -------------------------------------------------------------------------------- inside
     def _prepare_picture(self) -> None:
         self.cloud.prepare(self.devicePixelRatioF())
+        meant = (self.cloud.by, self.cloud.views, *self.cloud.shown_range())
+        if meant != self._meant:
+            self._meant = meant
+            self.coloured.emit()
         if self.aside is not None:
             self.aside.fit_pixels(self.devicePixelRatioF())
 

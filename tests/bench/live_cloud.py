@@ -54,8 +54,9 @@ def ball(count: int) -> LivePoints:
 
 
 def some(points: LivePoints, which: slice) -> LivePoints:
-    parts = (points.points, points.table_deg, points.views, points.epipolar_sigmas, points.uncertainty_um)
-    return LivePoints(*(part[which] for part in parts))
+    return LivePoints(
+        points.points[which], points.table_deg[which], points.views[which], points.epipolar_sigmas[which], points.uncertainty_um[which]
+    )
 
 
 @dataclass(frozen=True, slots=True)
