@@ -188,6 +188,7 @@ class MainWindow(QMainWindow):
             object_radius_mm=rig.specimen_radius_mm,
             object_height_mm=rig.specimen_height_mm,
             until_um=float(values.until_um) if values.until_um else None,
+            retry=self.services.settings.retry,
         )
 
     def show_coverage(self) -> None:
