@@ -1,7 +1,7 @@
 """The headless command line of the instrument: ``impronta SUBCOMMAND``.
 
 Exit codes: 0 done, 1 it could not be done (one sentence on standard error), 2 wrong usage, 3 done with the verdict
-"fail" (acceptance tests), 130 interrupted.
+"fail" (acceptance tests; a surface that is not ready to be delivered), 130 interrupted.
 """
 
 from __future__ import annotations
@@ -174,6 +174,15 @@ def _parser() -> argparse.ArgumentParser:
     export.add_argument("case", metavar="CASE")
     export.add_argument("--out", required=True, metavar="FILE", help=".stl .ply .obj .3mf .dcm for the mesh, .xyz for the points")
     export.add_argument("--force", action="store_true", help="overwrite the output")
+
+    deliver = _command(commands, "deliver", "check a case's surface, and write what the laboratory wants, with a certificate")
+    deliver.add_argument("case", metavar="CASE")
+    profile = "of the export: its name or a beginning of it, also of your own (default: by the type of the order)"
+    deliver.add_argument("--profile", metavar="NAME", help=profile)
+    deliver.add_argument("--out", metavar="DIR", help="folder of the files (default: only check)")
+    deliver.add_argument("--name", metavar="TEMPLATE", help="of the files, instead of the profile's: {order}_{side}_{type}_{date}-{rev}")
+    deliver.add_argument("--anyway", action="store_true", help="also when it is not ready; the certificate says so")
+    deliver.add_argument("--force", action="store_true", help="overwrite files that are there")
 
     coverage = _command(commands, "coverage", "which places of a case's surface are not as certain as wanted, and why")
     coverage.add_argument("case", metavar="CASE")
