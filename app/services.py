@@ -18,6 +18,7 @@ from app.controllers.readiness import ReadinessController
 from app.controllers.reconstruction import ReconstructionController
 from app.controllers.recovery import RecoveryController
 from app.controllers.rig import RigController
+from app.controllers.worklist import WorklistController
 from app.draft import Draft
 from app.settings import Settings
 
@@ -42,3 +43,6 @@ class Services:
     mounts: MountsController
     mount_picks: MountPicks
     readiness: ReadinessController
+    worklist: WorklistController
+    new_order: Draft
+    """What is entered for an order that is not made yet."""

@@ -171,6 +171,7 @@ class SideBadge(QLabel):
         self.style().unpolish(self)
         self.style().polish(self)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.updateGeometry()  # the style has a margin that was not there before
 
 
 class Lamp(QWidget):
