@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QCheckBox, QLineEdit, QVBoxLayout, QWidget
 
+from app.controllers.preferences import Preferences
 from app.draft import DraftValues, orders_of
 from app.file_names import FIELDS, PATIENT, file_name, names_the_patient, unknown_fields
-from app.settings import Settings
 from app.views.parts import button, give_role, label
 from scanner_core import wall_clock
 
@@ -14,9 +14,9 @@ from scanner_core import wall_clock
 class FileNameLine(QWidget):
     """Edits the template of the settings."""
 
-    def __init__(self, settings: Settings) -> None:
+    def __init__(self, preferences: Preferences) -> None:
         super().__init__()
-        self._settings = settings
+        self._preferences, settings = preferences, preferences.settings
         self._values = DraftValues()
         self.names = label("", "", wrap=True, selectable=True)
         self.remark = label("", "muted", wrap=True)
@@ -25,11 +25,13 @@ class FileNameLine(QWidget):
         self.template.setAccessibleName(self.tr("Template of the file names"))
         self.template.setToolTip(self.tr("In braces: {fields}").format(fields=", ".join(FIELDS)))
         self.template.setMinimumHeight(30)
-        self.template.textEdited.connect(self._keep)
+        self.template.textEdited.connect(lambda _: self.show_order(self._values))
+        self.template.editingFinished.connect(lambda: preferences.edit("name_template", self.template.text()))
         self.patient = QCheckBox(self.tr("The patient code may stand in file names"))
         self.patient.setProperty("role", "deliberate")
         self.patient.setChecked(settings.code_in_names)
-        self.patient.toggled.connect(self._allow)
+        self.patient.toggled.connect(lambda on: preferences.edit("code_in_names", on))
+        preferences.changed.connect(self._show_setting)
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.setSpacing(5)
@@ -44,9 +46,7 @@ class FileNameLine(QWidget):
     def show_order(self, values: DraftValues) -> None:
         """The names of its files, and what is wrong with the template."""
         self._values = values
-        template, allowed = self._settings.name_template, self._settings.code_in_names
-        if not self.template.hasFocus():
-            self.template.setText(template)
+        template, allowed = self.template.text(), self._preferences.settings.code_in_names
         names = [file_name(template, order, 1, ".stl", wall_clock.today(), with_code=allowed) for order in orders_of(values)]
         self.names.setText("\n".join(names))
         unknown = unknown_fields(template)
@@ -62,12 +62,13 @@ class FileNameLine(QWidget):
         self.remark.setVisible(bool(remark))
         give_role(self.remark, role)
 
-    def _keep(self, template: str) -> None:
-        self._settings.name_template = template
-        self.show_order(self._values)
-
-    def _allow(self, on: bool) -> None:
-        self._settings.code_in_names = on
+    def _show_setting(self, name: str) -> None:
+        """It was changed, here or elsewhere."""
+        settings = self._preferences.settings
+        if name == "name_template" and self.template.text() != settings.name_template:
+            self.template.setText(settings.name_template)
+        elif name == "code_in_names":
+            self.patient.setChecked(settings.code_in_names)
         self.show_order(self._values)
 
 

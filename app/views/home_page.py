@@ -32,8 +32,8 @@ class HomePage(Page):
         super().__init__(services)
         self.strip = InterruptedStrip(services)
         self.start = HomeStart(services, self.new_order, self.demo, self.edit_order, lambda: self.wanted.emit("rig"))
-        self.form = OrderForm(services.new_order, services.settings, new=True)
-        self.open_form = OrderForm(services.draft, services.settings, new=False)
+        self.form = OrderForm(services.new_order, services.preferences, new=True)
+        self.open_form = OrderForm(services.draft, services.preferences, new=False)
         self._aside = QStackedWidget()
         self._aside.setFixedWidth(_ASIDE)
         for part in (self.start, self.form, self.open_form):
@@ -54,6 +54,7 @@ class HomePage(Page):
         for form in (self.form, self.open_form):
             form.left.connect(self.show_start)
         services.worklist.changed.connect(self._show_orders)
+        services.preferences.changed.connect(lambda name: services.worklist.look() if name == "case_folder" else None)
         services.case.opened.connect(self._show_case)
         services.acquisition.began.connect(self._show_case)
         services.acquisition.ended.connect(self._show_case)

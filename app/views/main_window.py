@@ -21,14 +21,14 @@ from app.views.home_page import HomePage
 from app.views.laser_lamps import LaserLamps
 from app.views.mounts_page import MountsPage
 from app.views.page import Page
-from app.views.pages import ASIDE, PAGES
+from app.views.pages import ASIDE, FOOT, PAGES
 from app.views.parts import seam
 from app.views.rail import Rail
 from app.views.scene_link import SceneLink
 from app.views.stage import Stage
 from app.views.status_line import StatusLine
 from app.views.support_dialog import SupportDialog
-from scanner_core import __version__
+from app.views.window_help import WindowHelp
 from scanner_core.acquisition.plan import PlanRequest
 
 if TYPE_CHECKING:
@@ -52,13 +52,13 @@ class MainWindow(QMainWindow):
         self.actions_by_id = make_actions(self)
         fill_menus(self.menuBar(), self.actions_by_id)
         self.banner = Banner(self.show_support)
-        self.rail = Rail(PAGES, self.show_page, self.laser_off)
+        self.rail = Rail(PAGES, FOOT, self.show_page, self.laser_off)
         self.stage = Stage(
             [self.actions_by_id[name] for name in ("show_points", "show_surface", "show_edges", "show_uncertainty", "fit", "front", "top")]
         )
         self.pages: dict[str, Page] = {}
         self._stack = QStackedWidget()
-        for info in (*PAGES, *ASIDE):
+        for info in (*PAGES, *FOOT, *ASIDE):
             page = info.make(services)
             page.wanted.connect(self.show_page)
             page.intent.connect(self._do)
@@ -95,6 +95,7 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(whole)
         size = services.settings.window
         self.resize(*(size if len(size) == 2 else SIZE))
+        self.help = WindowHelp(whole, self._stack, self.rail, self.pages, services.background)
         self._connect()
         self.show_page(PAGES[0].id)
         for name in ("show_points", "show_surface"):
@@ -119,7 +120,7 @@ class MainWindow(QMainWindow):
 
     # -------------------------------------------------------------------------------- slots of the action table
     def show_page(self, page_id: str) -> None:
-        info = next(info for info in (*PAGES, *ASIDE) if info.id == page_id)
+        info = next(info for info in (*PAGES, *FOOT, *ASIDE) if info.id == page_id)
         page = self.pages[page_id]
         beside = bool(info.stage)
         if beside:
@@ -132,6 +133,7 @@ class MainWindow(QMainWindow):
             self._stack.setMinimumWidth(0)
             self._stack.setMaximumWidth(16_777_215)
         self.rail.show_page(info.of or page_id)
+        self.help.show_page(page_id)
         self._show_whose()
         page.entered()
         self._link.show_aside()
@@ -213,6 +215,7 @@ class MainWindow(QMainWindow):
 
     def laser_off(self) -> None:
         """Esc and the stop buttons: from every page, whatever is going on."""
+        self.help.dismiss()
         if self.services.acquisition.running:
             self.services.acquisition.stop()
         else:
@@ -256,10 +259,17 @@ class MainWindow(QMainWindow):
         self._support.activateWindow()
 
     def show_about(self) -> None:
-        self.banner.tell_note(
-            self.tr("Impronta {version}: from two cameras and a laser spot to a closed surface.").format(version=__version__),
-            self.tr("MIT licence. Reconstruction by adaptive deformation after Tognola et al."),
-        )
+        self.help.show_about()
+
+    def show_help(self) -> None:
+        self.help.toggle_panel()
+
+    def show_shortcuts(self) -> None:
+        self.help.show_shortcuts()
+
+    def show_tour(self) -> None:
+        self.show_page(PAGES[0].id)
+        self.help.start_tour()
 
     # -------------------------------------------------------------------------------- inside
     def _tell_running(self) -> None:

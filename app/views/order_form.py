@@ -9,8 +9,8 @@ from PySide6.QtCore import QCoreApplication, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QButtonGroup, QComboBox, QHBoxLayout, QLineEdit, QPushButton, QVBoxLayout, QWidget
 
+from app.controllers.preferences import Preferences
 from app.draft import KINDS, ORDER_FIELDS, SIDES, Draft, sides_of
-from app.settings import Settings
 from app.views.file_name_line import FileNameLine
 from app.views.parts import button, label, make_primary, row
 
@@ -25,7 +25,7 @@ class OrderForm(QWidget):
     left = Signal()
     """Back to the list."""
 
-    def __init__(self, draft: Draft, settings: Settings, *, new: bool) -> None:
+    def __init__(self, draft: Draft, preferences: Preferences, *, new: bool) -> None:
         super().__init__()
         self._draft, self._new = draft, new
         self._blocked = ""
@@ -49,7 +49,7 @@ class OrderForm(QWidget):
             self._group.addButton(made)
             sides.addWidget(made, 1)
             self.sides[key] = made
-        self.names = FileNameLine(settings)
+        self.names = FileNameLine(preferences)
         self.remark = label("", "muted", wrap=True)
         self.go = button("", "primary", self._enter)
         self.go.setMinimumHeight(42)

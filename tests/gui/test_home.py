@@ -138,8 +138,7 @@ def test_what_is_typed_into_the_form_is_undone(home: HomePage, shared_program: P
 
 def test_a_template_tells_unknown_fields_and_keeps_the_patient_out(home: HomePage) -> None:
     home.new_order("ear", "both", "N-1")
-    names, settings = home.form.names, home.services.settings
-    before = settings.name_template
+    names, before = home.form.names, home.services.settings.name_template
     names.unfold(True)
     names.template.setText("")
     QTest.keyClicks(names.template, "{order}_{name}")
@@ -156,7 +155,9 @@ def test_a_template_tells_unknown_fields_and_keeps_the_patient_out(home: HomePag
     names.patient.click()
     assert names.names.text() == "P-9_N-1_left.stl\nP-9_N-1_right.stl"
     names.patient.click()
-    settings.name_template = before
+    names.template.setText(before)
+    names.template.editingFinished.emit()
+    assert home.services.settings.name_template == before
 
 
 def test_a_number_opens_the_order_whose_work_is_least_advanced(home: HomePage) -> None:
