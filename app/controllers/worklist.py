@@ -199,6 +199,7 @@ def _look(
     ending: threading.Event,
     post: Callable[[list[Stamped]], None],
 ) -> list[Stamped]:
+    from scanner_core.case.connection import is_open_here
     from scanner_core.case.glance import glance, glance_of
     from scanner_core.case.glance_cache import file_stamp
 
@@ -222,8 +223,12 @@ def _look(
         if time.monotonic() - posted_s > _BATCH_S:
             posted_s = time.monotonic()
             post([(told, stamps[path]) for path, told in found.items()])
-        told = glance(path)
-        found[path] = _named(told, seen.get(path))
+        told, before = glance(path), seen.get(path)
+        if told.trouble is Trouble.OPEN and is_open_here(path):  # for a moment: who opened it will tell
+            if before is not None:
+                found[path] = before[0]
+            continue
+        found[path] = _named(told, before)
         new.append((told, stamps[path]))
     cache.keep((told, stamp, None) for told, stamp in new)
     return [(told, stamps[path]) for path, told in found.items()]

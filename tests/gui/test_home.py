@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+import sqlite3
 import time
 from collections.abc import Iterator
+from contextlib import closing
 from pathlib import Path
 
 import numpy as np
@@ -229,7 +231,9 @@ def test_an_order_that_is_open_elsewhere_or_damaged_stands_in_the_list(home: Hom
     path = _case(home, Order("T-1", "", "left", "ear"))
     broken = _folder(home) / "T-2_right_ear_2026-11-23.impronta"
     broken.write_bytes(b"nothing")
-    with CaseStore.open(path):
+    other = sqlite3.connect(path, isolation_level=None)
+    other.execute("BEGIN EXCLUSIVE")  # as another program does
+    with closing(other):
         home.services.worklist.look()
         until(lambda: len(home.services.worklist.orders) == 2, 20, "both")
         told = {one.path: one for one in home.services.worklist.orders}
