@@ -9,18 +9,16 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
 from app.background import Background
 from app.controllers.case import CaseController
 from app.controllers.rig import RigController
 from scanner_core.acquisition.handover import Preview
+from scanner_core.acquisition.live_points import LivePoints
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.status import ScanState, ScanStatus
 from scanner_core.errors import ImprontaError, UsageError
-from scanner_core.geometry.view_directions import seen_from
 
 if TYPE_CHECKING:
     from scanner_core.acquisition.rig_session import OpenRig
@@ -29,7 +27,6 @@ if TYPE_CHECKING:
     from scanner_core.acquisition.views import RegisteredViews
     from scanner_core.case.store import CaseStore
 
-Floats = NDArray[np.float64]
 MakeRunner = Callable[["OpenRig", "CaseStore"], "ScanRunner"]
 
 
@@ -57,12 +54,12 @@ class AcquisitionController(QObject):
         self._calibration = ""  # its identity
         self.result: ScanResult | None = None
         self._taken = 0
-        self._point_sinks: list[Callable[[Floats, Floats], None]] = []
+        self._point_sinks: list[Callable[[LivePoints], None]] = []
         self._preview_sinks: list[Callable[[str, Preview], None]] = []
 
     # -------------------------------------------------------------------------------- who wants to see it
-    def add_point_sink(self, sink: Callable[[Floats, Floats], None]) -> None:
-        """`sink(points, towards)` gets every point once: (n, 3) mm in the object frame, and unit vectors to the cameras."""
+    def add_point_sink(self, sink: Callable[[LivePoints], None]) -> None:
+        """`sink(points)` gets every point once."""
         self._point_sinks.append(sink)
 
     def add_preview_sink(self, sink: Callable[[str, Preview], None]) -> None:
@@ -169,13 +166,12 @@ class AcquisitionController(QObject):
             self._finish(runner)
 
     def _drain_points(self, runner: ScanRunner) -> None:
-        points, table_deg = runner.live_cloud.since(self._taken)
+        points = runner.live_cloud.since(self._taken)
         if not len(points):
             return
         self._taken += len(points)
-        towards = seen_from(table_deg)
         for sink in self._point_sinks:
-            sink(points, towards)
+            sink(points)
 
     # -------------------------------------------------------------------------------- inside
     def _begin(self, store: CaseStore, make: MakeRunner) -> None:
