@@ -24,6 +24,7 @@ from app.controllers.export import ExportController
 from app.controllers.live_surface import LiveSurfaceController
 from app.controllers.mount_picks import MountPicks
 from app.controllers.mounts import MountsController
+from app.controllers.pair_tray import PairTrayController
 from app.controllers.preferences import Preferences
 from app.controllers.readiness import ReadinessController
 from app.controllers.reconstruction import ReconstructionController
@@ -132,6 +133,7 @@ class Program(QObject):
             preferences,
             readiness,
             worklist,
+            PairTrayController(cases, worklist, acquisition, rig, self.tell, self),
             Draft(self.undo_stack, self),
         )
         draft.load(first_order(self.settings.last_order) if after is None else after.order)
