@@ -9,11 +9,22 @@ from PySide6.QtCore import QCoreApplication, QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from app.translation import QT_TRANSLATE_NOOP
+from scanner_core import wall_clock
 
-SIDES = {"left": QT_TRANSLATE_NOOP("draft", "Left"), "right": QT_TRANSLATE_NOOP("draft", "Right")}
+SIDES = {
+    "left": QT_TRANSLATE_NOOP("draft", "Left"),
+    "right": QT_TRANSLATE_NOOP("draft", "Right"),
+    "upper": QT_TRANSLATE_NOOP("draft", "Upper jaw"),
+    "lower": QT_TRANSLATE_NOOP("draft", "Lower jaw"),
+    "both": QT_TRANSLATE_NOOP("draft", "Both"),
+}
+EARS, JAWS = ("left", "right"), ("upper", "lower")
+"""The sides of an order's file, by what it is; with ``both`` the order has two files."""
 KINDS = {
     "ear": QT_TRANSLATE_NOOP("draft", "Ear impression"),
-    "arch": QT_TRANSLATE_NOOP("draft", "Dental arch"),
+    "arch": QT_TRANSLATE_NOOP("draft", "Dental model"),
+    "arch-before": QT_TRANSLATE_NOOP("draft", "Dental model, before treatment"),
+    "arch-after": QT_TRANSLATE_NOOP("draft", "Dental model, after treatment"),
     "other": QT_TRANSLATE_NOOP("draft", "Other"),
 }
 
@@ -25,7 +36,7 @@ class DraftValues:
     Attributes
     ----------
     order, patient_code : free text; the code is never a full name by default
-    side : a key of SIDES, or empty
+    side : a key of SIDES, or empty; ``both`` only until the two cases are made
     kind : a key of KINDS
     views, points : of the scan plan
     until_um : scan on where the surface is less certain than this, with `points` as the most; 0 = spread them evenly
@@ -129,15 +140,25 @@ class _Edit(QUndoCommand):
         return True
 
 
+def sides_of(kind: str) -> tuple[str, ...]:
+    """Which sides an order of that type can have."""
+    return JAWS if kind.startswith("arch") else EARS
+
+
+def orders_of(values: DraftValues) -> tuple[DraftValues, ...]:
+    """One for every file: both sides of a pair with the same number."""
+    return tuple(replace(values, side=side) for side in sides_of(values.kind)) if values.side == "both" else (values,)
+
+
 def next_order(values: DraftValues) -> DraftValues:
     """The form for the order after this one: its number counted on, no code yet, the plan as it was."""
     return replace(values, order=first_order(values.order).order if values.order else "", patient_code="")
 
 
 def first_order(last: str) -> DraftValues:
-    """What the form opens with: a sample on the first start, then the number after the last one."""
+    """What the form opens with: the first number of the year on the first start, then the one after the last."""
     stem = last.rstrip("0123456789")
     digits = last[len(stem) :]
     if not digits:
-        return DraftValues(order="2026-0142", patient_code="P-0142", side="right")
+        return DraftValues(order=f"{wall_clock.today().year}-0001")
     return DraftValues(order=f"{stem}{int(digits) + 1:0{len(digits)}d}")

@@ -80,15 +80,14 @@ class AcquisitionController(QObject):
         return self.status is not None and self.status.state is ScanState.PAUSED
 
     def start(self, request: PlanRequest) -> None:
-        """Scan into a new case."""
+        """Scan into the open case when nothing was scanned into it yet, else into a new one."""
         if self.running:
             return
         if not self._rig.snapshot.connected:
             self._tell(UsageError("E-USE-01", what="The rig is not open yet", do="wait until the status line shows it, or choose it on the Rig page"))
             return
         self._prepare()
-        self._case.close()
-        self._case.create(lambda store: self._begin(store, partial(_new_scan, request)), self._no_case)
+        self._case.for_scan(lambda store: self._begin(store, partial(_new_scan, request)), self._no_case)
 
     def start_mount(self, request: PlanRequest) -> None:
         """Scan the object as it stands now into the open case, as another mount."""

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
-from dataclasses import asdict, dataclass, replace
-from datetime import date
+from dataclasses import asdict, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
@@ -14,12 +12,12 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.background import Background
 from app.controllers.case_content import CaseContent, read_content, read_values
+from app.controllers.case_files import create_cases
 from app.controllers.computing import compute_anew
 from app.controllers.device_thread import DeviceThread
-from app.draft import EDIT_TEXTS, ORDER_FIELDS, Draft, DraftValues
+from app.draft import EDIT_TEXTS, ORDER_FIELDS, Draft, DraftValues, orders_of
 from app.settings import Settings, save_settings
 from app.views.surface import Surface
-from scanner_core import wall_clock
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.jobs.progress import Cancelled
@@ -28,7 +26,6 @@ if TYPE_CHECKING:
     from scanner_core.case.store import CaseEdit, CaseStore
     from scanner_core.devices.rig import RigConfig
 
-SUFFIX = ".impronta"
 RECENT = 12
 _TYPING_MS = 700
 """An edit of the order is written when nothing was typed for so long."""
@@ -118,19 +115,56 @@ class CaseController(QObject):
         self._do(work, lambda got: self._in_turn(turn, partial(self._take, *got, then), failed), partial(self._failed, turn, failed))
 
     def create(self, then: Callable[[CaseStore], None], failed: Callable[[Exception], None] | None = None) -> None:
-        """A new case file for the order as it was entered; `then` and `failed` as for :meth:`open`."""
+        """A new case file for the order as it was entered, or two of a pair: the first is then open; `then` and `failed` as for :meth:`open`."""
         values, folder = self._draft.values, Path(self._settings.case_folder)
         self._turn += 1
         self.opening, turn = True, self._turn
 
         def work() -> CaseStore:
-            self._held = _create(folder, values)
+            self._held = create_cases(folder, values)
             return self._held
 
         def created(store: CaseStore) -> None:
-            self._in_turn(turn, partial(self._take, store, CaseContent(values, None, {}, None, {}, {}), then), failed)
+            self._in_turn(turn, partial(self._take, store, CaseContent(orders_of(values)[0], None, {}, None, {}, {}), then), failed)
 
         self._do(work, created, partial(self._failed, turn, failed))
+
+    def place(self, values: DraftValues, then: Callable[[Path], None], failed: Callable[[Exception], None] | None = None) -> None:
+        """New case files for an order, none of which is opened; `then` gets the path of the first."""
+        folder = Path(self._settings.case_folder)
+
+        def work() -> Path:
+            with create_cases(folder, values) as store:
+                return store.path
+
+        def placed(path: Path) -> None:
+            self._settings.last_order = values.order
+            then(path)
+
+        self._do(work, placed, failed)
+
+    def for_scan(self, then: Callable[[CaseStore], None], failed: Callable[[Exception], None] | None = None) -> None:
+        """The case that a scan goes into: the open one while nothing was scanned into it, else a new one; `then` and `failed` as for :meth:`open`."""
+        self._write_order()
+        store = self.store
+
+        def new() -> bool:
+            from scanner_core.case.case_glance import OrderState
+            from scanner_core.case.glance import glance_of
+
+            return store is not None and glance_of(store).state is OrderState.NEW
+
+        def go(into_it: bool) -> None:
+            if into_it and store is not None and store is self.store:
+                then(store)
+            else:
+                self.close()
+                self.create(then, failed)
+
+        if store is None:
+            go(False)
+        else:
+            self._do(new, go, failed)
 
     def close(self) -> None:
         """Close the file; it is whole at any time, closing only tidies it up."""
@@ -354,48 +388,3 @@ class CaseController(QObject):
         store, self._held = self._held, None
         if store is not None:
             store.close()
-
-
-def _create(folder: Path, values: DraftValues) -> CaseStore:
-    from scanner_core.case.store import CaseStore, Order
-    from scanner_core.files import storage_error
-
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as fault:
-        raise storage_error(folder, fault) from fault
-    store = CaseStore.create(free_case_path(folder, values, wall_clock.today()))
-    store.put_order(Order(values.order, values.patient_code, values.side, values.kind))
-    return store
-
-
-def free_case_path(folder: Path, values: DraftValues, today: date) -> Path:
-    """``2026-0142_left_ear_2026-11-23.impronta``, with -2, -3 ... when that is taken, be it by the log of a case that is gone."""
-    from scanner_core.case.logs import left_behind
-
-    stem = safe_stem("_".join(part for part in (values.order or "order", values.side, values.kind, today.isoformat()) if part))
-    path, number = folder / f"{stem}{SUFFIX}", 1
-    while path.exists() or left_behind(path) is not None:
-        number += 1
-        path = folder / f"{stem}-{number}{SUFFIX}"
-    return path
-
-
-@dataclass(frozen=True, slots=True)
-class CaseName:
-    """What the name of a case file tells."""
-
-    order: str
-    side: str
-    kind: str
-
-
-def read_case_name(stem: str) -> CaseName | None:
-    """The reverse of :func:`free_case_path`; None for a name that a person has chosen."""
-    found = re.fullmatch(r"(.+?)(?:_(left|right))?_(ear|arch|other)_\d{4}-\d\d-\d\d(-\d+)?", stem)
-    return None if found is None else CaseName(found[1], found[2] or "", found[3])
-
-
-def safe_stem(text: str) -> str:
-    """The text as a file's name on every system."""
-    return re.sub(r"[^\w.+-]+", "-", text).strip("-. ")[:120] or "case"

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, TypeVar
 
-from app.draft import DraftValues
+from app.draft import EARS, JAWS, KINDS, DraftValues
 from app.views.surface import Surface
 from scanner_core.geometry.point_cloud import PointCloud
 
@@ -59,6 +59,6 @@ def read_content(store: CaseStore, before: DraftValues) -> CaseContent:
 def read_values(store: CaseStore, before: DraftValues) -> DraftValues:
     """The form with the order of the case."""
     order = store.order()
-    side = order.side if order.side in ("left", "right") else ""  # never a guess: the side is what must not be wrong
-    kind = order.type if order.type in ("ear", "arch", "other") else "other"
+    side = order.side if order.side in (*EARS, *JAWS) else ""  # never a guess: the side is what must not be wrong
+    kind = order.type if order.type in KINDS else "other"
     return replace(before, order=order.number, patient_code=order.patient_code, side=side, kind=kind)

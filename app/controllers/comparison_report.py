@@ -10,7 +10,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from app.background import Background
-from app.controllers.case import safe_stem
+from app.file_names import safe_stem
 from app.settings import Settings
 from scanner_core import wall_clock
 from scanner_core.acquisition.handover import LatestSlot

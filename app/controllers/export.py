@@ -2,22 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from dataclasses import dataclass
-from datetime import date
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
 from app.background import Background
-from app.controllers.case import CaseController, safe_stem
-from app.draft import DraftValues
+from app.controllers.case import CaseController
 from app.settings import Settings
 from app.translation import QT_TRANSLATE_NOOP
-
-FIELDS = ("order", "side", "type", "date", "rev", "code")
-"""What may stand in braces in a template."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,30 +39,6 @@ class WrittenFile:
 
     path: Path
     size_bytes: int
-
-
-def file_name(template: str, values: DraftValues, revision: int, suffix: str, today: date) -> str:
-    """The template filled in; unknown braces stay as they are and the result is a name on every system."""
-    known = {
-        "order": values.order or "order",
-        "side": values.side,
-        "type": values.kind,
-        "date": today.isoformat(),
-        "rev": str(revision),
-        "code": values.patient_code or "code",
-    }
-    filled = re.sub(r"\{(\w+)\}", lambda found: known.get(found[1], found[0]), template)
-    return safe_stem(re.sub("__+", "_", filled)) + suffix  # an order may have no side
-
-
-def free_name(folder: Path, template: str, values: DraftValues, suffix: str, today: date) -> Path:
-    """The path with the first revision that is not taken; without ``{rev}`` simply the name."""
-    revision = 1
-    path = folder / file_name(template, values, revision, suffix, today)
-    while "{rev}" in template and path.exists():
-        revision += 1
-        path = folder / file_name(template, values, revision, suffix, today)
-    return path
 
 
 class ExportController(QObject):

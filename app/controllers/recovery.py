@@ -13,7 +13,8 @@ from PySide6.QtCore import QObject, Signal
 
 from app.background import Background
 from app.controllers.acquisition import AcquisitionController
-from app.controllers.case import SUFFIX, CaseController
+from app.controllers.case import CaseController
+from app.controllers.case_files import SUFFIX
 from app.settings import Settings
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QLabel, QVBoxLayout, QWidget
 
 from app.comparison_draft import LoadedSurface
-from app.controllers.case import read_case_name
+from app.controllers.case_files import read_case_name
 from app.views import format as fmt
 from app.views.parts import button, label
 

@@ -9,7 +9,8 @@ from PySide6.QtCore import QCoreApplication, QUrl
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QButtonGroup, QLineEdit, QPushButton, QToolButton, QVBoxLayout
 
-from app.controllers.export import FIELDS, FORMATS, ExportFormat, free_name
+from app.controllers.export import FORMATS, ExportFormat
+from app.file_names import FIELDS, free_name
 from app.services import Services
 from app.theme import icon
 from app.views import format as fmt

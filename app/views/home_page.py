@@ -9,7 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication, QSize, Qt, QTimer
 from PySide6.QtWidgets import QButtonGroup, QGridLayout, QHBoxLayout, QLineEdit, QListWidget, QListWidgetItem, QPushButton, QVBoxLayout, QWidget
 
-from app.controllers.case import read_case_name
+from app.controllers.case_files import read_case_name
 from app.draft import KINDS, SIDES, DraftValues
 from app.faults import sentence_of
 from app.services import Services

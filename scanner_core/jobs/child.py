@@ -30,13 +30,16 @@ _BELOW_NORMAL = 0x4000
 _NICENESS = 5
 
 
-def work(connection: Connection, cancelled_number: ctypes.c_int64, preload: tuple[str, ...], gentle: bool = False) -> None:
+def work(
+    connection: Connection, cancelled_number: ctypes.c_int64, enough_number: ctypes.c_int64, preload: tuple[str, ...], gentle: bool = False
+) -> None:
     """Serve jobs until the pipe closes.
 
     Parameters
     ----------
     connection : the child's end of the pipe
     cancelled_number : shared; the number of the job that shall stop
+    enough_number : shared; the number of the job that shall end with what it has
     preload : modules to import before the first job
     gentle : give way to everything else that wants a core
     """
@@ -51,7 +54,7 @@ def work(connection: Connection, cancelled_number: ctypes.c_int64, preload: tupl
 
     from scanner_core.jobs.serving import serve
 
-    serve(connection, cancelled_number, preload)
+    serve(connection, cancelled_number, enough_number, preload)
 
 
 def _give_way() -> None:

@@ -45,10 +45,14 @@ class Ready:
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """Parent to child: run `target` (``module:function``); the request follows as a message of its own."""
+    """Parent to child: run `target` (``module:function``); the request follows as a message of its own.
+
+    With `ends_early` the job is told when its caller wants no better result than there is.
+    """
 
     number: int
     target: str
+    ends_early: bool = False
 
 
 @dataclass(frozen=True, slots=True)

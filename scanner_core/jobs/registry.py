@@ -4,6 +4,7 @@ A job is a plain function, the same in this process (tests) and in the worker::
 
     def job(request, *, progress: OnProgress, cancelled: IsCancelled) -> result
 
+One of :data:`END_EARLY` also takes ``enough: IsEnough`` and asks it where it could end with a whole result.
 It calls ``progress`` now and then, asks ``cancelled`` at least every 0.3 s, and raises
 :class:`scanner_core.jobs.progress.Cancelled` when that says so.  Request and result travel through a pipe: plain
 dataclasses and arrays.
@@ -29,6 +30,9 @@ JOBS: dict[str, str] = {
 }
 """Name -> ``module:function``; the module is imported in the worker only, when it starts."""
 
+END_EARLY = frozenset({"reconstruct"})
+"""Jobs that can end before they are done, with what they have so far."""
+
 Job = Callable[..., Any]
 
 
@@ -37,6 +41,11 @@ def target_of(job: str) -> str:
     if job not in JOBS:
         raise UsageError("E-USE-01", what=f"There is no job '{job}'", do=f"choose one of {', '.join(JOBS)}")
     return JOBS[job]
+
+
+def ends_early(job: str) -> bool:
+    """Whether a job can end with what it has."""
+    return job in END_EARLY
 
 
 def modules() -> tuple[str, ...]:

@@ -41,11 +41,12 @@ class Throttle:
         self._phase, self._text_at = progress.phase, now
         if preview is not None:
             self._preview_at = now
-        self._tell(Progress(progress.phase, progress.fraction, progress.seconds_left, preview))
+        distances = progress.distances if preview is not None else None
+        self._tell(Progress(progress.phase, progress.fraction, progress.seconds_left, preview, distances))
 
 
-def serve(connection: Connection, cancelled_number: ctypes.c_int64, preload: tuple[str, ...]) -> None:
-    """Run jobs until the pipe closes."""
+def serve(connection: Connection, cancelled_number: ctypes.c_int64, enough_number: ctypes.c_int64, preload: tuple[str, ...]) -> None:
+    """Run jobs until the pipe closes; parameters as for :func:`scanner_core.jobs.child.work`."""
     for module in preload:
         with suppress(Exception):  # the job itself will say what is wrong with its module
             importlib.import_module(module)
@@ -53,19 +54,21 @@ def serve(connection: Connection, cancelled_number: ctypes.c_int64, preload: tup
         _send(connection, Ready())
         while True:
             run: Run = _receive(connection)
-            _tell(connection, run.number, _outcome(connection, run, cancelled_number))
+            _tell(connection, run.number, _outcome(connection, run, cancelled_number, enough_number))
             gc.collect()  # an idle worker holds no clouds
 
 
-def _outcome(connection: Connection, run: Run, cancelled_number: ctypes.c_int64) -> JobOutcome:
+def _outcome(connection: Connection, run: Run, cancelled_number: ctypes.c_int64, enough_number: ctypes.c_int64) -> JobOutcome:
     try:
         request = _receive(connection)
         _send(connection, Begun(run.number))
         job = resolve(run.target)
+        more = {"enough": lambda: enough_number.value == run.number} if run.ends_early else {}
         result = job(
             request,
             progress=Throttle(lambda progress: _send(connection, Told(run.number, JobProgress(progress)))),
             cancelled=lambda: cancelled_number.value == run.number,
+            **more,
         )
     except Cancelled:
         return JobCancelled()

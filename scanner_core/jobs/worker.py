@@ -19,7 +19,7 @@ from types import TracebackType
 from scanner_core.errors import UsageError, WorkerError, WorkerLostError
 from scanner_core.jobs.child import work
 from scanner_core.jobs.messages import Begun, JobCancelled, JobEvent, JobFailed, JobOutcome, JobProgress, Ready, Run, Told
-from scanner_core.jobs.registry import modules, target_of
+from scanner_core.jobs.registry import ends_early, modules, target_of
 
 CANCEL_GRACE_S = 0.7
 """A job that has not stopped this long after its cancel is killed with its process."""
@@ -36,14 +36,18 @@ OnEvent = Callable[[JobEvent], None]
 class JobHandle:
     """One submitted job."""
 
-    def __init__(self, cancel: Callable[[JobHandle], None]) -> None:
-        self._cancel = cancel
+    def __init__(self, cancel: Callable[[JobHandle], None], end_early: Callable[[JobHandle], None]) -> None:
+        self._cancel, self._end_early = cancel, end_early
         self._ended = threading.Event()
         self._outcome: JobOutcome | None = None
 
     def cancel(self) -> None:
         """Ask the job to stop; returns at once.  JobCancelled follows within a second.  Harmless after the end."""
         self._cancel(self)
+
+    def end_early(self) -> None:
+        """Ask the job to end with what it has; returns at once.  Without effect on a job that cannot, and after the end."""
+        self._end_early(self)
 
     @property
     def outcome(self) -> JobOutcome | None:
@@ -59,6 +63,7 @@ class JobHandle:
 class _Current:
     number: int
     target: str
+    ends_early: bool
     request: object
     on_event: OnEvent
     handle: JobHandle
@@ -90,6 +95,7 @@ class Worker:
         self._name, self._job, self._gentle = name, job, gentle
         self._context = multiprocessing.get_context("spawn")
         self._cancelled_number: ctypes.c_int64 = self._context.RawValue(ctypes.c_int64, 0)
+        self._enough_number: ctypes.c_int64 = self._context.RawValue(ctypes.c_int64, 0)
         self._lock, self._wake_lock = threading.Lock(), threading.Lock()
         self._current: _Current | None = None
         self._count = 0
@@ -131,8 +137,8 @@ class Worker:
             if self._current is not None:
                 raise UsageError("E-USE-01", what="A job is running already", do="wait for it or cancel it first")
             self._count += 1
-            handle = JobHandle(self._cancel)
-            self._current = _Current(self._count, target, request, on_event, handle)
+            handle = JobHandle(self._cancel, self._end_early)
+            self._current = _Current(self._count, target, ends_early(job), request, on_event, handle)
         self._wake()
         return handle
 
@@ -182,6 +188,11 @@ class Worker:
             current.cancelled_at_s = time.monotonic()
             self._cancelled_number.value = current.number
         self._wake()
+
+    def _end_early(self, handle: JobHandle) -> None:
+        with self._lock:
+            if self._current is not None and self._current.handle is handle:
+                self._enough_number.value = self._current.number
 
     def _wake(self) -> None:
         with self._wake_lock, suppress(OSError):
@@ -239,7 +250,7 @@ class Worker:
         assert self._connection is not None
         current.sent = True
         try:
-            self._connection.send(Run(current.number, current.target))
+            self._connection.send(Run(current.number, current.target, current.ends_early))
             self._connection.send(current.request)
         except OSError:
             return  # the child is gone; its sentinel tells the rest
@@ -314,7 +325,7 @@ class Worker:
             return
         ours, theirs = self._context.Pipe()
         preload = modules() if self._job is None else (target_of(self._job).partition(":")[0],)
-        arguments = (theirs, self._cancelled_number, preload, self._gentle)
+        arguments = (theirs, self._cancelled_number, self._enough_number, preload, self._gentle)
         process = self._context.Process(target=work, args=arguments, name=f"impronta-{self._name}", daemon=True)
         process.start()
         theirs.close()

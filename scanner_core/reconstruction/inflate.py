@@ -220,13 +220,13 @@ def inflate_at(region: EnclosedRegion, lengths: EdgeLengths, pace: Pace) -> Ball
     radius = 0.85 * float(depth.max())
     for size in np.linspace(0.4, 1.0, 4) * radius:
         mesh = icosahedron(centre, float(size))
-        pace.report(0.0, mesh, force=True)
+        pace.report(0.8, mesh, force=True)
     longest = 1.3 * float(lengths.at(centre[None])[0])
     while EdgeTable.of(mesh.triangles).lengths(mesh.vertices).mean() > longest:
         mesh = subdivide_uniform(mesh)
         away = mesh.vertices - centre
         mesh = TriangleMesh(centre + radius * away / np.linalg.norm(away, axis=1)[:, None], mesh.triangles)
-        pace.report(0.02, mesh)
+        pace.report(0.8, mesh)
     return grown_into(mesh, region, lengths, pace)
 
 
@@ -239,7 +239,7 @@ def grown_into(mesh: TriangleMesh, region: EnclosedRegion, lengths: EdgeLengths,
     while len(volumes) <= most_moves:
         mesh, table = _grow(mesh, table, region, lengths)
         volumes.append(mesh.volume())
-        pace.report(0.05 + 0.9 * volumes[-1] / target, mesh if pace.wants_preview() else None)
+        pace.report(0.8 + 0.2 * volumes[-1] / target, mesh if pace.wants_preview() else None)
         if volumes[-1] > _FOLDED * target or len(mesh.triangles) > most:
             break
         if len(volumes) > 12 and abs(volumes[-1] - volumes[-9]) < 5e-4 * target:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from scanner_core.geometry.point_cloud import PointCloud
-from scanner_core.jobs.progress import IsCancelled, OnProgress
+from scanner_core.jobs.progress import IsCancelled, IsEnough, OnProgress, never
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.reconstruction.pipeline import Reconstruction, reconstruct
 
@@ -18,6 +18,6 @@ class ReconstructionRequest:
     parameters: ReconstructionParameters
 
 
-def run(request: ReconstructionRequest, *, progress: OnProgress, cancelled: IsCancelled) -> Reconstruction:
+def run(request: ReconstructionRequest, *, progress: OnProgress, cancelled: IsCancelled, enough: IsEnough = never) -> Reconstruction:
     """See :func:`scanner_core.reconstruction.pipeline.reconstruct`."""
-    return reconstruct(request.cloud, request.parameters, progress=progress, cancelled=cancelled)
+    return reconstruct(request.cloud, request.parameters, progress=progress, cancelled=cancelled, enough=enough)

@@ -10,15 +10,16 @@ from scanner_core.errors import ReconstructionError
 from scanner_core.geometry.checks import MeshChecks, check_mesh
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
-from scanner_core.jobs.progress import IsCancelled, OnProgress
+from scanner_core.jobs.progress import IsCancelled, IsEnough, OnProgress, never
 from scanner_core.reconstruction.acceptance import LEAST_POINTS, accept, check_fit, check_hollow
 from scanner_core.reconstruction.cloud_scale import CloudScale, measure_scale
+from scanner_core.reconstruction.facets import facet_sag_mm
 from scanner_core.reconstruction.inflate import Balloon, inflate, unreached_share
 from scanner_core.reconstruction.memory import peak_memory_mb
 from scanner_core.reconstruction.observations import observations_of
 from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.parameters import ReconstructionParameters
-from scanner_core.reconstruction.refine import Fit, Refinement
+from scanner_core.reconstruction.refine import MOST_UNREACHED, Fit, Refinement
 from scanner_core.reconstruction.region import enclosed_region
 from scanner_core.reconstruction.repair import repaired
 from scanner_core.reconstruction.report import Phase, Reconstruction, ReconstructionReport
@@ -35,14 +36,17 @@ _UNREACHED = 0.01
 _LEAST_QUALITY = 0.3
 """Triangles are mended up to this quality, 4 sqrt(3) area over the sum of the squared sides: 1 is equilateral."""
 
-_MOST_UNREACHED = 0.01
-"""More of the points than this, lying together off the surface, are a part of the object that is missing."""
-
 __all__ = ["LEAST_POINTS", "Reconstruction", "reconstruct"]
 
 
-def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, progress: OnProgress, cancelled: IsCancelled) -> Reconstruction:
+def reconstruct(
+    cloud: PointCloud, parameters: ReconstructionParameters, *, progress: OnProgress, cancelled: IsCancelled, enough: IsEnough = never
+) -> Reconstruction:
     """Reconstruct the closed surface of a cloud in the object frame, mm.
+
+    As soon as `enough` says so, phase two ends with the first of its surfaces that reaches all points, and phase three
+    follows: a whole result, closed and checked like any other, but coarser.  Phase one is never cut short: before its
+    balloon fills the points there is nothing to keep.
 
     Raises
     ------
@@ -52,18 +56,19 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
     Cancelled
         Within half a second after `cancelled` has become true.
     """
-    pace = Pace(progress, cancelled)
+    pace = Pace(progress, cancelled, enough)
     pace.report(0.0, force=True)
     accepted = accept(cloud.points, parameters.seed, pace.check)
     centre = accepted.centre_mm
     pace.centre_mm = centre
     observations = observations_of(accepted.points, None if cloud.covariances is None else cloud.covariances[accepted.index])
     points = observations.points
-    pace.check()
+    pace.watch(accepted.points, parameters.seed)
+    pace.report(0.2)
     tree = cKDTree(points)
     pace.check()
     scale = measure_scale(points, tree, parameters.seed)
-    pace.check()
+    pace.report(0.25)
     table = None if parameters.table_mm is None else parameters.table_mm - float(centre[2])
     aside: tuple[str, ...] = ()
     try:
@@ -80,13 +85,13 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
     check_fit(fit.mesh, fit.supported, fit.noise_mm, standing=table is not None, open_holes=parameters.open_holes)
 
     pace.enter("smooth")
-    mesh, crossing = repaired(smooth(fit.mesh, fit.supported), _LEAST_QUALITY, pace.check)
-    pace.check()
+    mesh, crossing = repaired(smooth(fit.mesh, fit.supported, parameters), _LEAST_QUALITY, pace.check)
+    pace.report(0.3)
     measured = fit.supported.astype(np.float64)  # the bend where the cap begins is no detail of the surface
     spline = SmoothingSpline(mesh, observations, fit.robust, scale.spacings_mm, fit.noise_mm, pace.check, measured)
-    pace.check()
+    pace.report(0.5)
     uncertainty = standard_uncertainty(spline, fit.bandwidth_mm)
-    pace.check()
+    pace.report(0.9)
     checks = check_mesh(mesh, self_intersections=crossing)
     _guard(checks, fit)
     area = spline.area
@@ -96,6 +101,7 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
     within = np.where(fit.supported, area, 0.0)
     rejected = float(seen.counts[fit.robust <= 0].sum())
     finished = _finished(mesh, fit.supported, uncertainty, centre, parameters)
+    distances = pace.distances(mesh)
     pace.centre_mm = None  # the finished mesh stands in the object frame
     seconds = pace.finish()
     report = ReconstructionReport(
@@ -117,6 +123,10 @@ def reconstruct(cloud: PointCloud, parameters: ReconstructionParameters, *, prog
         ),
         seconds=seconds,
         peak_memory_mb=peak_memory_mb(),
+        volume_mm3=0.0 if parameters.open_holes else finished.volume(),
+        facet_sag_um=1e3 * facet_sag_mm(mesh),
+        stopped_early=fit.stopped_early,
+        distances=distances,
         warnings=accepted.warnings + _warnings(float(within.sum() / area.sum()), rejected / float(seen.counts.sum()), parameters.open_holes) + aside,
     )
     pace.report(1.0, finished, force=True)
@@ -152,7 +162,7 @@ def _inflated(points: Array, scale: CloudScale, pace: Pace, table_mm: float | No
 
 def _guard(checks: MeshChecks, fit: Fit) -> None:
     """Never a wrong mesh: refuse one that is not closed, not manifold, inside out, crosses itself or leaves points aside."""
-    if fit.unreached > _MOST_UNREACHED:
+    if fit.unreached > MOST_UNREACHED:
         raise ReconstructionError(
             "E-REC-03",
             reason=f"it does not reach {100 * fit.unreached:.0f} % of the points, which lie together in thin or hidden parts",

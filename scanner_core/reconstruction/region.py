@@ -168,6 +168,7 @@ def _oriented_on(points: Array, blur_mm: float, pace: Pace, table_mm: float | No
     areas = _areas(weights, blur_mm)
     normals = _shielded_normals(weights, pace, table_mm)
     poisson = _Poisson(grid, max(blur_mm, 0.8 * grid.voxel_mm))
+    pace.report(0.35)
     for _ in range(_ROUNDS):
         pace.check()
         turned = -_unit(weights.gradient(poisson.winding_number(weights, normals, areas)))
@@ -182,7 +183,7 @@ def _region_on(
     grid: VoxelGrid, points: Array, normals: Array, blur_mm: float, spacing_mm: float, pace: Pace, table_mm: float | None
 ) -> EnclosedRegion:
     """The region on a given grid from points and their outward normals, both (n, 3)."""
-    pace.check()
+    pace.report(0.4)
     weights = grid.weights(points)
     areas = _areas(weights, blur_mm)
     poisson = _Poisson(grid, max(blur_mm, 0.8 * grid.voxel_mm))
@@ -196,7 +197,7 @@ def _region_on(
     pace.check()
     depth = signed_depth(inside, grid.voxel_mm)
     _check_body(grid, depth, weights, points)
-    pace.check()
+    pace.report(0.55)
     body = inside
     if _open_share(grid, inside, points, spacing_mm) > _OPEN_SHARE:
         lower = _body(field, _OPEN_LEVEL * level)

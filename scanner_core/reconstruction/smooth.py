@@ -10,19 +10,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from scanner_core.geometry.mesh import TriangleMesh
-from scanner_core.geometry.smoothing import satisfies_taubin, taubin_mu, taubin_smooth
+from scanner_core.geometry.smoothing import taubin_mu, taubin_smooth
+from scanner_core.reconstruction.parameters import ReconstructionParameters
 
 LAMBDA = 0.33
-PASS_BAND = 0.1
-MU = taubin_mu(LAMBDA, PASS_BAND)
-ITERATIONS = 3
-
-assert satisfies_taubin(LAMBDA, MU, PASS_BAND)
 
 
-def smooth(mesh: TriangleMesh, supported: NDArray[np.bool_]) -> TriangleMesh:
+def smooth(mesh: TriangleMesh, supported: NDArray[np.bool_], parameters: ReconstructionParameters) -> TriangleMesh:
     """Filter the supported part of a mesh; the cap and the sharp rim round it stay."""
-    filtered = taubin_smooth(mesh, lambda_=LAMBDA, mu=MU, iterations=ITERATIONS)
+    mu = taubin_mu(LAMBDA, parameters.pass_band)
+    filtered = taubin_smooth(mesh, lambda_=LAMBDA, mu=mu, iterations=parameters.smoothing_rounds)
     if np.all(supported):
         return filtered
     vertices = np.where(supported[:, None], filtered.vertices, mesh.vertices)

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from app.controllers.case import CaseName, free_case_path, read_case_name, safe_stem
-from app.controllers.export import file_name, free_name
-from app.draft import DraftValues
+from app.controllers.case_files import CaseName, free_case_path, free_number, read_case_name
+from app.draft import DraftValues, orders_of
+from app.file_names import file_name, free_name, names_the_patient, safe_stem, unknown_fields
 
 VALUES = DraftValues(order="2026-0142", patient_code="P-0142", side="right", kind="ear")
 DAY = date(2026, 11, 23)
@@ -52,3 +52,33 @@ def test_an_order_without_a_side_has_none_in_its_names() -> None:
 def test_unknown_braces_do_no_harm() -> None:
     assert file_name("{order}{what}", VALUES, 1, ".ply", DAY) == "2026-0142-what.ply"
     assert safe_stem("...") == "case"
+
+
+def test_the_patient_stays_out_of_names_unless_that_is_wanted() -> None:
+    template = "{code}_{order}_{code}_{side}-{rev}_{code}"
+    assert names_the_patient(template)
+    assert not names_the_patient(TEMPLATE)
+    assert file_name(template, VALUES, 1, ".stl", DAY) == "2026-0142_right-1.stl"
+    assert file_name(template, VALUES, 1, ".stl", DAY, with_code=True) == "P-0142_2026-0142_P-0142_right-1_P-0142.stl"
+
+
+def test_unknown_fields_are_named() -> None:
+    assert unknown_fields("{order}_{name}_{}_{rev}_{name}") == ["name", ""]
+    assert unknown_fields(TEMPLATE) == []
+
+
+def test_a_pair_has_two_files_with_one_number() -> None:
+    names = [file_name(TEMPLATE, order, 1, ".stl", DAY) for order in orders_of(replace(VALUES, side="both"))]
+    assert names == ["2026-0142_left_ear_2026-11-23-1.stl", "2026-0142_right_ear_2026-11-23-1.stl"]
+    jaws = orders_of(replace(VALUES, side="both", kind="arch-before"))
+    assert [read_case_name(free_case_path(Path("/nowhere"), jaw, DAY).stem) for jaw in jaws] == [
+        CaseName("2026-0142", "upper", "arch-before"),
+        CaseName("2026-0142", "lower", "arch-before"),
+    ]
+    assert orders_of(VALUES) == (VALUES,)
+
+
+def test_numbers_are_counted_on_until_one_is_free() -> None:
+    assert free_number("A-098", ["A-098", "A-099"]) == "A-100"
+    assert free_number("A-098", []) == "A-098"
+    assert free_number("wax", ["wax"]) == "wax"

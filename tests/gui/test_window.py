@@ -12,7 +12,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from app.controllers.case import free_case_path, read_case_name
+from app.controllers.case_files import free_case_path, read_case_name
 from app.controllers.emission import Emission
 from app.draft import DraftValues
 from app.program import Program
@@ -35,7 +35,7 @@ _START = """
 import sys, time
 from pathlib import Path
 from app.main import make_application
-from app.controllers.case import free_case_path, read_case_name
+from app.controllers.case_files import free_case_path, read_case_name
 from app.controllers.emission import Emission
 from app.draft import DraftValues
 from app.program import Program

@@ -21,7 +21,7 @@ from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.jobs import registry
 from scanner_core.jobs.child import BLAS_THREADS
 from scanner_core.jobs.messages import JobCancelled, JobDone, JobEvent, JobFailed, JobOutcome, JobProgress
-from scanner_core.jobs.worker import Worker
+from scanner_core.jobs.worker import JobHandle, Worker
 from tests.core.jobs import tiny_jobs
 
 LONG_S = 60.0
@@ -30,6 +30,7 @@ LONG_S = 60.0
 @pytest.fixture
 def worker(monkeypatch: pytest.MonkeyPatch) -> Iterator[Worker]:
     monkeypatch.setattr(registry, "JOBS", tiny_jobs.targets())
+    monkeypatch.setattr(registry, "END_EARLY", frozenset({"content"}))
     for name in BLAS_THREADS:  # the tests side by side set them for themselves
         monkeypatch.delenv(name, raising=False)
     with Worker("test") as worker:
@@ -88,6 +89,27 @@ def test_the_child_has_one_blas_thread_and_ignores_ctrl_c(worker: Worker, capfd:
     if ended.result["threads"] is not None:
         assert ended.result["threads"] == 2  # the job and the watch of the parent; no thread of a BLAS
     assert "noise" not in capfd.readouterr().out
+
+
+def test_a_caller_who_is_content_gets_what_there_is_and_the_next_one_all(worker: Worker) -> None:
+    following, handle = started(worker, "content", 60.0)
+    assert isinstance(handle, JobHandle)
+    handle.end_early()
+    ended = following()
+    assert isinstance(ended, JobDone)
+    assert ended.result == "half"
+    handle.end_early()  # over: it says nothing to the next job
+    again = outcome(worker, "content", 0.05)
+    assert isinstance(again, JobDone)
+    assert again.result == "whole"
+
+
+def test_a_job_that_cannot_end_early_goes_on_and_can_be_cancelled(worker: Worker) -> None:
+    following, handle = started(worker, "patient", 60.0)
+    assert isinstance(handle, JobHandle)
+    handle.end_early()
+    handle.cancel()
+    assert isinstance(following(), JobCancelled)
 
 
 def test_errors_keep_their_code_fields_and_details(worker: Worker) -> None:
@@ -271,7 +293,7 @@ import os, signal, sys
 from scanner_core.jobs import registry
 from scanner_core.jobs.child import BLAS_THREADS
 from scanner_core.jobs.messages import JobProgress
-from scanner_core.jobs.worker import Worker
+from scanner_core.jobs.worker import JobHandle, Worker
 
 def main():
     registry.JOBS["deaf"] = "tests.core.jobs.tiny_jobs:deaf"

@@ -12,15 +12,15 @@ import numpy as np
 
 from scanner_core.errors import ReconstructionError
 from scanner_core.geometry.mesh import TriangleMesh
-from scanner_core.jobs.progress import Cancelled, IsCancelled, OnProgress, Progress
+from scanner_core.jobs.progress import Cancelled, IsCancelled, IsEnough, OnProgress, Progress
 
 _MODULE = __name__
 
 
 def targets() -> dict[str, str]:
     """For the registry."""
-    names = ("add", "patient", "deaf", "die", "refuse", "stumble", "leave", "previews", "environment", "unpicklable", "hoard", "echo", "resident_mb")
-    return {name: f"{_MODULE}:{name}" for name in names}
+    names = "content add patient deaf die refuse stumble leave previews environment unpicklable hoard echo resident_mb"
+    return {name: f"{_MODULE}:{name}" for name in names.split()}
 
 
 def add(request: tuple[float, float], *, progress: OnProgress, cancelled: IsCancelled) -> float:
@@ -41,6 +41,19 @@ def patient(request: float, *, progress: OnProgress, cancelled: IsCancelled) -> 
             raise Cancelled
         time.sleep(0.01)
     return "done"
+
+
+def content(request: float, *, progress: OnProgress, cancelled: IsCancelled, enough: IsEnough) -> str:
+    """Works for `request` seconds, listens, and ends with half a result for a caller who is content with it."""
+    progress(Progress("patience", 0.1))
+    end = time.monotonic() + request
+    while time.monotonic() < end:
+        if cancelled():
+            raise Cancelled
+        if enough():
+            return "half"
+        time.sleep(0.01)
+    return "whole"
 
 
 def deaf(request: float, *, progress: OnProgress, cancelled: IsCancelled) -> str:

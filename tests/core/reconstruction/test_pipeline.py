@@ -83,6 +83,7 @@ def test_report_has_the_keys_of_the_command_line(ear: Reconstruction) -> None:
     assert set(report) == {
         "points", "outliers_rejected", "noise_sigma_um", "vertices", "triangles", "closed", "genus", "self_intersections",
         "supported_area_fraction", "residual_rms_um", "expected_error_rms_um", "phases", "seconds", "peak_memory_mb", "warnings",
+        "volume_mm3", "facet_sag_um", "stopped_early", "distances",
     }  # fmt: skip
     assert [p.name for p in ear.report.phases] == ["inflate", "refine", "smooth"]
     assert report["triangles"] == len(ear.mesh.triangles)
@@ -309,6 +310,68 @@ def test_cancel_stops_in_the_midst_of_a_phase(phase: str, looks: int) -> None:
 POINTS_TO_STOP = sampled(impression(), 1500, 0.1, 9)
 
 
+class Content:
+    """A caller who is content with the surface that he sees first in a phase, once it has so many triangles."""
+
+    def __init__(self, phase: str, triangles: int = 0) -> None:
+        self._phase, self._triangles = phase, triangles
+        self._content = False
+        self.seen: list[Progress] = []
+
+    def told(self, progress: Progress) -> None:
+        self.seen.append(progress)
+        if progress.phase == self._phase and (progress.preview is not None and len(progress.preview.triangles) >= self._triangles):
+            self._content = True
+
+    def enough(self) -> bool:
+        return self._content
+
+
+@pytest.mark.parametrize(("caller", "fewest", "most"), [(Content("inflate"), 1000, 3000), (Content("refine", 4000), 4000, 8000)])
+def test_what_is_kept_early_is_whole_and_knows_that_it_is_coarser(caller: Content, fewest: int, most: int) -> None:
+    points = sampled(impression(), 3500, 0.05, 1)
+    result = reconstruct(PointCloud(points), ReconstructionParameters(), progress=caller.told, cancelled=lambda: False, enough=caller.enough)
+    assert_sound(result)
+    report = result.report
+    assert report.stopped_early
+    assert fewest < report.triangles < most
+    assert list(dict.fromkeys(p.phase for p in caller.seen)) == ["inflate", "refine", "smooth"]
+    assert report.supported_area_fraction > 0.99
+    true = rms_um(result, impression())
+    assert 0.8 * true < report.expected_error_rms_um < 2.5 * true
+    assert float(np.min(result.mesh.vertex_attributes["standard_uncertainty_um"])) > 0
+
+
+def test_nobody_who_waits_is_told_of_an_early_end(ear: Reconstruction) -> None:
+    assert not ear.report.stopped_early
+
+
+def test_distances_of_the_points_come_with_the_previews_and_shrink_to_the_noise(ear: Reconstruction, seen: list[Progress]) -> None:
+    told = [p.distances for p in seen if p.distances is not None]
+    assert all(p.preview is not None for p in seen if p.distances is not None)
+    assert told[0].median_um > 1000  # a small ball amid the points
+    last = ear.report.distances
+    assert last is not None
+    assert sum(last.counts) == 2000
+    # the median of what is normal with sigma is 0.6745 sigma, 95 of 100 are within 1.96
+    assert last.median_um == pytest.approx(0.6745 * 170, rel=0.1)
+    assert last.p95_um == pytest.approx(1.96 * 170, rel=0.1)
+
+
+def test_detail_asks_for_so_many_times_the_triangles_that_the_points_carry() -> None:
+    points = sampled(impression(), 1500, 0.1, 9)
+    whole, half = (run(points, ReconstructionParameters(detail=detail)).report for detail in (1.0, 0.5))
+    assert 0.48 * whole.triangles < half.triangles <= 0.5 * whole.triangles
+    # the triangles are larger, and so is what they depart from the surface
+    assert half.facet_sag_um == pytest.approx(2 * whole.facet_sag_um, rel=0.35)
+
+
+def test_a_higher_threshold_of_support_counts_less_as_measured() -> None:
+    points = sampled(impression(), 1500, 0.1, 3, keep=lambda p: p[:, 2] > -5.0)
+    usual, strict = (run(points, ReconstructionParameters(triangles=3000, least_support=least)).report for least in (0.45, 0.8))
+    assert strict.supported_area_fraction < usual.supported_area_fraction - 0.01
+
+
 class Impatient:
     """A caller who asks to stop as soon as a phase has begun."""
 
@@ -367,6 +430,14 @@ def test_impossible_requests_are_refused() -> None:
         ReconstructionParameters(triangles=10)
     with pytest.raises(UsageError):
         ReconstructionParameters(tolerance_um=0)
+    with pytest.raises(UsageError):
+        ReconstructionParameters(detail=0.0)
+    with pytest.raises(UsageError):
+        ReconstructionParameters(smoothing_rounds=-1)
+    with pytest.raises(UsageError):
+        ReconstructionParameters(pass_band=1.5)
+    with pytest.raises(UsageError):
+        ReconstructionParameters(least_support=0.0)
 
 
 def test_unit_sphere_of_the_tests_is_round() -> None:

@@ -7,12 +7,14 @@ from scipy.spatial import cKDTree
 
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.proximity import closest_near
-from scanner_core.geometry.smoothing import satisfies_taubin
+from scanner_core.geometry.smoothing import satisfies_taubin, taubin_mu
 from scanner_core.reconstruction import smooth
 from scanner_core.reconstruction.cap import fair_cap
 from scanner_core.reconstruction.cloud_scale import measure_scale
 from scanner_core.reconstruction.conjugate_gradients import conjugate_gradients
 from scanner_core.reconstruction.error_function import sizes_by_data_error, sizes_by_sag
+from scanner_core.reconstruction.limits import PASS_BAND
+from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.reconstruction.repair import folded_triangles, unfold
 from scanner_core.reconstruction.spline import Part, SmoothingSpline, grown
 from tests.core.reconstruction.shapes import impression, on_sphere, sampled, sphere, spline_on, unit_sphere
@@ -149,8 +151,9 @@ def test_a_fold_is_found_and_smoothed_away() -> None:
 
 
 def test_phase_three_fulfils_taubins_condition_and_does_not_shrink_a_sphere() -> None:
-    assert satisfies_taubin(smooth.LAMBDA, smooth.MU, smooth.PASS_BAND)
+    for pass_band in (ReconstructionParameters().pass_band, *PASS_BAND):
+        assert satisfies_taubin(smooth.LAMBDA, taubin_mu(smooth.LAMBDA, pass_band), pass_band)
     mesh = unit_sphere(4)
-    smoothed = smooth.smooth(mesh, np.ones(len(mesh.vertices), bool))
+    smoothed = smooth.smooth(mesh, np.ones(len(mesh.vertices), bool), ReconstructionParameters())
     np.testing.assert_array_equal(smoothed.triangles, mesh.triangles)
     assert smoothed.volume() == pytest.approx(mesh.volume(), rel=1e-3)
