@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.background import Background
 from app.controllers.acquisition import AcquisitionController
+from app.controllers.aiming import AimController
 from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
@@ -109,6 +110,7 @@ class Program(QObject):
         mounts = MountsController(self.background, cases, acquisition, rig, self.tell, self)
         picks = MountPicks(self.compare_stack, mounts, self)
         readiness = ReadinessController(self.background, rig, self.settings, self)
+        aiming = AimController(self.background, rig, self.compare_stack, self._settings_file.parent / "materials", self.tell, self)
         self.services = Services(
             self.settings,
             draft,
@@ -127,6 +129,7 @@ class Program(QObject):
             picks,
             preferences,
             readiness,
+            aiming,
         )
         draft.load(first_order(self.settings.last_order) if after is None else after.order)
         live.allow(self.settings.live_surface)

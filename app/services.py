@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from app.background import Background
 from app.controllers.acquisition import AcquisitionController
+from app.controllers.aiming import AimController
 from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
@@ -44,3 +45,4 @@ class Services:
     mount_picks: MountPicks
     preferences: Preferences
     readiness: ReadinessController
+    aiming: AimController

@@ -30,13 +30,20 @@ class LearnedSizes:
     limits: SizeLimits | None
 
 
-def opened(spot: SpotDetectorParameters) -> SpotDetectorParameters:
-    """The detector's settings without limits of size: what is learned must not depend on what was set before."""
-    return replace(spot, min_area_px=2, max_area_px=100_000)
+def opened(spot: SpotDetectorParameters, *, calibrated: bool) -> SpotDetectorParameters:
+    """The detector's settings without limits of size: what is learned must not depend on what was set before.
+
+    Where the other camera can tell which of several bright places is the spot, it does, however bright the others are.
+    """
+    return replace(spot, min_area_px=2, max_area_px=100_000, dominance=100.0 if calibrated else spot.dominance)
 
 
 def learn_sizes(
-    rig: OpenRig, *, progress: OnProgress = lambda _: None, cancelled: IsCancelled = lambda: False, on_look: Callable[[LiveLook], None] = lambda _: None
+    rig: OpenRig,
+    *,
+    progress: OnProgress = lambda _: None,
+    cancelled: IsCancelled = lambda: False,
+    on_look: Callable[[LiveLook], None] = lambda _: None,
 ) -> LearnedSizes:
     """Light the laser and look while the beam moves a little about where it is; it comes back, and stays lit.
 
@@ -48,7 +55,7 @@ def learn_sizes(
     """
     before = rig.motion.status()
     middle = before.x_deg, before.y_deg
-    eye = LiveEye(rig.config, rig.calibration, opened(rig.config.spot))
+    eye = LiveEye(rig.config, rig.calibration, opened(rig.config.spot, calibrated=rig.calibration is not None))
     spots: list[int] = []
     strays: list[int] = []
     for number in range(PLACES):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from scanner_core.acquisition.aiming import beam_angles
 from scanner_core.acquisition.exposing import light
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.jobs.progress import Cancelled, IsCancelled
@@ -18,6 +19,8 @@ _PROBE_DEG = 0.4
 _LONGEST_DEG = 6.0
 """A step: what was learned of the surface here says little of it farther away."""
 _STEPS = 8
+_HEIGHTS = (0.12, 0.08, 0.2, 0.05, 0.3, 0.45, 0.6)
+"""Of the volume, above the middle of the table: an impression is low, a model high."""
 
 
 def point_at(rig: OpenRig, side: str, pixel: tuple[float, float], cancelled: IsCancelled = lambda: False) -> float | None:
@@ -81,3 +84,29 @@ def _place_of(seen: Spot | SpotMiss) -> Array | None:
     if isinstance(seen, SpotMiss):
         return None
     return np.array([seen.x_px, seen.y_px])
+
+
+def find_object(rig: OpenRig, cancelled: IsCancelled = lambda: False) -> bool:
+    """Light the laser and look where it is; where not both cameras see the spot, try the places about which objects stand.
+
+    The laser stays lit, at the first place that both see, or where it was.
+
+    Raises
+    ------
+    DeviceError, Cancelled
+    """
+    detector, status = SpotDetector(rig.config.spot), rig.motion.status()
+    here = status.x_deg, status.y_deg
+    volume = rig.config.volume
+    up = np.array([[0.0, 0.0, share * volume.height_mm] for share in _HEIGHTS])
+    towards = [(float(x), float(y)) for x, y in beam_angles(rig.config.laser, up)]
+    for place in (here, *towards):
+        if cancelled():
+            raise Cancelled
+        if not all(low <= value <= high for value, (low, high) in zip(place, (rig.config.limits.x_deg, rig.config.limits.y_deg), strict=True)):
+            continue
+        light(rig, place)
+        if all(isinstance(detector.detect(camera.grab().image), Spot) for camera in (rig.left, rig.right)):
+            return True
+    light(rig, here)
+    return False

@@ -12,7 +12,7 @@ from typing import Any
 from scanner_core.devices.rig import RigConfig
 from scanner_core.devices.rig_values import number, only, table, text
 from scanner_core.errors import UsageError
-from scanner_core.files import replaced_when_whole
+from scanner_core.files import replaced_when_whole, storage_error
 from scanner_core.one_line import one_line
 from scanner_core.optics.spot_detection import SpotDetectorParameters
 from scanner_core.toml_text import parse_toml, read_text, toml_value
@@ -72,7 +72,9 @@ def read_aim(path: Path) -> AimSettings | None:
         for key, value in spot.items():
             if key != "centroid":
                 number(value, key, -1e9, 1e9)
-        return AimSettings(_pair(tree, "exposure_ms", 0.0, 1e4), _pair(tree, "gain_db", -100, 100), SpotDetectorParameters(**spot), text(tree, "material", ""))
+        return AimSettings(
+            _pair(tree, "exposure_ms", 0.0, 1e4), _pair(tree, "gain_db", -100, 100), SpotDetectorParameters(**spot), text(tree, "material", "")
+        )
     except KeyError as fault:
         raise UsageError("E-AIM-01", path=path, reason=f"the key {fault} is missing") from fault
     except UsageError as fault:
@@ -97,7 +99,10 @@ def write_aim(settings: AimSettings, path: Path) -> None:
         "[spot]",
         *(f"{name} = {toml_value(value)}" for name, value in spot.items()),
     ]
-    path.parent.mkdir(parents=True, exist_ok=True)
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as fault:
+        raise storage_error(path.parent, fault) from fault
     with replaced_when_whole(path, force=True) as partial:
         partial.write_text("\n".join(lines) + "\n", encoding="utf-8")
 

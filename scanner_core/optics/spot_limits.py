@@ -11,8 +11,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from scanner_core.optics.spot_detection import SpotDetectorParameters
+
+Array = NDArray[np.float64]
 
 LEAST_SPOTS = 12
 """Fewer say nothing of the spread."""
@@ -21,7 +24,10 @@ _ROOM = 4.5
 _LEAST_ROOM = float(np.log(4.0))
 """A place elsewhere on the object is seen more obliquely, or farther away."""
 _CLOSE = 3.0
-"""Stray light within so many standard deviations of the spots cannot be told by its size."""
+"""Stray light within so many standard deviations of the spots, or one beyond the farthest of them, cannot be told by its size."""
+_EIGHT_IN_TEN = 1.2816
+"""Standard deviations within which eight in ten of a normal distribution's one side lie."""
+_LEAST_SPREAD = 0.03
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,15 +51,17 @@ def learn_limits(spots_px: Sequence[float], strays_px: Sequence[float] = ()) -> 
         return None
     logs = np.log(np.asarray(spots_px, np.float64))
     middle = float(np.median(logs))
-    spread = max(1.4826 * float(np.median(np.abs(logs - middle))), float(np.ptp(np.quantile(logs, [0.1, 0.9]))) / 2.563, 0.03)
-    room = max(_ROOM * spread, _LEAST_ROOM)
-    low, high = middle - room, middle + room
-    own_low, own_high = middle - _CLOSE * spread, middle + _CLOSE * spread
     strays = np.log(np.asarray(strays_px, np.float64)) if len(strays_px) else np.empty(0)
-    below, above = strays[(strays > low) & (strays < own_low)], strays[(strays < high) & (strays > own_high)]
-    if len(below):
-        low = 0.5 * (float(below.max()) + own_low)
-    if len(above):
-        high = 0.5 * (float(above.min()) + own_high)
+    low, high = middle - _reach(middle - logs, middle - strays), middle + _reach(logs - middle, strays - middle)
     smallest = min(max(int(np.floor(np.exp(low))), 2), 100)
     return SizeLimits(smallest, int(min(max(np.ceil(np.exp(high)), smallest + 1), 100_000)))
+
+
+def _reach(away: Array, strays: Array) -> float:
+    """How far from the middle a limit stands, by what lies on its side: spots that grow dim at slopes reach farther down than up."""
+    side = away[away >= 0]
+    spread = max(float(np.quantile(side, 0.8)) / _EIGHT_IN_TEN, _LEAST_SPREAD)
+    own = max(_CLOSE * spread, float(side.max()) + spread)
+    reach = max(_ROOM * spread, own, _LEAST_ROOM)
+    beyond = strays[(strays > own) & (strays < reach)]
+    return 0.5 * (own + float(beyond.min())) if len(beyond) else reach
