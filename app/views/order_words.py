@@ -32,6 +32,21 @@ _PAGES = {
 }
 
 
+_NEXT = {
+    OrderState.NEW: QT_TRANSLATE_NOOP("worklist", "Scan it"),
+    OrderState.INTERRUPTED: QT_TRANSLATE_NOOP("worklist", "Go on with it"),
+    OrderState.SCANNED: QT_TRANSLATE_NOOP("worklist", "Reconstruct it"),
+    OrderState.RECONSTRUCTED: QT_TRANSLATE_NOOP("worklist", "Deliver it"),
+}
+_OPEN = QT_TRANSLATE_NOOP("worklist", "Open it")
+
+
+def next_step(told: CaseGlance | None) -> str:
+    """What opening an order leads to."""
+    state = None if told is None or told.trouble is not None else told.state
+    return QCoreApplication.translate("worklist", _OPEN if state is None else _NEXT.get(state, _OPEN))
+
+
 def state_of(told: CaseGlance, *, running: bool = False) -> tuple[str, str, str]:
     """Word, drawing and colour."""
     key = told.trouble or told.state or OrderState.NEW
