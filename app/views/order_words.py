@@ -68,7 +68,7 @@ def page_of(told: CaseGlance) -> str:
     return _PAGES[told.state or OrderState.NEW]
 
 
-def order_sentence(told: CaseGlance, *, running: bool = False) -> str:
-    """Everything that a line of the list shows, for those who hear it."""
+def order_sentence(told: CaseGlance, *, running: bool = False, aged: bool = True) -> str:
+    """Everything that a line of the list shows, for those who hear it; without its age what is searched."""
     parts = (told.order.number, side_word(told.order.side), kind_word(told.order.type), told.order.patient_code)
-    return ", ".join(part for part in (*parts, state_of(told, running=running)[0], fmt.ago(told.changed)) if part)
+    return ", ".join(part for part in (*parts, state_of(told, running=running)[0], fmt.ago(told.changed) if aged else "") if part)
