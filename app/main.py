@@ -30,6 +30,7 @@ def _run(given: argparse.Namespace) -> int:
     if not _has_display():
         print("There is no display for the window. Nothing was started; use 'impronta demo', or start it on a desktop.", file=sys.stderr)
         return 1
+    _scale(given.settings)
     application = make_application()
     from app.program import Program
 
@@ -41,10 +42,27 @@ def _run(given: argparse.Namespace) -> int:
     for number in ends:
         # Handled when the pump next runs Python: an orderly end, the laser off and the case whole.
         signal.signal(number, lambda *_: program.window.close())
-    try:
-        return application.exec()
-    finally:
-        program.shut_down()
+    while True:
+        try:
+            code = application.exec()
+        finally:
+            program.shut_down()
+        again = program.again
+        if again is None:
+            return code
+        program.window.deleteLater()
+        program = Program(
+            application, started_s=time.perf_counter(), heartbeat_file=given.heartbeat, case=again.case, settings_file=given.settings, after=again
+        )
+
+
+def _scale(settings_file: Path | None) -> None:
+    """The size of everything that the person has set; Qt reads it once, and what the environment says goes before."""
+    from app.settings import load_settings, settings_path
+
+    percent = load_settings(settings_file or settings_path()).scale_percent
+    if 100 < percent <= 200:
+        os.environ.setdefault("QT_SCALE_FACTOR", f"{percent / 100:g}")
 
 
 def _has_display() -> bool:

@@ -6,11 +6,11 @@ import logging
 import sys
 import time
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
-from importlib import resources
 from pathlib import Path
 
-from PySide6.QtCore import QLocale, QObject, QTimer, QTranslator
+from PySide6.QtCore import QByteArray, QObject, QTimer
 from PySide6.QtGui import QUndoStack
 from PySide6.QtWidgets import QApplication
 
@@ -24,22 +24,25 @@ from app.controllers.export import ExportController
 from app.controllers.live_surface import LiveSurfaceController
 from app.controllers.mount_picks import MountPicks
 from app.controllers.mounts import MountsController
+from app.controllers.preferences import Preferences
 from app.controllers.readiness import ReadinessController
 from app.controllers.reconstruction import ReconstructionController
 from app.controllers.recovery import RecoveryController
 from app.controllers.rig import RigController
 from app.controllers.shading import Shading
-from app.draft import Draft, first_order
+from app.draft import Draft, DraftValues, first_order
 from app.event_log import EventLog
 from app.faults import install_hooks, remove_hooks
 from app.graphics_import import import_graphics
 from app.heartbeat import Heartbeat
+from app.language import Translation
 from app.pump import Pump
 from app.services import Services
-from app.settings import load_settings, save_settings, settings_path
+from app.settings import load_settings, settings_path
 from app.stop_key import StopKey
 from app.theme import icon, set_theme
 from app.undo import UndoHistory
+from app.views.activity import activity_words
 from app.views.main_window import MainWindow
 from scanner_core.log_file import log_fault, log_versions
 
@@ -47,6 +50,16 @@ _DEADLINE_S = 8.0
 _SWITCH_S = 0.001
 """A scan's threads give Python's lock to the window after so long; with Python's own 5 ms every slot waits longer."""
 _log = logging.getLogger("impronta")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Again:
+    """Where a window was that is made anew in another language."""
+
+    case: Path | None
+    page: str
+    order: DraftValues
+    geometry: QByteArray
 
 
 class Program(QObject):
@@ -60,6 +73,7 @@ class Program(QObject):
         heartbeat_file: Path | None = None,
         case: Path | None = None,
         settings_file: Path | None = None,
+        after: Again | None = None,
     ) -> None:
         super().__init__()
         sys.setswitchinterval(_SWITCH_S)
@@ -67,15 +81,20 @@ class Program(QObject):
         self._heartbeat_file = heartbeat_file
         self._settings_file = settings_file or settings_path()
         self._closed = False
+        self.again: Again | None = None
+        """The window was closed so that it be made anew, as this."""
+        self._application = application
         self.settings = load_settings(self._settings_file)
         application.setApplicationName("Impronta")
         application.setWindowIcon(icon("mark"))
-        self._translator = _translate(application, self.settings.language)
+        self._translation = Translation(application, self.settings.language)
         set_theme(application, self.settings.theme)
         self.background = Background()
         self.pump = Pump(self)
         self.heartbeat = Heartbeat(self)
-        self.undo_stack, self.compare_stack = QUndoStack(self), QUndoStack(self)
+        self.undo_stack, self.compare_stack, settings_stack = QUndoStack(self), QUndoStack(self), QUndoStack(self)
+        self._stacks = (self.undo_stack, self.compare_stack, settings_stack)
+        preferences = Preferences(self.settings, self._settings_file, settings_stack, self)
         draft = Draft(self.undo_stack, self)
         rig = RigController(self.background, self._settings_file.parent / "rigs", self.tell, self, known=self.settings.own_rigs)
         cases = CaseController(self.background, self.settings, draft, self.tell, self, settings_file=self._settings_file)
@@ -106,11 +125,14 @@ class Program(QObject):
             coverage,
             mounts,
             picks,
+            preferences,
             readiness,
         )
-        draft.load(first_order(self.settings.last_order))
+        draft.load(first_order(self.settings.last_order) if after is None else after.order)
+        live.allow(self.settings.live_surface)
+        preferences.changed.connect(self._take_preference)
         self._event_log = EventLog(self.services, self)
-        self.window = MainWindow(self.services, UndoHistory(self.undo_stack, self.compare_stack, draft, cases, self))
+        self.window = MainWindow(self.services, UndoHistory(*self._stacks, draft, cases, self))
         self.window.closing.connect(self.shut_down)
         rig.mended.connect(self.window.banner.retract)
         self._stop_key = StopKey(self.window.laser_off, self.window.rail.stop_button, self)
@@ -126,8 +148,10 @@ class Program(QObject):
         self.pump.start()
         if heartbeat_file is not None:
             self.heartbeat.start()
+        if after is not None:
+            self.window.restoreGeometry(after.geometry)
         self.window.show()
-        QTimer.singleShot(0, lambda: self._painted(case))
+        QTimer.singleShot(0, lambda: self._painted(case, after))
 
     def tell(self, fault: BaseException) -> None:
         """From any thread: the sentence into the banner, the details into the log too."""
@@ -137,8 +161,19 @@ class Program(QObject):
     def _show(self, fault: BaseException) -> None:
         self.background.post(lambda: self.window.banner.tell_fault(fault))
 
+    def _take_preference(self, name: str) -> None:
+        """What was set is in force from now on."""
+        if name == "theme":
+            set_theme(self._application, self.settings.theme)
+        elif name == "live_surface":
+            self.services.live_surface.allow(self.settings.live_surface)
+        elif name == "language" and not activity_words(self.services):
+            window = self.window
+            self.again = Again(self.services.case.path, window.page_id, self.services.draft.values, window.saveGeometry())
+            QTimer.singleShot(0, window.close)
+
     # -------------------------------------------------------------------------------- start
-    def _painted(self, case: Path | None) -> None:
+    def _painted(self, case: Path | None, after: Again | None) -> None:
         """The window stands on the screen: now the slow things may begin."""
         self.window.repaint()
         self.heartbeat.notes["first_window_s"] = time.perf_counter() - self._started_s
@@ -147,6 +182,8 @@ class Program(QObject):
         self.services.rig.choose(preset=self.settings.preset, specimen=self.settings.specimen, speed=self.settings.speed)
         if case is not None:
             self.window.open_case(case)
+        if after is not None:
+            self.window.show_page(after.page)
         self.services.recovery.look()
 
     def _make_scene(self) -> None:
@@ -219,7 +256,7 @@ class Program(QObject):
     def _keep_settings(self) -> None:
         rig = self.services.rig.snapshot
         self.settings.preset, self.settings.specimen, self.settings.speed = rig.preset, rig.specimen, rig.speed
-        save_settings(self.settings, self._settings_file)
+        self.services.preferences.keep()
 
     def _end_hooks(self) -> None:
         application = QApplication.instance()
@@ -227,18 +264,9 @@ class Program(QObject):
             application.removeEventFilter(self._stop_key)
         remove_hooks()
         self._event_log.close()
+        self._translation.remove()
 
     def _end_window(self) -> None:
-        for stack in (self.undo_stack, self.compare_stack):
+        for stack in self._stacks:
             stack.blockSignals(True)  # it tells of its own end, when the window may be gone already
         self.window.close()
-
-
-def _translate(application: QApplication, language: str) -> QTranslator | None:
-    """The translation of the settings' language, or of the system's; English when there is none."""
-    locale = QLocale(language) if language else QLocale()
-    translator = QTranslator(application)
-    if not translator.load(locale, "impronta", "_", str(resources.files("resources") / "translations")):
-        return None
-    application.installTranslator(translator)
-    return translator

@@ -14,6 +14,7 @@ from app.controllers.export import ExportController
 from app.controllers.live_surface import LiveSurfaceController
 from app.controllers.mount_picks import MountPicks
 from app.controllers.mounts import MountsController
+from app.controllers.preferences import Preferences
 from app.controllers.readiness import ReadinessController
 from app.controllers.reconstruction import ReconstructionController
 from app.controllers.recovery import RecoveryController
@@ -41,4 +42,5 @@ class Services:
     coverage: CoverageController
     mounts: MountsController
     mount_picks: MountPicks
+    preferences: Preferences
     readiness: ReadinessController

@@ -32,6 +32,8 @@ class Settings:
     language: str = ""
     """Of the texts, as "it"; the system's when empty."""
     theme: str = "system"
+    scale_percent: int = 100
+    """Of everything in the window, read when the program starts."""
     preset: str = "bench"
     """A preset's name, or the path of a rig file."""
     own_rigs: list[str] = field(default_factory=list)
@@ -48,6 +50,9 @@ class Settings:
     name_template: str = "{order}_{side}_{type}_{date}-{rev}"
     code_in_names: bool = False
     """Whether the patient's code may stand in a file's name."""
+    live_surface: bool = True
+    retry: bool = True
+    """Weak places are measured again at the end of a view."""
     recent_cases: list[str] = field(default_factory=list)
     last_order: str = ""
     window: list[int] = field(default_factory=list)

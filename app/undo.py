@@ -17,8 +17,8 @@ from PySide6.QtGui import QUndoStack
 from app.controllers.case import CaseController
 from app.draft import Draft
 
-_Source = Literal["form", "comparison", "case"]
-_Stacked = Literal["form", "comparison"]
+_Source = Literal["form", "comparison", "settings", "case"]
+_Stacked = Literal["form", "comparison", "settings"]
 
 
 class UndoHistory(QObject):
@@ -26,9 +26,11 @@ class UndoHistory(QObject):
 
     changed = Signal()
 
-    def __init__(self, form: QUndoStack, comparison: QUndoStack, draft: Draft, case: CaseController, parent: QObject | None = None) -> None:
+    def __init__(
+        self, form: QUndoStack, comparison: QUndoStack, settings: QUndoStack, draft: Draft, case: CaseController, parent: QObject | None = None
+    ) -> None:
         super().__init__(parent)
-        self._stacks: dict[_Stacked, QUndoStack] = {"form": form, "comparison": comparison}
+        self._stacks: dict[_Stacked, QUndoStack] = {"form": form, "comparison": comparison, "settings": settings}
         self._draft, self._case = draft, case
         self._done: list[_Source] = []
         self._undone: list[_Source] = []

@@ -1,7 +1,7 @@
 """The headless command line of the instrument: ``impronta SUBCOMMAND``.
 
 Exit codes: 0 done, 1 it could not be done (one sentence on standard error), 2 wrong usage, 3 done with the verdict
-"fail" (acceptance tests), 130 interrupted.
+"fail" (acceptance tests; a surface that is not ready to be delivered), 130 interrupted.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ _INTERRUPTED = {
 _log = logging.getLogger("impronta")
 _LINE = 'by a laser line instead of the spot (a rig file: shape = "line" in [laser]); 8 table positions where none are asked for'
 _UNTIL = "scan on where the surface is uncertain, until its standard uncertainty is below U um wherever light reaches, or the points are spent"
-_SPECIMENS = "ear, arch, heart, sphere, or a mesh file (STL, PLY, OBJ, VTP in millimetres, 3MF)"
+_SPECIMENS = "ear, ear-pair (not for demo), arch, heart, sphere, or a mesh file (STL, PLY, OBJ, VTP in millimetres, 3MF)"
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -150,6 +150,10 @@ def _parser() -> argparse.ArgumentParser:
     register.add_argument("--pairs", metavar="FILE", help=pairs)
     register.add_argument("--seed", type=_seed, default=0, metavar="N", help="of the search")
 
+    split = _command(commands, "split", "the run of a pair tray, both ears on one table, to a case for each ear")
+    split.add_argument("case", metavar="CASE")
+    split.add_argument("--out", metavar="DIR", help="folder of the two cases (default: beside CASE)")
+
     reconstruct = _command(commands, "reconstruct", "points to a closed triangular mesh")
     reconstruct.add_argument("input", metavar="INPUT", help="PLY, XYZ/TXT/CSV/ASC, NPY or a case")
     reconstruct.add_argument("--out", required=True, metavar="MESH", help=".stl .ply .obj .3mf")
@@ -170,6 +174,15 @@ def _parser() -> argparse.ArgumentParser:
     export.add_argument("case", metavar="CASE")
     export.add_argument("--out", required=True, metavar="FILE", help=".stl .ply .obj .3mf .dcm for the mesh, .xyz for the points")
     export.add_argument("--force", action="store_true", help="overwrite the output")
+
+    deliver = _command(commands, "deliver", "check a case's surface, and write what the laboratory wants, with a certificate")
+    deliver.add_argument("case", metavar="CASE")
+    profile = "of the export: its name or a beginning of it, also of your own (default: by the type of the order)"
+    deliver.add_argument("--profile", metavar="NAME", help=profile)
+    deliver.add_argument("--out", metavar="DIR", help="folder of the files (default: only check)")
+    deliver.add_argument("--name", metavar="TEMPLATE", help="of the files, instead of the profile's: {order}_{side}_{type}_{date}-{rev}")
+    deliver.add_argument("--anyway", action="store_true", help="also when it is not ready; the certificate says so")
+    deliver.add_argument("--force", action="store_true", help="overwrite files that are there")
 
     coverage = _command(commands, "coverage", "which places of a case's surface are not as certain as wanted, and why")
     coverage.add_argument("case", metavar="CASE")

@@ -20,6 +20,7 @@
      +-- InputFileError (ValueError)          a mesh, point, rig or plan file that cannot be used
      +-- ReconstructionError                  no trustworthy surface in these points
      +-- ComparisonError (ValueError)         two surfaces that cannot be compared
+     +-- DeliveryError                        a surface cannot be delivered as it was asked for
      +-- WorkerError
           +-- WorkerLostError                     the worker process died; a new one was started
 
@@ -132,6 +133,10 @@ class ReconstructionError(ImprontaError):
 
 class ComparisonError(ImprontaError, ValueError):
     """Two surfaces cannot be compared (``E-CMP``)."""
+
+
+class DeliveryError(ImprontaError):
+    """A surface cannot be delivered as it was asked for (``E-DLV``)."""
 
 
 class WorkerError(ImprontaError):

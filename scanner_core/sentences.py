@@ -378,6 +378,20 @@ SENTENCES: dict[str, Sentence] = {
         "DICOM files are written by the package pydicom, which is not installed.",
         "Nothing was written; install it with pip install 'impronta[dicom]', or choose another format.",
     ),
+    # ------------------------------------------------------------------------------------------ delivery
+    "E-DLV-01": Sentence(
+        "This surface is not ready to be delivered: {checks}.", "Nothing was written; mend that, or deliver it anyway, and the certificate says so."
+    ),
+    "E-DLV-02": Sentence("There is no export profile '{name}'.", "Nothing was written; use one of: {known}."),
+    # ------------------------------------------------------------------------------------------ pair tray
+    "E-TRAY-01": Sentence(
+        "The two ears in {path} cannot be told apart: {count} points lie half way between the seats of the tray.",
+        "Nothing was split and every point is kept; take those points out (Edit), or set the impressions on their seats and scan again.",
+    ),
+    "E-TRAY-02": Sentence(
+        "Only {count} points in {path} lie on the seat of the {side} ear.",
+        "Nothing was split and every point is kept; a single impression needs no tray, for a pair set both on their seats and scan again.",
+    ),
     # ------------------------------------------------------------------------------------------ support bundle
     "E-SUP-01": Sentence("The support bundle has no entry '{name}'; it has {known}.", "Nothing was written; see what would be in it with --list."),
     # ------------------------------------------------------------------------------------------ memory and worker process

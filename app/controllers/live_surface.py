@@ -49,7 +49,7 @@ class LiveSurfaceController(QObject):
         self._asked = 0
         self._next_s = 0.0
         self._before: TriangleMesh | None = None
-        self._wanted = True
+        self._wanted = self._allowed = True
         self.supported_area: float | None = None
         """Share of the surface that the points bear out, or None while there is no surface."""
         self.reason: NoSurfaceReason | None = None
@@ -66,6 +66,10 @@ class LiveSurfaceController(QObject):
     def want(self, on: bool) -> None:
         """Whether a person wants to see it; nothing is computed when not."""
         self._wanted = on
+
+    def allow(self, on: bool) -> None:
+        """Whether the settings have it at all."""
+        self._allowed = on
 
     @property
     def worker_pid(self) -> int | None:
@@ -119,7 +123,7 @@ class LiveSurfaceController(QObject):
     # -------------------------------------------------------------------------------- request and answer
     def _ask(self, scene: SceneView) -> None:
         worker, count = self._worker, len(scene.cloud)
-        if not self._wanted or self.failed or worker is None or worker.busy or not self._acquisition.running:
+        if not (self._wanted and self._allowed) or self.failed or worker is None or worker.busy or not self._acquisition.running:
             return
         if count == self._asked or time.monotonic() < self._next_s:
             return

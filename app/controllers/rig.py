@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from scanner_core.metrology.history import SphereTrend
     from scanner_core.optics.calibration_result import CalibrationResult
 
-SPECIMENS = ("ear", "arch", "heart", "sphere")
+SPECIMENS = ("ear", "ear-pair", "arch", "heart", "sphere")
 SPEEDS: tuple[str, ...] = ("1", "5", "max")
 _STATUS_PERIOD_S = 0.3
 _log = logging.getLogger("impronta")

@@ -21,7 +21,7 @@ from app.views.file_dialogs import choose_file
 from app.views.laser_lamps import LaserLamps
 from app.views.mounts_page import MountsPage
 from app.views.page import Page
-from app.views.pages import ASIDE, PAGES
+from app.views.pages import ASIDE, FOOT, PAGES
 from app.views.parts import seam
 from app.views.rail import Rail
 from app.views.scene_link import SceneLink
@@ -52,13 +52,13 @@ class MainWindow(QMainWindow):
         self.actions_by_id = make_actions(self)
         fill_menus(self.menuBar(), self.actions_by_id)
         self.banner = Banner(self.show_support)
-        self.rail = Rail(PAGES, self.show_page, self.laser_off)
+        self.rail = Rail(PAGES, FOOT, self.show_page, self.laser_off)
         self.stage = Stage(
             [self.actions_by_id[name] for name in ("show_points", "show_surface", "show_edges", "show_uncertainty", "fit", "front", "top")]
         )
         self.pages: dict[str, Page] = {}
         self._stack = QStackedWidget()
-        for info in (*PAGES, *ASIDE):
+        for info in (*PAGES, *FOOT, *ASIDE):
             page = info.make(services)
             page.wanted.connect(self.show_page)
             page.intent.connect(self._do)
@@ -119,7 +119,7 @@ class MainWindow(QMainWindow):
 
     # -------------------------------------------------------------------------------- slots of the action table
     def show_page(self, page_id: str) -> None:
-        info = next(info for info in (*PAGES, *ASIDE) if info.id == page_id)
+        info = next(info for info in (*PAGES, *FOOT, *ASIDE) if info.id == page_id)
         page = self.pages[page_id]
         beside = bool(info.stage)
         if beside:

@@ -16,6 +16,7 @@ from app.views.pick_page import PickPage
 from app.views.reconstruct_page import ReconstructPage
 from app.views.rig_page import RigPage
 from app.views.scan_page import ScanPage
+from app.views.settings_page import SettingsPage
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +46,8 @@ PAGES: tuple[PageInfo, ...] = (
     PageInfo("compare", QT_TRANSLATE_NOOP("pages", "Compare"), "compare", ComparePage),
 )
 
+FOOT: tuple[PageInfo, ...] = (PageInfo("settings", QT_TRANSLATE_NOOP("pages", "Settings"), "settings", SettingsPage),)
+"""At the foot of the rail: no step of the work."""
 ASIDE: tuple[PageInfo, ...] = (
     PageInfo("assistant", QT_TRANSLATE_NOOP("pages", "Set up a rig"), "rig", AssistantPage, of="rig"),
     PageInfo("coverage", QT_TRANSLATE_NOOP("pages", "Coverage"), "scan", CoveragePage, stage=QT_TRANSLATE_NOOP("pages", "Coverage"), of="scan"),

@@ -165,11 +165,12 @@ class SideBadge(QLabel):
         if not side:
             return
         word = QCoreApplication.translate("draft", SIDES[side])
-        self.setText(word)
         self.setProperty("role", "badge")
         self.setProperty("side", side)
         self.style().unpolish(self)
         self.style().polish(self)
+        self.setText(word)
+        self.updateGeometry()
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QCoreApplication, QSize, Qt
+from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QButtonGroup, QPushButton, QVBoxLayout, QWidget
 
 from app.controllers.emission import Emission
@@ -19,7 +20,7 @@ WIDTH = 196
 class Rail(QWidget):
     """Calls `chosen(page id)` and `laser_off()`."""
 
-    def __init__(self, pages: Sequence[PageInfo], chosen: Callable[[str], None], laser_off: Callable[[], None]) -> None:
+    def __init__(self, pages: Sequence[PageInfo], foot: Sequence[PageInfo], chosen: Callable[[str], None], laser_off: Callable[[], None]) -> None:
         super().__init__()
         self.setProperty("role", "panel")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
@@ -53,28 +54,34 @@ class Rail(QWidget):
         self._group = QButtonGroup(self)
         self._steps: dict[str, QPushButton] = {}
         for number, page in enumerate(pages, start=1):
-            step = QPushButton(QCoreApplication.translate("pages", page.title))
-            step.setProperty("role", "step")
-            step.setCheckable(True)
-            step.setIcon(icon(page.icon, "muted", "text"))
-            step.setIconSize(QSize(19, 19))
-            step.setShortcut(f"Ctrl+{number}")
-            step.setToolTip(f"Ctrl+{number}")
-            step.clicked.connect(lambda _=False, id=page.id: chosen(id))
-            self._group.addButton(step)
-            self._steps[page.id] = step
-            box.addWidget(step)
+            box.addWidget(self._make_step(page, f"Ctrl+{number}", chosen))
         box.addStretch(1)
+        for page in foot:
+            box.addWidget(self._make_step(page, "Ctrl+,", chosen))
+        box.addSpacing(10)
         self.stop_button = button(self.tr("Stop · laser off"), "laser", laser_off, "laser", "laser_text")
         self.stop_button.setToolTip(self.tr("Stops every movement and switches the laser off, from every page (Esc)"))
-        foot = QVBoxLayout()
-        foot.setContentsMargins(14, 0, 14, 0)
-        foot.setSpacing(6)
-        foot.addWidget(self.stop_button)
+        stop = QVBoxLayout()
+        stop.setContentsMargins(14, 0, 14, 0)
+        stop.setSpacing(6)
+        stop.addWidget(self.stop_button)
         hint = label(self.tr("Esc, from every page"), "faint")
         hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        foot.addWidget(hint)
-        box.addLayout(foot)
+        stop.addWidget(hint)
+        box.addLayout(stop)
+
+    def _make_step(self, page: PageInfo, shortcut: str, chosen: Callable[[str], None]) -> QPushButton:
+        step = QPushButton(QCoreApplication.translate("pages", page.title))
+        step.setProperty("role", "step")
+        step.setCheckable(True)
+        step.setIcon(icon(page.icon, "muted", "text"))
+        step.setIconSize(QSize(19, 19))
+        step.setShortcut(shortcut)
+        step.setToolTip(QKeySequence(shortcut).toString(QKeySequence.SequenceFormat.NativeText))
+        step.clicked.connect(lambda: chosen(page.id))
+        self._group.addButton(step)
+        self._steps[page.id] = step
+        return step
 
     def show_page(self, page_id: str) -> None:
         self._steps[page_id].setChecked(True)

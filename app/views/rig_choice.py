@@ -22,6 +22,7 @@ PRESET_WORDS = {
 SPECIMEN_WORDS = {
     "ear": QT_TRANSLATE_NOOP("rig", "Ear impression"),
     "arch": QT_TRANSLATE_NOOP("rig", "Dental arch"),
+    "ear-pair": QT_TRANSLATE_NOOP("rig", "Both ears on a pair tray"),
     "heart": QT_TRANSLATE_NOOP("rig", "Heart"),
     "sphere": QT_TRANSLATE_NOOP("rig", "Reference sphere"),
 }

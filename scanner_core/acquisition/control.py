@@ -15,6 +15,7 @@ class ScanControl:
         self._state = ScanState.IDLE
         self._paused = threading.Event()
         self._go_on = threading.Event()
+        self._asked: set[int] = set()
         self.cancelled = threading.Event()
 
     @property
@@ -41,6 +42,23 @@ class ScanControl:
         self.cancelled.set()
         self._go_on.set()
         return True
+
+    def ask_again(self, view: int) -> None:
+        """A view is to be measured once more when the plan has come to its end."""
+        with self._lock:
+            self._asked.add(view)
+
+    @property
+    def asked_again(self) -> frozenset[int]:
+        """Views that are to be measured once more and have not been taken yet."""
+        with self._lock:
+            return frozenset(self._asked)
+
+    def take_asked(self) -> frozenset[int]:
+        """The same, and they are seen to from now on."""
+        with self._lock:
+            asked, self._asked = frozenset(self._asked), set()
+            return asked
 
     @property
     def rest_wanted(self) -> bool:

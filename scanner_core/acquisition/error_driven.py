@@ -25,7 +25,7 @@ from scanner_core.acquisition.control import ScanControl
 from scanner_core.acquisition.following import Pass, PlanFollower
 from scanner_core.acquisition.passes import PassesEnd, PassKind, ScanPass, SteeringResult, SteeringStatus, counted, end_of, kept_passes
 from scanner_core.acquisition.plan import PlanRequest, ScanPlan, ViewPlan
-from scanner_core.acquisition.planning import even_views, may_stand, nearest_turn, renumbered
+from scanner_core.acquisition.planning import even_views, may_stand, renumbered, turned
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.case.decoding import MOST_VIEWS
 from scanner_core.case.store import CaseStore
@@ -140,6 +140,12 @@ class ErrorDriven:
         self._store.audit("error-driven scan", json.dumps(self.result().as_dict()))
         return whole.plan
 
+    def repeat(self, whole: Pass, views: tuple[ViewPlan, ...], follow: Follow) -> Pass:
+        """Measure views once more, beside the passes that are steered; returns the scan with them."""
+        whole = self._extended(whole, _Step("repeated", views))
+        self._follow(len(self._passes) - 1, whole, whole.plan.views[self._passes[-1].first_view :], follow)
+        return whole
+
     # ------------------------------------------------------------------------------------------ inner
     def _follow(self, number: int, whole: Pass, views: tuple[ViewPlan, ...], follow: Follow) -> None:
         if self._control.cancelled.is_set() or not any(view.rows for view in views):
@@ -224,14 +230,13 @@ class ErrorDriven:
 
     def _extended(self, whole: Pass, step: _Step) -> Pass:
         """The plan with the pass in it; the case knows of it before anything is exposed."""
-        views, at_deg = [], self._follower.motion.table_deg
-        for view in step.views:
-            at_deg = nearest_turn(view.table_deg, at_deg, self._may_turn)
-            views.append(replace(view, table_deg=at_deg))
-        plan = whole.plan.extended(tuple(views))
-        passes = [*self._passes, _scan_pass(replace(step, views=tuple(views)), len(whole.plan.views))]
+        views = turned(step.views, self._follower.motion.table_deg, self._may_turn)
+        plan = whole.plan.extended(views)
+        passes = [*self._passes, _scan_pass(replace(step, views=views), len(whole.plan.views))]
         self._store.extend_plan(whole.scan_id, plan.as_dict() | {"request": asdict(self._request), "passes": kept_passes(passes)})
         self._passes = passes  # now: a pass that the case could not take is none
+        if whole.progress is not None:
+            whole.progress.follow(plan)
         whole.tally.extend(sum(row.count for view in views for row in view.rows))
         return replace(whole, plan=plan)
 

@@ -24,21 +24,24 @@ from scanner_core.acquisition.simultaneous import Counting, rows_in_step
 from scanner_core.acquisition.status import ScanState
 from scanner_core.acquisition.sweep_exposure import exposed_for
 from scanner_core.acquisition.tally import Tally
+from scanner_core.acquisition.view_progress import PlanProgress
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.motion import MotionStatus
 
 _STATUS_PERIOD_S = 0.2
 _MOVE_DEADLINE_S = 30.0
+_A_TURN_DEG = 1.0
 
 
 @dataclass(frozen=True, slots=True)
 class Pass:
-    """One plan that is being followed: its record in the case, its counts, and where its points go."""
+    """One plan that is being followed: its record in the case, its counts, where its points go, and what becomes of its views."""
 
     scan_id: int
     plan: ScanPlan
     tally: Tally
     cloud: PointLog
+    progress: PlanProgress | None = None
 
 
 class PlanFollower:
@@ -49,6 +52,7 @@ class PlanFollower:
         self._keeper = Keeper(store)
         self._counting = Counting.of(rig.left.report().trigger, rig.right.report().trigger)
         self._asked_s = 0.0
+        self._turns = 0.0, 0.0
         self.motion: MotionStatus = rig.motion.status()
         """The controller's newest report."""
         self.view = 0
@@ -57,7 +61,7 @@ class PlanFollower:
         """Who looks at the marks on the table's rim at the start of each view."""
 
     def follow(self, run: Pass, left: CaptureThread, right: CaptureThread) -> None:
-        """Scan every view of a plan that has rows; a quota that a view could not fill is carried to the next."""
+        """Scan every view of a plan that has rows; a quota that a view could not fill is carried to the next, if the view is not to be repeated."""
         with exposed_for(self._rig, run.plan):
             owed = 0
             for view in run.plan.views:
@@ -65,18 +69,25 @@ class PlanFollower:
                     break
                 if not view.rows:
                     continue
-                self._rest_while_paused()  # before the table turns and the marks are lit
+                self._rest_while_paused(run.tally)  # before the table turns and the marks are lit
                 if self._control.cancelled.is_set():
                     break
                 self.view = view.rows[0].view
+                if run.progress is not None:
+                    run.progress.begin(self.view)
+                begin_s, from_deg = self._rig.clock.now_s(), self.motion.table_deg
                 self._rig.motion.rotate_to(view.table_deg)
                 table_deg = self.ask().table_deg
                 self._store.put_view(run.scan_id, self.view, table_deg)
                 self._visit_marks(table_deg, left, right)
+                self._turned(run.tally, abs(table_deg - from_deg), self._rig.clock.now_s() - begin_s)
                 wanted = None if view.quota is None else view.quota + owed
                 measured = self._scan_view(run, view, table_deg, wanted, left, right)
-                owed = 0 if wanted is None else wanted - measured
                 self._health.end_view(self.view, table_deg)
+                if run.progress is not None and not self._control.cancelled.is_set():
+                    run.progress.end(self.view, self._health.findings)
+                again = run.progress is not None and run.progress.will_repeat(self.view)
+                owed = 0 if wanted is None or again else wanted - measured
         self.keep()
 
     def keep(self) -> None:
@@ -94,7 +105,17 @@ class PlanFollower:
         self._poll()
         return self._control.cancelled.is_set()
 
+    def seconds_to_turn(self, degrees: float) -> float:
+        """For the table, with what comes before the first row of a view, as it took so far; on the rig's clock."""
+        turned_s, turned_deg = self._turns
+        return turned_s / turned_deg * degrees if turned_deg else 0.0
+
     # ------------------------------------------------------------------------------------------ inner
+    def _turned(self, tally: Tally, degrees: float, seconds: float) -> None:
+        tally.turned(seconds)
+        if degrees >= _A_TURN_DEG:
+            self._turns = self._turns[0] + seconds, self._turns[1] + degrees
+
     def _visit_marks(self, table_deg: float, left: CaptureThread, right: CaptureThread) -> None:
         if self.marks is not None and self.marks.visit(self.view, table_deg, left, right, self._poll):
             self._health.tell(mark_findings(self.marks.watch))
@@ -102,7 +123,7 @@ class PlanFollower:
     def _scan_view(self, run: Pass, view: ViewPlan, table_deg: float, wanted: int | None, left: CaptureThread, right: CaptureThread) -> int:
         measured = 0
         for row in view.rows:
-            self._rest_while_paused()
+            self._rest_while_paused(run.tally)
             if self._control.cancelled.is_set() or (wanted is not None and measured >= wanted):
                 break
             self._rig.motion.aim(row.x_from_deg, row.y_deg)
@@ -129,19 +150,22 @@ class PlanFollower:
         self.exposures += len(seen.observations)
         run.cloud.append(seen.points, table_deg)
         run.tally.add((observation.verdict for observation in seen.observations), self._rig.clock.now_s())
+        if run.progress is not None:
+            run.progress.add([(observation.trigger_id, observation.verdict) for observation in seen.observations])
         self._keeper.add(run.scan_id, seen.observations)
 
-    def _rest_while_paused(self) -> None:
+    def _rest_while_paused(self, tally: Tally) -> None:
         if not self._control.rest_wanted:
             return
         self._rig.motion.laser(False)
         self.ask()  # so that nobody is told of a pause and of light
-        before = self._control.state
+        before, begin_s = self._control.state, self._rig.clock.now_s()
         self.keep()
         self._control.enter(ScanState.PAUSED)
         while self._control.rest_wanted and not self._control.wait_to_go_on(_STATUS_PERIOD_S):
             self._poll()
         self._control.enter(before)
+        tally.rested(self._rig.clock.now_s() - begin_s)
 
     def _poll(self) -> None:
         if time.monotonic() - self._asked_s > _STATUS_PERIOD_S and not self._control.cancelled.is_set():

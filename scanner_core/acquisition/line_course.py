@@ -80,6 +80,15 @@ class LineCourse:
         """Table positions of the whole scan."""
         return self._request.views
 
+    @property
+    def closing(self) -> bool:
+        """A line measures no view again."""
+        return False
+
+    def seconds_left(self, now_s: float) -> float | None:
+        """From the pace so far, on the rig's clock."""
+        return self.tally.seconds_left(now_s)
+
     def run(self) -> None:
         """The whole course; returns early when the scan is ended."""
         planner = LinePlanner(self._rig.config, self._request, self._rig.left.rate_hz)

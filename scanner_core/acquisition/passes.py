@@ -16,7 +16,7 @@ if TYPE_CHECKING:  # plans and their passes are known without what computes them
     from scanner_core.acquisition.remount import RemountAdvice
     from scanner_core.coverage.report import CoverageReport
 
-PassKind = Literal["coarse", "steered", "uniform"]
+PassKind = Literal["coarse", "steered", "uniform", "repeated"]
 
 
 class PassesEnd(Enum):
@@ -45,7 +45,8 @@ class ScanPass:
 
     Attributes
     ----------
-    kind : ``coarse`` comes first; ``steered`` ones go where the surface is uncertain; ``uniform`` spreads what is left evenly
+    kind : ``coarse`` comes first; ``steered`` ones go where the surface is uncertain; ``uniform`` spreads what is left evenly;
+        ``repeated`` measures views once more because a person wants it
     first_view, views : number of its first view, and how many there are
     wanted : points that it was to measure
     points, seconds : what it measured, and how long that took on the rig's clock; of an interrupted one since it was resumed
@@ -219,7 +220,7 @@ def passes_of(record: Mapping[str, Any]) -> tuple[ScanPass, ...]:
         shares = [share for share in (one.within_before, one.within_predicted, one.within_after) if share is not None]
         if any(isinstance(number, bool) or not isinstance(number, int) or number < 0 for number in numbers) or one.first_view != view:
             raise ValueError("passes that do not follow each other")
-        if one.kind not in ("coarse", "steered", "uniform") or not 0 <= one.seconds < 1e9 or not all(0 <= share <= 1 for share in shares):
+        if one.kind not in ("coarse", "steered", "uniform", "repeated") or not 0 <= one.seconds < 1e9 or not all(0 <= share <= 1 for share in shares):
             raise ValueError("a pass that cannot be")
         view += one.views
         passes.append(one)

@@ -43,13 +43,22 @@ class Row:
 class ViewPlan:
     """One position of the table, its rows in the order of the scan, and the points after which it is complete.
 
-    `sweep_speed_deg_s` is that of its rows where it differs from the plan's.
+    `sweep_speed_deg_s` is that of its rows where it differs from the plan's; `repeats` is the number of the view that it measures once
+    more (:mod:`~scanner_core.acquisition.retry`).
     """
 
     table_deg: float
     rows: tuple[Row, ...]
     quota: int | None = None
     sweep_speed_deg_s: float | None = None
+    repeats: int | None = None
+
+    def as_dict(self) -> dict[str, object]:
+        """For the case file and JSON; `repeats` where it does."""
+        told = asdict(self)
+        if self.repeats is None:
+            del told["repeats"]  # as older cases tell it, whose plan may go on growing
+        return told
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +85,7 @@ class ScanPlan:
 
     def as_dict(self) -> dict[str, object]:
         """For the case file and JSON."""
-        return asdict(self)
+        return {"views": [view.as_dict() for view in self.views], "sweep_speed_deg_s": self.sweep_speed_deg_s}
 
     @staticmethod
     def from_dict(record: Mapping[str, Any]) -> ScanPlan:
@@ -93,6 +102,7 @@ class ScanPlan:
                 tuple(Row(*(int(row[k]) for k in _COUNTS), *(float(row[k]) for k in _ANGLES)) for row in view["rows"]),
                 None if view["quota"] is None else int(view["quota"]),
                 None if view.get("sweep_speed_deg_s") is None else float(view["sweep_speed_deg_s"]),
+                None if view.get("repeats") is None else int(view["repeats"]),
             )
             for view in record["views"]
         )
@@ -115,6 +125,7 @@ class PlanRequest:
         object is one body
     until_um : scan on where the surface's standard uncertainty is larger, until it is below this everywhere that light can
         reach or `points` are spent; None = `points` spread evenly
+    retry : measure weak views once more at the end (:mod:`~scanner_core.acquisition.retry`)
     """
 
     views: int = 16
@@ -123,6 +134,7 @@ class PlanRequest:
     object_height_mm: float | None = None
     smallest_part_mm: float | None = None
     until_um: float | None = None
+    retry: bool = True
 
     def __post_init__(self) -> None:
         if not 1 <= self.views <= 360:
@@ -137,8 +149,12 @@ class PlanRequest:
             raise UsageError("E-USE-01", what=f"An uncertainty of {self.until_um} um makes no plan", do="ask for 1 to 10,000 um")
 
 
-def read_plan(path: Path) -> PlanRequest:
+def read_plan(path: Path, *, retry: bool = True) -> PlanRequest:
     """A plan request from a TOML file with the keys of :class:`PlanRequest`.
+
+    Parameters
+    ----------
+    retry : where the file does not say
 
     Raises
     ------
@@ -151,11 +167,14 @@ def read_plan(path: Path) -> PlanRequest:
         if unknown := sorted(set(values) - known):
             raise ValueError(f"unknown key {unknown[0]!r}; known are {', '.join(sorted(known))}")
         for name, value in values.items():
-            if isinstance(value, bool) or not isinstance(value, int | float):
+            if name == "retry":
+                if not isinstance(value, bool):
+                    raise ValueError("'retry' is neither true nor false")
+            elif isinstance(value, bool) or not isinstance(value, int | float):
                 raise ValueError(f"'{name}' is no number")
             if name in ("views", "points") and not isinstance(value, int):
                 raise ValueError(f"'{name}' is no whole number")
-        return PlanRequest(**values)
+        return PlanRequest(**({"retry": retry} | values))
     except UsageError:
         raise
     except (OSError, ValueError) as fault:

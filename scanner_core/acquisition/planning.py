@@ -55,6 +55,15 @@ def nearest_turn(table_deg: float, from_deg: float, allowed: Callable[[float], b
     return next((to_deg for to_deg in turns if allowed(to_deg)), table_deg)
 
 
+def turned(views: Sequence[ViewPlan], from_deg: float, allowed: Callable[[float], bool]) -> tuple[ViewPlan, ...]:
+    """The same views, each by the shortest way from the one before it; the first from there."""
+    found = []
+    for view in views:
+        from_deg = nearest_turn(view.table_deg, from_deg, allowed)
+        found.append(replace(view, table_deg=from_deg))
+    return tuple(found)
+
+
 def may_stand(limits: LimitsConfig, table_deg: float) -> bool:
     """Whether a table that may not turn on for ever comes to this place in some turn."""
     if limits.table_deg is None:

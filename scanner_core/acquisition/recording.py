@@ -160,4 +160,5 @@ def recorded_plan(config: RigConfig) -> PlanRequest | None:
     folder = Path(config.left.id)
     if any(camera.driver != "replay" for camera in (config.left, config.right)) or config.right.id != config.left.id:
         return None
-    return read_plan(folder / PLAN) if (folder / PLAN).is_file() else None
+    # A recording that does not say is older than repetitions of views, and holds none.
+    return read_plan(folder / PLAN, retry=False) if (folder / PLAN).is_file() else None

@@ -38,7 +38,8 @@ def remaining_plan(plan: ScanPlan, exposed: NDArray[np.int64], measured: NDArray
     ----------
     exposed : (n,) trigger ids that have a verdict
     measured : (views,) points of each view
-    begins : the first view of each pass; what a pass lacks is not carried into the next one, which was planned knowing of it
+    begins : the first view of each pass; what a pass lacks is not carried into the next one, which was planned knowing of it, nor into
+        the repetition of a view
     """
     latest = -1
     for number, view in enumerate(plan.views):
@@ -47,7 +48,7 @@ def remaining_plan(plan: ScanPlan, exposed: NDArray[np.int64], measured: NDArray
     owed, views = 0, []
     for number, view in enumerate(plan.views):
         rows, quota = view.rows, view.quota
-        if number in begins:
+        if number in begins or view.repeats is not None:
             owed = 0
         if number <= latest and quota is not None:
             quota += owed - int(measured[number])

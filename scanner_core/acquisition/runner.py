@@ -39,6 +39,7 @@ from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.acquisition.scan_course import ScanCourse
 from scanner_core.acquisition.scan_result import ScanResult
 from scanner_core.acquisition.status import FinishReason, ScanCounts, ScanState, ScanStatus
+from scanner_core.acquisition.view_progress import ViewProgress
 from scanner_core.acquisition.views import RegisteredViews, register_case
 from scanner_core.case.recovery import Interruption
 from scanner_core.case.store import CaseStore
@@ -126,6 +127,14 @@ class ScanRunner:
     def resume(self) -> None:
         self._control.resume()
 
+    def measure_again(self, view: int) -> None:
+        """Measure a view of the plan (from 0) once more, after its last one; without effect on a laser line, and once that is over."""
+        self._control.ask_again(view)
+
+    def views(self) -> tuple[ViewProgress, ...]:
+        """What has become of the views of the plan so far; from any thread.  None before there is a plan, and of a laser line."""
+        return () if isinstance(self._course, LineCourse) else self._course.progress.views(self._control.asked_again)
+
     def cancel(self) -> None:
         """Laser off at once and end; what was measured is kept.  From any thread, also twice."""
         if self._control.cancel() and self._control.state not in (ScanState.IDLE, ScanState.FINISHING):
@@ -155,14 +164,22 @@ class ScanRunner:
             views=self._course.views,
             rate_hz=tally.rate_hz() if state is ScanState.SCANNING else 0.0,
             seconds=now_s - self._begin_s,
-            seconds_left=tally.seconds_left(now_s) if state is ScanState.SCANNING else None,
+            seconds_left=self._course.seconds_left(now_s) if state is ScanState.SCANNING else None,
             table_deg=motion.table_deg,
             laser_on=motion.laser_power > 0,
+            pausing=self._control.rest_wanted and state is not ScanState.PAUSED and running,
+            closing=self._course.closing,
+            repeats=self._repeated(),
             steering=None if self._course.steering is None else self._course.steering.status(),
             findings=self._health.findings,
             finish_reason=None if result is None else result.finish_reason,
             error=None if result is None else result.error,
         )
+
+    def _repeated(self) -> int | None:
+        """The view that is being measured once more."""
+        plan, view = self._course.plan, self._follower.view
+        return plan.views[view].repeats if plan is not None and view < len(plan.views) and not self._course.closing else None
 
     # ------------------------------------------------------------------------------------------ the scan's thread
     def _run(self) -> None:
@@ -237,6 +254,7 @@ class ScanRunner:
             error=error,
             laser=self._rig.config.laser.shape,
             marks=None if self._follower.marks is None else self._follower.marks.report(),
+            plan=self.views(),
         )
         with self._lock:
             self.result = result

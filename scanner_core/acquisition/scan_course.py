@@ -6,7 +6,8 @@ It runs in the scan's thread, which owns the controller; what it has come to may
 from __future__ import annotations
 
 import json
-from dataclasses import asdict
+from dataclasses import asdict, replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -19,11 +20,23 @@ from scanner_core.acquisition.handover import PointLog
 from scanner_core.acquisition.health import HealthMonitor, Phase
 from scanner_core.acquisition.known_points import KnownPoints, agreement, check_plan
 from scanner_core.acquisition.plan import PlanRequest, ScanPlan
-from scanner_core.acquisition.planning import closing_plan, coarse_request, locating_plan, nearest_turn, scan_plan, table_angles_deg
+from scanner_core.acquisition.planning import (
+    CLOSING_POINTS,
+    closing_plan,
+    coarse_request,
+    locating_plan,
+    nearest_turn,
+    scan_plan,
+    table_angles_deg,
+    turned,
+)
 from scanner_core.acquisition.resuming import resumption
+from scanner_core.acquisition.retry import repetitions
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.acquisition.status import FinishReason, ScanCounts, ScanState
 from scanner_core.acquisition.tally import Tally
+from scanner_core.acquisition.view_progress import PlanProgress
+from scanner_core.case.decoding import MOST_VIEWS
 from scanner_core.case.recovery import Interruption
 from scanner_core.case.store import CaseStore
 from scanner_core.devices.rig import dump_rig
@@ -31,6 +44,8 @@ from scanner_core.errors import AcquisitionError, DeviceError, UsageError
 from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.optics.spot import MissReason
 
+_REPEATED_DEG = 90.0
+"""By which the table turns to a view that is repeated, on the average."""
 _SAME_RATE = 0.01
 """How far apart the frame rates of the two cameras may be, of the rate."""
 
@@ -46,6 +61,8 @@ class ScanCourse:
     open : the pass that has begun and not ended, beside the scan or the scan itself
     resumed : points that were there before; None when nothing was resumed
     steering : of an error-driven scan
+    closing : the first view is being measured again, after the turn
+    progress : what has become of the views of the scan's plan
     """
 
     def __init__(
@@ -75,12 +92,34 @@ class ScanCourse:
         self.open: Pass | None = None
         self.resumed: int | None = None
         self.steering: ErrorDriven | None = None
+        self.closing = False
+        self.progress = PlanProgress(request.retry and request.until_um is None)
 
     @property
     def views(self) -> int:
         """Table positions of the plan so far."""
         steered = None if self.steering is None else self.steering.views
         return steered or (self._first.views if self.plan is None else len(self.plan.views))
+
+    def seconds_left(self, now_s: float) -> float | None:
+        """From the pace so far, on the rig's clock, with the repetitions that are foreseen and the closure."""
+        run, plan = self.open, self.plan
+        closed = run.tally.measured if self.closing and run is not None and run.scan_id != self.scan_id else 0
+        pace = self.tally.seconds_a_point(now_s, closed)
+        if plan is None or pace is None:
+            return None
+        sweeping_s, turning_s = pace
+        repeated, views = self.progress.lacking
+        points, degrees = max(self.tally.lacking, repeated), _REPEATED_DEG * views
+        if len(plan.views) > 1:
+            points += max(0, min(CLOSING_POINTS, plan.views[0].quota or CLOSING_POINTS) - closed)
+        if self.steering is not None:  # its views to come are not known yet
+            return points * (sweeping_s + turning_s)
+        if not self.closing:
+            to_come = [view.table_deg for view in plan.views[self._follower.view + 1 :]]
+            stops = [self._follower.motion.table_deg, *to_come, plan.views[0].table_deg + 360.0]
+            degrees += sum(abs(to_deg - from_deg) for from_deg, to_deg in pairwise(stops))
+        return points * sweeping_s + self._follower.seconds_to_turn(degrees)
 
     def run(self, left: CaptureThread, right: CaptureThread, assess: Assess | None) -> None:
         """The whole course; returns early when the scan is ended.
@@ -123,7 +162,8 @@ class ScanCourse:
             self.tally = Tally(0, None, self._rig.clock.now_s())
             return
         plan = scan_plan(self._rig.config, self._first, rate_hz, located, hits, self._store.next_trigger_id())
-        scan = self._begin("scan", plan, self._request.points, self._cloud)
+        scan = replace(self._begin("scan", plan, self._request.points, self._cloud), progress=self.progress)
+        self.progress.follow(plan)
         self.tally, self.scan_id, self.plan = scan.tally, scan.scan_id, plan
         self._finish(scan, plan)
 
@@ -135,8 +175,12 @@ class ScanCourse:
             self._store.end_scan(interruption.record.id, FinishReason.CANCELLED, interruption.counts)
             return False
         self.scan_id, self.resumed = interruption.record.id, len(known)
-        plan, wanted = interruption.plan, self._request.points
+        plan = interruption.plan
+        wanted = self._request.points
         self.plan = plan
+        self.progress.follow(plan)
+        exposed = self._store.exposures(self.scan_id)
+        self.progress.recall(zip(exposed.trigger_id.tolist(), exposed.verdict, strict=True), rest.remaining.complete)
         self.tally = Tally(plan.planned, wanted, self._rig.clock.now_s(), rest.verdicts)
         self._health.recall(plan, known, rest.remaining.complete)
         if self._follower.marks is not None:
@@ -149,8 +193,10 @@ class ScanCourse:
         if self.steering is not None:
             self.steering.recall(np.bincount(known.views, minlength=len(plan.views)))
         self.tally = Tally(plan.planned, wanted, self._rig.clock.now_s(), rest.verdicts)
+        if self.steering is None:
+            self.tally.want(sum(view.quota or 0 for view in rest.remaining.plan.views if view.rows))
         self._health.go_on()
-        self._finish(Pass(interruption.record.id, plan, self.tally, self._cloud), rest.remaining.plan)
+        self._finish(Pass(interruption.record.id, plan, self.tally, self._cloud, self.progress), rest.remaining.plan)
         return True
 
     def _find_again(self, plan: ScanPlan, known: KnownPoints) -> None:
@@ -176,13 +222,36 @@ class ScanCourse:
     def _finish(self, whole: Pass, rest: ScanPlan) -> None:
         """Follow what is left of a plan, and what an error-driven scan adds to it, and close the turn."""
         self._control.enter(ScanState.SCANNING)
-        plan = whole.plan
         if self.steering is None:
-            self._follow_scan(Pass(whole.scan_id, rest, whole.tally, whole.cloud))
+            self._follow_scan(replace(whole, plan=rest))
         else:
-            plan = self.plan = self.steering.follow(whole, rest, self._follow_scan)
+            whole = replace(whole, plan=self.steering.follow(whole, rest, self._follow_scan))
+        plan = self.plan = self._repeat(whole)
         if len(plan.views) > 1 and plan.views[0].rows and not self._control.cancelled.is_set():
             self._close_turn(plan)
+
+    def _repeat(self, whole: Pass) -> ScanPlan:
+        """Measure once more what is weak and what a person wants; returns the plan as it has grown."""
+        while not self._control.cancelled.is_set():
+            counts, weak = self.progress.take_weak()
+            asked = {view for view in self._control.take_asked() if view < len(counts) and counts[view].plan.repeats is None}
+            if not weak and not asked:
+                break
+            views = repetitions(counts, weak, asked, self._store.next_trigger_id(), MOST_VIEWS - len(counts))
+            if not views:
+                break
+            views = turned(views, self._follower.ask().table_deg, self._may_turn)
+            if self.steering is not None:
+                whole = self.steering.repeat(whole, views, self._follow_scan)
+                continue
+            plan = self.plan = whole.plan.extended(views)
+            self._store.extend_plan(whole.scan_id, plan.as_dict() | {"request": asdict(self._request)})
+            self.progress.follow(plan)
+            whole.tally.extend(sum(row.count for view in views for row in view.rows))
+            whole.tally.want(sum(view.quota or 0 for view in views))
+            self._follow_scan(replace(whole, plan=replace(plan, views=views)))
+            whole = replace(whole, plan=plan)
+        return whole.plan
 
     def _follow_scan(self, run: Pass) -> None:
         self._health.expect(run.plan)
@@ -197,6 +266,7 @@ class ScanCourse:
         at_deg = self._follower.ask().table_deg
         # Beyond where the turn began: lost steps add up on the way round.  A table that may not turn on for ever turns back.
         table_deg = nearest_turn(plan.views[0].table_deg, max(at_deg, plan.views[0].table_deg + 180.0), self._may_turn)
+        self.closing = True
         closing = self._begin("closure", closing_plan(plan, self._store.next_trigger_id(), table_deg), None, PointLog())
         self._follow(closing)
         self._end(closing)

@@ -8,6 +8,7 @@ from scanner_core.acquisition.health import HealthReport
 from scanner_core.acquisition.mark_visits import MarksReport
 from scanner_core.acquisition.passes import SteeringResult
 from scanner_core.acquisition.status import FinishReason, ScanCounts
+from scanner_core.acquisition.view_progress import ViewProgress, ViewState
 from scanner_core.acquisition.views import RegisteredViews
 from scanner_core.errors import ImprontaError
 
@@ -26,6 +27,7 @@ class ScanResult:
     views : the registered cloud and its residuals, None when there was nothing to register
     health : what was noticed on the way
     laser : ``spot`` or ``line``; of a line the counts are over the places of it that a camera has seen, and the frames that were lost
+    plan : what has become of its views; none of a laser line
     marks : what the marks on the table's rim say, None without them
     """
 
@@ -43,6 +45,7 @@ class ScanResult:
     steering: SteeringResult | None
     error: ImprontaError | None
     marks: MarksReport | None = None
+    plan: tuple[ViewProgress, ...] = ()
     laser: str = "spot"
 
     @property
@@ -52,3 +55,13 @@ class ScanResult:
         None where the turn was not closed.
         """
         return self.health.closure_um
+
+    @property
+    def repeated_views(self) -> list[int]:
+        """Numbers (from 0) of the views that were measured once more."""
+        return [view.number for view in self.plan if view.repeated]
+
+    @property
+    def weak_views(self) -> list[int]:
+        """Numbers (from 0) of the views that gave far fewer points than their neighbours, for all that."""
+        return [view.number for view in self.plan if view.state is ViewState.WEAK]

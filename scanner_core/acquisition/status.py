@@ -64,6 +64,9 @@ class ScanStatus:
     seconds, seconds_left : on the rig's clock; `seconds_left` is None until the first row is done, and the most that an error-driven
         scan may take, which ends before its points are spent when the surface is as wanted
     table_deg, laser_on : from the controller's own status reports
+    pausing : a pause was asked for, and the row that is being swept is finished first
+    closing : the first view is being measured again, after the turn
+    repeats : the view (from 0) that is being measured once more; None while none is
     steering : of an error-driven scan: the pass, whether it computes, and how much of the surface is as wanted
     findings : what the health monitor has noticed so far, in the order of its first appearance
     finish_reason, error : set once the scan has ended
@@ -78,6 +81,9 @@ class ScanStatus:
     seconds_left: float | None = None
     table_deg: float = 0.0
     laser_on: bool = False
+    pausing: bool = False
+    closing: bool = False
+    repeats: int | None = None
     steering: SteeringStatus | None = None
     findings: tuple[Finding, ...] = ()
     finish_reason: FinishReason | None = None

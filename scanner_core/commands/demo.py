@@ -37,6 +37,9 @@ def run(given: argparse.Namespace, console: Console) -> int:
         config = replace(config, marks=shipped_marks(given.preset))
     if given.treated and given.specimen != "arch":
         raise UsageError("E-USE-01", what="Only the arch can be scanned after treatment", do="use --specimen arch --treated")
+    if given.specimen == "ear-pair":
+        do = "scan it with 'impronta scan --specimen ear-pair --out CASE', and make two cases of it with 'impronta split CASE'"
+        raise UsageError("E-USE-01", what="A pair of ears is two objects, and this makes one surface", do=do)
     specimen = specimen_on_table(given, config)
     asked = {name: getattr(given, name) for name in ("views", "points", "until_um") if getattr(given, name) is not None}
     request = sized_for(line_request(config, PlanRequest(**asked), given.views), specimen)

@@ -57,11 +57,12 @@ def run(given: argparse.Namespace, console: Console) -> int:
     request = known or PlanRequest()
     if given.plan is not None:
         request = read_plan(Path(given.plan))
-        if known is not None:  # what a plan leaves open, the recording knows: the specimen's size
+        if known is not None:  # what a plan leaves open, the recording knows: the specimen's size, and whether views were repeated
             request = replace(
                 request,
                 object_radius_mm=request.object_radius_mm or known.object_radius_mm,
                 object_height_mm=request.object_height_mm or known.object_height_mm,
+                retry=known.retry,
             )
     if given.until_um is not None:
         request = replace(request, until_um=given.until_um)

@@ -202,6 +202,8 @@ def scan_json(result: ScanResult, rate_hz: float, case: str) -> dict[str, object
 
     Beside the counts over the plan's trigger ids (``planned = measured + sum(rejected) + skipped``) and those of ``locating``:
 
+    - ``repeated_views`` were measured once more, because they were weak; ``weak_views`` gave far fewer points than their neighbours and
+      stayed so: numbers, from 1 on;
     - ``closure_um``: by how much the first view lay beside itself when it was measured again after the turn, null where it was not;
     - ``seconds`` on the wall and ``rig_seconds`` on the rig's clock, both without the registration at the end.  Simulated time at
       speed ``max`` stands still while a pass is computed; on a rig that keeps real time ``rig_seconds`` hold ``computing_seconds``.
@@ -237,6 +239,8 @@ def scan_json(result: ScanResult, rate_hz: float, case: str) -> dict[str, object
         "realtime_factor": round(result.exposures / result.wall_s / rate_hz, 2),
         "case": case,
         "registration": None if registration is None else registration.as_dict(),
+        "repeated_views": [view + 1 for view in result.repeated_views],
+        "weak_views": [view + 1 for view in result.weak_views],
         "closure_um": None if result.closure_um is None else round(result.closure_um, 1),
         "health": result.health.as_dict(),
     }
@@ -270,12 +274,20 @@ def scan_summary(result: ScanResult) -> list[str]:
             lines.append(f"Views registered: residual {said.residual_before_um:.1f} um before, {said.residual_after_um:.1f} um after the refinement.")
         elif result.views_planned > 1:
             lines.append(f"Views brought together by the turntable's axis, residual {said.residual_before_um:.1f} um; not refined: {said.reason}.")
+    if result.repeated_views:
+        lines.append(f"Views that were weak and measured once more: {_numbers(result.repeated_views)}.")
+    if result.weak_views:
+        lines.append(f"Views that gave far fewer points than their neighbours: {_numbers(result.weak_views)}.")
     if result.closure_um is not None:
         lines.append(f"After the turn the first view lies {result.closure_um:.1f} um beside itself.")
     if result.marks is not None:
         lines.append(f"Marks on the table's rim: {result.marks.words()}.")
     lines += [f"{'Warning' if found.severity == 'warning' else 'Note'}: {found.sentence} [{found.code}]" for found in result.health.findings]
     return lines
+
+
+def _numbers(views: Sequence[int]) -> str:
+    return ", ".join(str(view + 1) for view in views)
 
 
 def _warn(console: Console, runner: ScanRunner, told: set[str]) -> None:

@@ -53,9 +53,9 @@ def parse_obj(content: bytes) -> TriangleMesh:
     return TriangleMesh(vertices, checked_triangles(triangles, len(vertices)))
 
 
-def write_obj(file: BinaryIO, mesh: TriangleMesh) -> None:
-    """OBJ in millimetres, nine significant digits or, far from the origin, sixteen."""
-    file.write(b"# Impronta, unit: mm\n")
+def write_obj(file: BinaryIO, mesh: TriangleMesh, unit: str = "mm") -> None:
+    """OBJ in millimetres, or in what `unit` says, nine significant digits or, far from the origin, sixteen."""
+    file.write(f"# Impronta, unit: {unit}\n".encode("ascii"))
     row = b"v %.9g %.9g %.9g\n".replace(b"9", b"%d" % decimals(mesh.vertices))
     for rows in _chunks(len(mesh.vertices)):
         part = mesh.vertices[rows]

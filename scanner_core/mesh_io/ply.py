@@ -100,8 +100,10 @@ def write_ply_elements(
     triangles: NDArray[np.int64] | None,
     coordinate_type: str = "f4",
     remark: str = "",
+    unit: str = "mm",
 ) -> None:
-    """Binary little endian PLY of vertices (v, 3) mm with one property for each attribute (v,), and triangles (t, 3); `remark` is a comment."""
+    """Binary little endian PLY of vertices (v, 3) with one property for each attribute (v,), and triangles (t, 3); `remark` is a comment, `unit`
+    what its comment says that the coordinates are in."""
     fields = [(axis, "<" + coordinate_type) for axis in "xyz"]
     fields += [(name, "<" + column.dtype.str[1:]) for name, column in attributes.items()]
     rows = np.zeros(len(vertices), np.dtype(fields))
@@ -109,7 +111,7 @@ def write_ply_elements(
         rows[axis] = vertices[:, i]
     for name, column in attributes.items():
         rows[name] = column
-    header = ["ply", "format binary_little_endian 1.0", "comment Impronta, unit: mm", f"element vertex {len(rows)}"]
+    header = ["ply", "format binary_little_endian 1.0", f"comment Impronta, unit: {unit}", f"element vertex {len(rows)}"]
     header[3:3] = [f"comment {one_line(remark)}"] if remark else []
     header += [f"property {_NAMES[kind[1:]]} {name}" for name, kind in fields]
     if triangles is not None:
@@ -122,8 +124,8 @@ def write_ply_elements(
         file.write(faces.tobytes())
 
 
-def write_ply(file: BinaryIO, mesh: TriangleMesh, remark: str = "") -> None:
-    """Binary little endian PLY in millimetres with the mesh's vertex attributes as properties
+def write_ply(file: BinaryIO, mesh: TriangleMesh, remark: str = "", unit: str = "mm") -> None:
+    """Binary little endian PLY in millimetres, or in what `unit` says, with the mesh's vertex attributes as properties
     (``standard_uncertainty_um`` as float, ``supported`` as uchar); `remark` is a comment.
 
     Coordinates are float, and double where the origin is so far away that float would move vertices visibly."""
@@ -134,7 +136,7 @@ def write_ply(file: BinaryIO, mesh: TriangleMesh, remark: str = "") -> None:
         elif column.dtype.str[1:] not in _NAMES or name == "standard_uncertainty_um":
             column = np.asarray(column, np.float32)
         attributes[name] = column
-    write_ply_elements(file, mesh.vertices, attributes, mesh.triangles, "f4" if single_is_enough(mesh.vertices) else "f8", remark)
+    write_ply_elements(file, mesh.vertices, attributes, mesh.triangles, "f4" if single_is_enough(mesh.vertices) else "f8", remark, unit)
 
 
 def _header(content: bytes) -> tuple[str, list[_Element], int]:

@@ -35,9 +35,9 @@ def parse_stl(content: bytes) -> TriangleMesh:
     return TriangleMesh(vertices, checked_triangles(index.reshape(-1, 3), len(vertices)))
 
 
-def write_stl(file: BinaryIO, mesh: TriangleMesh, remark: str = "") -> None:
-    """Binary STL in millimetres; the header says ``UNITS=mm``, then the remark, and the normals follow the triangles' winding."""
-    title = f"Impronta binary STL UNITS=mm {remark}".encode("ascii", "replace")[:_HEADER_BYTES]
+def write_stl(file: BinaryIO, mesh: TriangleMesh, remark: str = "", unit: str = "mm") -> None:
+    """Binary STL; the header says ``UNITS=mm``, or whatever the numbers are in, then the remark; the normals follow the triangles' winding."""
+    title = f"Impronta binary STL UNITS={unit} {remark}".encode("ascii", "replace")[:_HEADER_BYTES]
     facets = np.zeros(len(mesh.triangles), _FACET)
     normal = mesh.area_vectors()
     length = np.linalg.norm(normal, axis=1)

@@ -20,23 +20,24 @@ RELATIONS = """<?xml version="1.0" encoding="UTF-8"?>
 </Relationships>
 """
 _BEGIN = b"""<?xml version="1.0" encoding="UTF-8"?>
-<model unit="millimeter" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
+<model unit="%s" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
 <metadata name="Application">Impronta</metadata>
 <resources><object id="1" type="model"><mesh>
 <vertices>
 """
 _MIDDLE = b"</vertices>\n<triangles>\n"
 _END = b'</triangles>\n</mesh></object></resources>\n<build><item objectid="1"/></build>\n</model>\n'
+_WORDS = {"mm": b"millimeter", "cm": b"centimeter", "m": b"meter", "inch": b"inch"}
 _ROWS = 20_000
 
 
-def write_3mf(file: BinaryIO, mesh: TriangleMesh) -> None:
-    """3MF with the unit millimetre; the same mesh gives the same bytes."""
+def write_3mf(file: BinaryIO, mesh: TriangleMesh, unit: str = "mm") -> None:
+    """3MF with the unit millimetre, or cm, m, inch; the same mesh gives the same bytes."""
     with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as package:
         package.writestr(_entry("[Content_Types].xml"), _TYPES)
         package.writestr(_entry("_rels/.rels"), RELATIONS)
         with package.open(_entry("3D/3dmodel.model"), "w", force_zip64=True) as model:
-            model.write(_BEGIN)
+            model.write(_BEGIN % _WORDS[unit])
             row = b'<vertex x="%.9g" y="%.9g" z="%.9g"/>\n'.replace(b"9", b"%d" % decimals(mesh.vertices))
             for begin in range(0, len(mesh.vertices), _ROWS):
                 part = mesh.vertices[begin : begin + _ROWS]

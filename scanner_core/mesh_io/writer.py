@@ -14,6 +14,7 @@ from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.mesh_io.obj import write_obj
 from scanner_core.mesh_io.ply import write_ply
 from scanner_core.mesh_io.points import write_ply_points, write_xyz_points
+from scanner_core.mesh_io.stated_unit import MM
 from scanner_core.mesh_io.stl import write_stl
 from scanner_core.mesh_io.threemf import write_3mf
 
@@ -23,12 +24,13 @@ MESH_WRITERS: dict[str, Callable[[BinaryIO, TriangleMesh], None]] = {".stl": wri
 POINT_WRITERS: dict[str, Callable[[BinaryIO, PointCloud], None]] = {".xyz": write_xyz_points, ".ply": write_ply_points}
 
 
-def write_mesh(path: Path | str, mesh: TriangleMesh, *, force: bool = False, remark: str = "") -> None:
+def write_mesh(path: Path | str, mesh: TriangleMesh, *, force: bool = False, remark: str = "", unit: str = "mm") -> None:
     """Write a mesh in mm as STL, PLY, OBJ or 3MF.
 
     Parameters
     ----------
     remark : one short line for the header of STL (51 characters) and PLY; the other formats have no place for it
+    unit : of the numbers in the file, which says so: mm, cm, m or inch
 
     Raises
     ------
@@ -37,7 +39,14 @@ def write_mesh(path: Path | str, mesh: TriangleMesh, *, force: bool = False, rem
     StorageError
         E-DISK-01 no space, E-DISK-02 not allowed, E-DISK-03 exists and not `force`; `path` is then as it was.
     """
-    writers = MESH_WRITERS | {".stl": partial(write_stl, remark=remark), ".ply": partial(write_ply, remark=remark)}
+    if unit != "mm":
+        mesh = TriangleMesh(mesh.vertices / MM[unit], mesh.triangles, mesh.vertex_attributes)
+    writers: dict[str, Callable[[BinaryIO, TriangleMesh], None]] = {
+        ".stl": partial(write_stl, remark=remark, unit=unit),
+        ".ply": partial(write_ply, remark=remark, unit=unit),
+        ".obj": partial(write_obj, unit=unit),
+        ".3mf": partial(write_3mf, unit=unit),
+    }
     _written(Path(path), mesh, writers, force)
 
 

@@ -21,7 +21,23 @@ _EVERYBODY = {
     *("rig", "root", "runner", "scan", "scanner", "test", "ubuntu", "user", "windows"),
 }
 """Names of users and machines that are words of the program, or everybody's."""
-_OURS = {"bench", "workshop", "paper-2003", "ear", "arch", "heart", "sphere", "settings", "case", "mesh", "rig", "report", "certificate", "result"}
+_OURS = {
+    "bench",
+    "workshop",
+    "paper-2003",
+    "ear",
+    "ear-pair",
+    "arch",
+    "heart",
+    "sphere",
+    "settings",
+    "case",
+    "mesh",
+    "rig",
+    "report",
+    "certificate",
+    "result",
+}
 """Stems of files that say nothing of whose they are."""
 
 

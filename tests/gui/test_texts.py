@@ -18,7 +18,10 @@ from scanner_core.devices.found_camera import CameraState, FoundCamera
 from scanner_core.errors import CaseLockedError
 from tests.gui.waiting import until
 
-NAMES = {"Impronta", "STL", "PLY", "OBJ", "3MF", "ear", "bench", "virtual://bench", "Ctrl+1", "Ctrl+2", "Ctrl+3", "Ctrl+4", "Ctrl+5", "Ctrl+6"}
+NAMES = {
+    *("Impronta", "STL", "PLY", "OBJ", "3MF", "ear", "bench", "virtual://bench", "English", "Italiano", "Deutsch", "Ctrl+,"),
+    *(f"Ctrl+{number}" for number in range(1, 10)),
+}
 """What is called the same in every language."""
 VALUE = re.compile(
     r"^[\W\d_]*$|^[\d.,\s+−±\u202f]+ ?(°|µm|px|s|mm)(, [\d.]+°)?$|^[0-9a-f]{16}$"

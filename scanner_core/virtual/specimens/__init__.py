@@ -7,6 +7,7 @@ from pathlib import Path
 from scanner_core.errors import UsageError
 from scanner_core.virtual.specimens.arch import arch
 from scanner_core.virtual.specimens.ear import ear
+from scanner_core.virtual.specimens.ear_pair import ear_pair
 from scanner_core.virtual.specimens.heart import heart
 from scanner_core.virtual.specimens.remounting import remounted
 from scanner_core.virtual.specimens.specimen import Specimen, check_fits, opening_down, stand_on_table
@@ -14,7 +15,7 @@ from scanner_core.virtual.specimens.sphere import sphere
 
 __all__ = ["SPECIMENS", "Specimen", "check_fits", "load_specimen", "remounted"]
 
-SPECIMENS = ("ear", "arch", "heart", "sphere")
+SPECIMENS = ("ear", "ear-pair", "arch", "heart", "sphere")
 """Names of the built-in specimens."""
 
 
@@ -41,4 +42,4 @@ def load_specimen(name_or_path: str | Path, *, treated: bool = False) -> Specime
     return Specimen(path.stem, stand_on_table(opening_down(read_mesh(path))))
 
 
-_MAKERS = {"ear": ear, "heart": heart, "sphere": sphere}
+_MAKERS = {"ear": ear, "ear-pair": ear_pair, "heart": heart, "sphere": sphere}

@@ -75,6 +75,13 @@ def test_the_beam_begins_where_the_exposures_ended() -> None:
     assert rest.quota == 16
 
 
+def test_a_repetition_of_a_view_takes_over_nothing_that_another_lacks() -> None:
+    rows = [Row(number, 5 * number, 5, 2.0, 0.0, 1.0) for number in range(3)]
+    plan = ScanPlan((ViewPlan(0.0, (rows[0],), 5), ViewPlan(90.0, (rows[1],), 5), ViewPlan(0.0, (rows[2],), 2, repeats=0)), 4.0)
+    rest = remaining_plan(plan, np.arange(10), np.array([3, 5, 0])).plan
+    assert [(len(view.rows), view.quota) for view in rest.views] == [(0, 0), (0, 0), (1, 2)]
+
+
 def test_nothing_exposed_leaves_the_whole_plan() -> None:
     plan = ScanPlan((ViewPlan(0.0, (Row(0, 0, 5, 2.0, 0.0, 1.0),), 3), ViewPlan(90.0, (Row(1, 5, 5, 2.0, 0.0, 1.0),), 3)), 4.0)
     rest = remaining_plan(plan, np.empty(0, np.int64), np.zeros(2, np.int64))

@@ -1,0 +1,6279 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="it" sourcelanguage="en">
+<context>
+    <name>AlignmentPanel</name>
+    <message>
+        <source>Erase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held fixed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Noise of a distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint stable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick three points on each…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Residual there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the stable region</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size, after to before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stable share</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start found by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With a counterpart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not estimated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{frame} instead would shift everything by {rms} mm on average, {most} mm at most.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{frame} instead would shift the front teeth by {n} mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{frame} instead would shift the molars by {n} mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} mm rms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>± {n} mm (k = 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>AreaList</name>
+    <message>
+        <source>Areas of greatest difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>AssistantPage</name>
+    <message>
+        <source>1  Find the devices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2  Check the rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3  Write its file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asking every port and every camera  ·  {left} left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the Rig page; the devices are released</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every serial port and every camera is asked who it is. A board may restart; nothing moves, and no laser is lit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on without a check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look for devices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next: check the rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next: write its file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of the search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set up a rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Still to be chosen: {what}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig of the program is measuring: its devices are free afterwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the left camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the right camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>AssistantPictures</name>
+    <message>
+        <source>Camera left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the cameras see</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no spot</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Banner</name>
+    <message>
+        <source>Close this message</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Dettagli</translation>
+    </message>
+    <message>
+        <source>Support bundle…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>BoardWatchView</name>
+    <message>
+        <source>Camera left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>BrushSize</name>
+    <message>
+        <source>Brush {mm:.1f} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size of the brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ByHandPanel</name>
+    <message>
+        <source>1.  Light the board well and evenly; the cameras set their exposure by themselves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2.  Hold it into the volume, each time tilted another way and at another place. Rest it until the view is taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3.  With a length bar: hold that likewise, both ends in sight.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>4.  Lay the board on the table and take your hands away: the table turns by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certified length bar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certified length of the bar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the table to the printed face: it places the origin on the table.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Known length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Neither: the scale stays unverified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Print measured with a caliper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Printed row of squares, outer edge to outer edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The print: its whole row of squares, from outer edge to outer edge.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thickness of the board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You show the printed board to both cameras; it takes about ten minutes. The laser stays off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CalibratingPanel</name>
+    <message>
+        <source>% done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrating</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Covered by the board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distances of the board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest tilt between two boards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing: all views are taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Still missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then the calibration of {date} stays in use.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Transcript…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without a calibration the rig cannot scan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and {n} more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{left}  ·  the virtual rig shows the board by itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{left} left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{near} to {far} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} of {count} fields</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CalibrationPanel</name>
+    <message>
+        <source>Accepted  ·  {age}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrated on {date}, {age}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its calibration stands in the rig file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New calibration not accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not calibrated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not calibrated yet: show the board to both cameras before the first scan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Print the target…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Since the previous calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration of {date} stays in use.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration target as a page to print</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without a calibration the rig cannot scan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written to {path}. Print it at 100 % and check that its ruler measures {ruler} mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>µm rms at board corners that were not used</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CameraCard</name>
+    <message>
+        <source>Left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{camera} is the {side} camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CameraPreview</name>
+    <message>
+        <source>Wheel: zoom. Drag: move. Double click: whole picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no picture yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>recorded: shown while it is measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>σ {x:.2f} × {y:.2f} px · peak {peak} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CameraSettings</name>
+    <message>
+        <source> frames/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as the camera has it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{width} × {height} px</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CheckLine</name>
+    <message>
+        <source>Pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures of: {check}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CheckStep</name>
+    <message>
+        <source>All {n} checks are good.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everybody near the rig is protected, and nothing is in the way of beam and table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not everything is as it should be: {checks}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only look and move by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening the devices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of the check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start the check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The check moves beam and table and lights the laser. A laser of class 3R can injure the eye: do not look into the beam or its reflections, wear goggles for its wavelength, take rings and watches off, and keep hands and hair out of the rig. Esc and the red button at the lower left stop everything at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{doing}  ·  {left} left</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CompareFoot</name>
+    <message>
+        <source>Align on the painted region</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click three points on each surface, in the same order and far from each other. Before: {b} of 3, after: {a} of 3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep it in the open case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint what did not move, then align on it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick three points on each…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the report…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show in its folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two surfaces are needed: one before, one after.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing the report: {left} left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing the report…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written: {folder}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{phase}: {left} left</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ComparePage</name>
+    <message>
+        <source>A surface is an STL, PLY, OBJ, VTP or 3MF file, or a case.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder for the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preparing the 3D view…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surfaces ({kinds})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The state that everything is compared with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The state whose changes are shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no 3D view; the numbers stand beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two surfaces are compared: the first two files were taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{names}: not read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CompareStage</name>
+    <message>
+        <source>Blend</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curtain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut both: through the chosen area from cheek to tongue, or through the middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit (F)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flicker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From before to after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frontal (1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lingual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Morph</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Occlusal (7)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One surface in place of the other (space bar)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place of the section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Underside</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonCaptions</name>
+    <message>
+        <source>After</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{mm:g} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ComparisonTools</name>
+    <message>
+        <source>no counterpart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>within ±{mm:.2f} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{mm} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Corrections</name>
+    <message>
+        <source>Correct and check again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To be corrected</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CoverageMap</name>
+    <message>
+        <source>{n} of {count} fields covered</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CoveragePage</name>
+    <message>
+        <source>% of all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>% of what can be seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every place is as certain as wanted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave the object as it stands: the scan goes on where points are missing, until it is as wanted (Shift+F5)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making a surface of the points…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Needs another mount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a surface that was made of the points for this; the case has none yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan an object or open a case first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan another mount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty that is enough</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} places, {mm2:.0f} mm² together</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>DeviationLegend</name>
+    <message>
+        <source>after against before, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no counterpart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outward +</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>within ±{mm} mm: not detectable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>±{mm:.2f} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>− inward</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>DeviceList</name>
+    <message>
+        <source>Camera left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends the alarm; nothing moves, and the position may be lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is opened again by itself when it is back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laser</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take it off the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The axes move until they find their switches; nobody may reach into the rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last 200 lines to and from the controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Transcript…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>alarm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as the controller reports it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>axes {letters}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>door open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>emitting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finding its reference…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>free running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hardware trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>homing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>idle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>laser mode off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>laser mode on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not available</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opening…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>position unknown: find the reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ready, not as asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>software trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>take it for lit: the controller reports nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>DropTarget</name>
+    <message>
+        <source>Choose a file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop a file here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recent cases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>STL, PLY, OBJ, VTP, 3MF, or a case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The open case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ExportPage</name>
+    <message>
+        <source>Choose a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder for exported files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In braces: {fields}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstruct first: there is no surface yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace the existing file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan first: there are no points yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show in its folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Template of the name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This file exists already. With {rev} in the name every export gets its own number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written: {name}, {size:.1f} MB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} points, millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} triangles, {size} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FaultPanel</name>
+    <message>
+        <source> s from now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let it happen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let something go wrong…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opens the virtual rig anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put everything right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So far: {faults}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{fault} in {n} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{happens}. The program {expected}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} before</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FileDialog</name>
+    <message>
+        <source>Replace it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no such file:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This file exists:</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FindStep</name>
+    <message>
+        <source>Cameras</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exchange left and right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How both cameras are wanted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left and right as seen from behind the cameras. Wave a hand before one: its picture moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No camera was found on this machine. Plug both cameras in, each into a USB port of its own, and look again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No serial port was found on this machine. Plug the controller in by USB, switch it on, and look again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of these ports can move the rig: see what each of them says.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plug both cameras in, each into a USB port of its own and not into a common hub.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plug the controller of laser and turntable in by USB, and switch it on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the lens caps off, and close other programs that use the cameras or the port.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig needs two cameras that give pictures: see what each of them says.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then look for devices, below. Without any, everything here can be tried on the virtual rig, which is always found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try it on the virtual rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is plugged in?</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FindingsPanel</name>
+    <message>
+        <source> mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>95 % below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>99 % below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Above {n} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Areas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click it: the mark grows to its edge, and its motion is told</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Detection level here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Detection level of the rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From which change on it matters: the line on the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hausdorff of counterparts, after to before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hausdorff of counterparts, before to after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark a tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean, signed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No area of {area} mm² or more differs by more than {n} mm (smoothed). The map shows smaller differences.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the mark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which jaw?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without counterpart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>areas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm detectable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm² above threshold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm² above {n} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} mm²</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>HomePage</name>
+    <message>
+        <source> points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scan is running.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Changes of the order are kept in this case.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How accurate is it?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured on {date} at corners of the board that were not used to calibrate. The laser spot adds its own noise: every surface states the error that is expected of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No cases yet. Every scan makes one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open another case…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening the rig…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patient code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready. The scan makes a new case.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recent cases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The Rig page calibrates it in a few minutes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The Rig page says what is wrong with the rig file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The order goes with every file that leaves this program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig has to be calibrated first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a code, not the name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as on the order form</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not calibrated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>µm rms error of the calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>InterruptedStrip</name>
+    <message>
+        <source>A fault ended it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep what is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave it out of the case; nothing is deleted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was deleted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the same object back: known points are measured again, and only what is missing is scanned.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take what was measured for the whole, and open the case.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program ended in the middle of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scan of {order} did not come to its end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scan of {order} was discarded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are {n} more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{measured} of {wanted} points, {done} of {views} views complete; begun {when}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>JogPanel</name>
+    <message>
+        <source>Beam down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beam left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beam right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beam up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the spot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps of {n} degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop moving</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table counter-clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Legend</name>
+    <message>
+        <source>not scanned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scanned</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LiveSurface</name>
+    <message>
+        <source>No surface yet: some parts are too thin so far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No surface yet: the body has a hole right through it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No surface yet: the points make no body</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No surface yet: too few points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface so far: {share} % scanned, nets are holes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The live surface has ended; the scan goes on without it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
+    <message>
+        <source>&amp;Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scan is running.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cases (*.impronta)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Impronta {version}: from two cameras and a laser spot to a closed surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is kept in its case; open that to see it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MIT licence. Reconstruction by adaptive deformation after Tognola et al.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface of {case} is done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait for its end or stop it first (Esc).</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>MountsPage</name>
+    <message>
+        <source>1  Set the object down anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2  Scan it into the same case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another mount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the mounts lie</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave about half of what was scanned in sight, near the middle of the table, and see that nothing wobbles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look again how they lie</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking how the mounts lie on each other…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is lost: all points are kept in the case.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstruct</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Registration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan another mount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan this mount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points of the earlier mounts stay (Shift+F9)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tip it by 60 to 90° or turn it over, so that what was hidden comes into view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tip the virtual object</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PickPage</name>
+    <message>
+        <source>All mounts lie together; there is nothing to pick.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click place {n} of three on the left, then the same place on the right; far from each other and easy to tell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It did not fit from these points. Take the last one back, or start again with places that you are sure of.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking whether the mounts fit from there…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now click the same place {n} on the right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points of the mount to be joined</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points of the mounts that lie together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Preparing the 3D view…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the last point back (Ctrl+Z)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where it is known</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PickView</name>
+    <message>
+        <source>Turn it with the arrow keys, come nearer with plus and minus, pick the point in the middle with the space bar.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PlaceList</name>
+    <message>
+        <source>Places that are not as certain as wanted</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PortLine</name>
+    <message>
+        <source>Part of the program: to try the assistant without devices.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Virtual controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Preferences</name>
+    <message>
+        <source>reset of the settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ProcessingRows</name>
+    <message>
+        <source> σ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Epipolar gate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the two cameras may disagree, in standard uncertainties; scanned with 3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points of darker spots are left out; the brightest pixel is 255.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spot peak</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as scanned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of the rig now</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Rail</name>
+    <message>
+        <source>Before: {before}
+After: {after}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Esc, from every page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laser on · stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No order number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop · laser off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop · laser?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops every movement and switches the laser off, from every page (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ReadyLine</name>
+    <message>
+        <source>Attention</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ReconstructPage</name>
+    <message>
+        <source>% supported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compute the points anew…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Noise of the points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outliers rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Places that are not as certain as wanted, why, and what can be done about them (F8)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points to surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstruct</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstruct again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan an object or open a case first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Self-intersections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface is kept in the case.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangles, at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When it is set, the surface gets as many triangles as this tolerance needs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{left} left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n:.1f} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} µm rms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{points} points are ready.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>µm expected error</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Remarks</name>
+    <message>
+        <source>1 remark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} remarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RigChoice</name>
+    <message>
+        <source>A mesh as specimen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mesh file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Meshes (*.stl *.ply *.obj *.vtp *.3mf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a rig file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a rig file (TOML); it can be dropped here, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Own rig…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rig files (*.toml)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RigPage</name>
+    <message>
+        <source>Camera left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finds ports and cameras, checks them by what the cameras see, and writes a rig file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set up a rig…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two cameras, a laser and a turntable, computed frame by frame; the rest is the real program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Virtual rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{rig} (virtual rig)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ScanPage</name>
+    <message>
+        <source>  (and {count} more)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 place cannot be seen from this mount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A fault: the laser is off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another mount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bringing the views together…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coarse pass: view {view} of {views}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Complete: {views} views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computing where more points are needed…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ended by a fault; what was measured is kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the object, view {view} of {views}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening the rig…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pass {number}, where it is needed: view {view} of {views}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paused in view {view} of {views}; the laser is dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Places that are not as certain as wanted, why, and what can be done about them (F8)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready to scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstruct</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan until below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan until {wanted} µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set the object down in another way and scan it into the same case (F9)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the surface. With a value, the scan goes on where the surface is less certain, until it is below it everywhere that light can reach or the points are spent. Without one, the points are spread evenly.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop · laser off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped; what was measured is kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig has to be calibrated first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig is not ready; the Rig page says why.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View {view} of {views}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all points are spent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>even spread</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more points would not help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no further view fits into this scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points / s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} places cannot be seen from this mount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{points} points  ·  view {view} of {views}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share} % within {wanted} µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share} % within {wanted} µm so far</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SceneLink</name>
+    <message>
+        <source>{n} points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SceneView</name>
+    <message>
+        <source>grid {mm:.0f} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SettingsPage</name>
+    <message>
+        <source>As the system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the system ({language})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the end of a view, with the beam as slow as it needs to be; it costs some seconds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the folder: {name}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything on this page as on the first day; Ctrl+Z takes it back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exports</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder of the log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder: {name}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Live surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure weak places again by itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of everything in the window, from the next start on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off leaves a slow computer more time for the points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off: a file that leaves the house tells the order, the side and the day, and no patient.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Privacy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset to defaults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scanning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second try</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the surface while it is scanned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The log holds no patients and no orders. A support bundle (Help) packs it with what else helps.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The patient&apos;s code may stand in file names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The window changes its language when the scan or the reconstruction has ended and the program starts again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The window is made anew in it; the open case stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Stage</name>
+    <message>
+        <source>Preparing the 3D view…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StatusLine</name>
+    <message>
+        <source>Calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration expired</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration {age}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera left not available</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera right not available</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cameras not open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cameras opening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cameras ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Controller not available</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not calibrated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig file cannot be used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turntable {angle:.1f}°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Virtual rig  ·  {rig}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Virtual rig  ·  {rig}  ·  {speed}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>full speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SupportDialog</name>
+    <message>
+        <source>&amp;Save…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Archives (*.zip)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Collect &amp;again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Collecting…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Entries; those with a tick are saved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One file for whoever helps you. Orders, patients, file names, the user and this machine are replaced, as marked in the text. Nothing leaves this machine by itself: you save the file and send it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the support bundle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved as {path}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Support bundle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{size} in {n} entries. Replaced: {taken}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SupportPreview</name>
+    <message>
+        <source>(Only the first part is shown; the file holds all.)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>(Only the last part is shown; the file holds all.)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Content of the entry</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SurfaceCard</name>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading {name}…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take this surface out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as you said</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{size} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SurfacesPanel</name>
+    <message>
+        <source>After</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept in the open case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing of a file is repaired: what is noticed about it is said here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Swap before and after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not reliable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reliable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{day}: with {before}, 1 area, {verdict}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{day}: with {before}, {n} areas, {verdict}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{line}; of an earlier surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Thumbnail</name>
+    <message>
+        <source>no picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>TranscriptWindow</name>
+    <message>
+        <source>&amp;Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Leave out the questions for the status</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lines to (&gt;) and from (&lt;) the controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Port {port}. Nothing has been said yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Port {port}. Seconds since the start, &gt; to the controller, &lt; from it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Transcript of the controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Verdict</name>
+    <message>
+        <source>And {n} more, under Surfaces and Alignment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held fixed: {frame} ({share} %).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not reliable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Out of date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reliable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remarks, under Surfaces and Alignment: {n}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is shown was computed before the last change.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>WriteStep</name>
+    <message>
+        <source>File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits, the laser&apos;s place and the volume are those of the shipped bench. Correct them for your mechanics before the first scan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rigs (*.toml)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The Rig page shows it, and calibrates it anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig cannot measure before it is calibrated: the Rig page prints the target and takes you through it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig&apos;s file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is a file of this name already. Press once more to replace it, or choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use this rig now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What will be written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where to write the rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written to {path}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>_Entry</name>
+    <message>
+        <source>{n} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>actions</name>
+    <message>
+        <source>&amp;About Impronta</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Coverage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Fill now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;New case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open case…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Pause or resume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Reconstruct</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Start scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Support bundle…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another &amp;mount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F&amp;ront</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan &amp;this mount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set up a ri&amp;g…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop and &amp;laser off</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>activity</name>
+    <message>
+        <source>Bringing the mounts together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrating</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comparing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computing the points anew…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for what is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening the case…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstructing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scanning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Setting up a rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>assistant</name>
+    <message>
+        <source>Camera left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct the steps of beam X: it moves {percent} % of what it is told.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct the steps of beam Y: it moves {percent} % of what it is told.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct the steps of the table: it turns {percent} % of what it is told.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exchange the cameras: the one that is called left stands to the right of the other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expose both cameras for {ms} ms (left {left} dB, right {right} dB): it suits what stands there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Free: each by its own clock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GRBL board, set up for something else</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hardware: a cable to both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left, difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left, first end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left, laser off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left, laser on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left, other end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right, difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right, first end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right, laser off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right, laser on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right, other end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Software: a command for every picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the direction of beam X round: it moves the spot the other way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the direction of beam Y round: it moves the spot the other way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the direction of the table round: it turns the other way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Virtual camera, left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Virtual camera, right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>black picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>look at this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not permitted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>something else</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>used by another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wrong format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{width} × {height} px, {rate} frames/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>board</name>
+    <message>
+        <source>Angle {n} of {count}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle {n} taken. The table turns: hands off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bar {n} taken. Now hold it another way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blurred</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both cameras see the board, but not the same part of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both of its ends in sight of both cameras.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring the board nearer and farther</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring the board to the left of the {camera} picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring the board to the lower left of the {camera} picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring the board to the lower middle of the {camera} picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring the board to the lower right of the {camera} picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring the board to the middle of the {camera} picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring the board to the right of the {camera} picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring the board to the upper left of the {camera} picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring the board to the upper middle of the {camera} picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring the board to the upper right of the {camera} picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computing cameras and lenses from all views.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computing the scale from the length bar.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computing the table&apos;s axis and the uncertainty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut by the picture&apos;s edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each time at another place and tilted another way; hold it still until it is taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flat, face up, about the table&apos;s middle; then the table turns by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the bar still.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the board into the volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the board still.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the length bar into the volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lay the board on the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length bar {n} of {count}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More angles of the table: {n}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More views of the length bar: {n}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More views: {n}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Neither camera sees the board.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No board in sight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only one camera sees the board.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take your hands away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilt the board more, each time to another side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too bright</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too little of the board in sight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too similar to an earlier view: move or tilt the board.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View {n} of {count}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View {n} taken. Now tilt it another way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left camera&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right camera&apos;s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} corners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} in the {camera} picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>calibration</name>
+    <message>
+        <source>Age unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance between the cameras</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expired {n} days ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expires soon: {n} days left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Focal length, left and right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Identity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Image centre, left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Image centre, right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length bar where it took no part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured shapes change by {rms} µm rms over the volume, {largest} µm at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reprojection error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right camera against the left, turned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reference sphere measured {change} µm otherwise than in the tests before: calibrate and test it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This calibration is {n} days old and has expired: cameras creep. Calibrate before you measure.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turntable axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turntable axis, turned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Valid: {n} days left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Views of the board</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by the print alone, not verified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than three standard uncertainties of {u} µm explain: something has moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not verified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radius error {size} µm, D95 {d95} µm, {date}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the previous one does not state its uncertainty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>verified by the {length} mm bar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>within three standard uncertainties of {u} µm each.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>checks</name>
+    <message>
+        <source>beam axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beam axis x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beam axis y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>camera left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>camera right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cameras</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>controller handshake</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>controller laser</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>controller laser left off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>controller move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exposure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame rate left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame rate right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>laser seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>laser spot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left and right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rest of the rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trigger skew</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>comparison</name>
+    <message>
+        <source>95 % below {p} mm, on {a} mm²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Aligning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As they lie</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change threshold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change what is held fixed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click the tooth in the picture: the mark grows to its edge, and its motion is told.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct the marked tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw a line round what belongs to the tooth, too; only what is seen is added.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draw a line round what does not belong to the tooth; only what is seen is taken off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Erase from the stable region</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the areas</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load the surface after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load the surface before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for its edge…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark a tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring its motion…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring the distances</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint as stable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paint with the left button what did not move, then align on it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Painted region</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick no points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick three points on each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove a surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the mark of the tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say which jaw it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Swap before and after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What did not move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wipe with the left button over what may have moved, then align on the rest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>best fit of everything, also of what moved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moved {d} ± {u} mm, turned {a} ± {v}°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no counterpart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>picked points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>point-pair features</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>principal axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the files share one frame; nothing is aligned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stable region is found and held fixed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what was painted is held fixed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} mm inwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} mm outwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>± {u} mm, turned {a} ± {v}°</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>coverage</name>
+    <message>
+        <source>Dust it with a matt powder, or expose shorter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dust it with a matt white powder, or expose longer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill it now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Following the light to every place…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for a better way to set the object down…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the object to the middle of the table.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the object down in another way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reading the case…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilt the object by about {deg:.0f}°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the object over, or tilt it by about {deg:.0f}°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the object upside down.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Underneath</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the table at {turn:.0f}°, tip the top of the object by about {tip:.0f}° towards the cameras.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as wanted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>faces the laser at {deg:.0f}°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hidden from the laser by the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hidden from the left camera by the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hidden from the right camera by the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>looks down or lies on the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>never seen by both cameras at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outside of the pictures or the volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>seen too flatly at every angle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the spot is too bright there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the spot is too dark there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too few points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up to {um} µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{gained:.0f} of {unreached:.0f} mm² that are hidden now come into view; {share:.0f} % of what is seen then is known already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{mm2:.1f} mm²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{mm:.0f} mm up</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>draft</name>
+    <message>
+        <source>Both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change number of points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change number of triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change number of views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change wanted uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dental model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dental model, after treatment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dental model, before treatment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ear impression</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit order number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit patient code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower jaw</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upper jaw</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>emission</name>
+    <message>
+        <source>Laser ON</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laser off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laser unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laser: no rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>export</name>
+    <message>
+        <source>Modelling programs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Printing and milling; binary, millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Printing; carries its unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The registered measured points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With uncertainty and support of every vertex</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>faults</name>
+    <message>
+        <source>Something unexpected happened ({kind}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was measured is kept; the details help us to mend it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>format</name>
+    <message>
+        <source>1 day old</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>today</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} days old</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>mounts</name>
+    <message>
+        <source>Mount {n}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick a point on a mount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from your points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>margin to the second-best pose {margin:.2f}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unique</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{points} points, kept apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{points} points; the others lie on it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share} % overlap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{um} µm residual</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>pages</name>
+    <message>
+        <source>Another mount</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Inizio</translation>
+    </message>
+    <message>
+        <source>Live point cloud</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mounts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstruct</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set up a rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is exported</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>phases</name>
+    <message>
+        <source>Inflate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grows to the points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where the error is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without shrinking</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>preferences</name>
+    <message>
+        <source>another folder for cases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another folder for exports</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another pattern of file names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of the language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of the size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of the theme</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measuring weak places again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>patient&apos;s code in file names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface while scanning</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ready</name>
+    <message>
+        <source>Calibrate…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checking the rig…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find reference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laser off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only {free_gib} GB are free where the cases are kept: free some space.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready to measure.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconnect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set up…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The axes have not found their reference yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration does not fit this rig: it must be another one&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration expired {days} days ago.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller is halted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller is in alarm: look what stopped it, then unlock it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller reports that the laser is lit, and nobody has asked for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lid was opened: close it, then unlock.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reference sphere was last measured {days} days ago: have the rig verified.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reference sphere was never measured on this rig: have it verified.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig is not calibrated yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {camera} camera sends black pictures: take the cap off its lens and look at its cable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {camera} camera sends pictures of {size} pixels, the rig file says {expected}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too much light falls into the {camera} camera: switch the lamp off or close the lid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{sentence} (and {more} more)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>reasons</name>
+    <message>
+        <source>cameras did not expose together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cameras saw different spots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cut by the picture&apos;s edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hidden from the left camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hidden from the right camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than one spot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no spot in either camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on a mark of the table&apos;s rim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outside the volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>picture lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>picture too bright</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>picture torn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spot overexposed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spot smeared along the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spot too dim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spot too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spot too small</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>remedies</name>
+    <message>
+        <source>A reset was sent to switch the laser off; see that it is dark, check cable and power, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A reset was sent; check the cable (length, shield, plugs), then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A sweep ends dark by itself, a standing spot may stay lit: see that the laser is off, plug it in, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was measured; choose another size or pixel format, or another camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was measured; take the lens cap off, open the shutter, or lengthen its exposure.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; if it should be the controller, it has to be given GRBL first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; if it should be the controller, see that it has power and that the cable carries data, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; plug it in, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; plug the controller in again, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; such a rig needs a rig file that names one of these as &apos;table_axis&apos;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off; check its cable, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off; check the trigger cable, or let the cameras run freely.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off; close other programs, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off; close the door, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off; its position is lost: home it, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off; plug it in, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off; try again when the rig is free.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off; unplug the camera, plug it in again, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off; {remedy}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser was switched off; free the machine of other work, then try again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>rig</name>
+    <message>
+        <source>5 times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As fast as it can</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bench: 604 × 294 px at 435 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dental arch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ear impression</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paper 2003: the published rig at 770 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Workshop: 1440 × 1080 px at 600 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{rig}  (the file is missing)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>rig-faults</name>
+    <message>
+        <source>ALARM:1 (limit switch)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ALARM:2 (soft limit)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ALARM:3 (reset in a move)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera bumped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera stalled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera unplugged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cameras out of step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Case locked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clock jump</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Controller reset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disk full</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E-JOB-01; the points are safe, a new worker is started</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E-JOB-02 or E-JOB-01; the points are safe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames dropped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames late</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames torn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lamp on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lenses warm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lid opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lost ok</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark knocked off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Partial lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Port gone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Port gone and back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Program killed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Serial noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shiny patch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trigger lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Worker killed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Worker out of memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a camera exposes 8 ms later than the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a camera hangs: no frame and no error comes any more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a camera is turned by a small angle and stays so</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a camera loses a fifth of its frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a camera misses a trigger: its frames belong to the next exposure from then on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a garbled report is asked for again and the scan goes on; a garbled ok ends it with E-MOT-01</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a lamp shines into the cameras</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a limit switch is touched; nothing but a reset gets through</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a wet place on the object mirrors the beam: glare, and second spots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an &apos;ok&apos; of the controller gets lost on its way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another program tries to open the case; at the opening it holds it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both lenses get longer by a thousandth, so that everything is measured too large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ends with E-CAM-01 after 4 s; laser off, points kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ends with E-CAM-02; laser off, points kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ends with E-DISK-01; laser off, everything acknowledged is kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ends with E-MOT-01, 2 s after the controller fell idle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ends with E-MOT-02; a sweep ends dark by itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ends with E-MOT-02; the next start works</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ends with E-MOT-05</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ends with E-MOT-09; dark by the restart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ends with E-MOT-16; the controller itself stops and darkens the beam</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>for 10 s one byte in a hundred of the controller&apos;s answers is changed, or another one comes in between</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>for 10 s the worker process gets no more memory; the time counts from the start of the reconstruction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>for 20 s the controller&apos;s answers come in pieces of 5 bytes with pauses of 20 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes on, the other program is refused; a case that the other holds is refused with E-CASE-02</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes on; H-EPI-01 when it moved across the epipolar lines, H-VIEW-02 when along them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes on; H-MARK-03 where the rig has marks, else nothing tells</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes on; H-MARK-05</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes on; H-SYN-01</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes on; H-SYN-02</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes on; H-TAB-01</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes on; every frame is waited for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes on; glare is rejected as saturated, second spots are settled by the other camera or ambiguous</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes on; no duration, rate or deadline is touched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes on; rejected as dropped_frame, H-CAM-01</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes on; rejected as too_bright, H-LGT-01</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>goes on; torn frames are rejected, H-CAM-03</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in a tenth of a camera&apos;s frames the lower half is another exposure&apos;s, or garbage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is gone; the guardian darkens a real laser within 0.6 s, everything acknowledged is kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of the balls on the table&apos;s rim is knocked off; nothing where the rig has no marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the board&apos;s reset button is pressed in the middle of a move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cable of a camera comes off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the computer&apos;s clock jumps back by an hour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the controller believes that a move leaves the travel of its axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the controller&apos;s cable comes off and stays off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the controller&apos;s cable comes off, and is plugged in again after 3 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the controller&apos;s supply breaks down in the middle of a move; it starts anew and has lost its position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the frames of a camera arrive 0.4 s late, with the right ids and time stamps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the lid is opened, and closed after 10 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the program is killed (SIGKILL)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the table&apos;s motor loses steps in its next move, unknown to the controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the worker process is killed; the time counts from the start of the reconstruction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no space left on the disk of the case</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>sentences</name>
+    <message>
+        <source>A camera moved by about {shift_px} px: since the view at {table_deg} deg the marks on the table&apos;s rim are seen {shift_um} um beside.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A camera moved or the object moved: the view at {table_deg} deg lies {shift_um} um beside the earlier ones ({direction}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A camera moved: the views from {table_deg} deg on lie {shift_um} um beside the earlier ones ({direction}, always as seen by the cameras).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A camera or the object moved on the way; fix both, and scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A camera was moved across the epipolar lines by about {shift_px} px ({where}; noticed after {points} points).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A mesh of {triangles} triangles is too large to be kept in {path}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A reset was sent and the points so far are kept; check the cable (length, shield, plugs) and resume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A reset was sent to switch it off; see that it is dark, then check the controller&apos;s laser mode ($32).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A reset was sent to switch the laser off and the points so far are kept; see that it is dark, check cable and power, then resume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A rig needs a controller and two cameras that work; what was found: {controller}, cameras: {cameras}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scan by a laser line is not steered by the uncertainty that it reaches.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All lengths are off by as much; calibrate, or check &apos;distances_mm&apos; in the table [marks] of the rig file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All points are kept in {path}; pick three points on both mounts (&apos;impronta register CASE --pairs FILE&apos;), or scan another mount that shares more with the earlier ones.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All points are kept; measure another mount that shares more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both cameras of the rig file are the same one ({id}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both files are untouched and nothing was mirrored; choose the same side, or export the mirrored one again without mirroring.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both files are untouched; check that they show the same object and that the normals of both point outwards, then pick three points on both.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both files are untouched; let the program find the pose, or pick three points on both.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera {camera} ({id}) cannot be opened: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera {camera} ({id}) is used by another program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera {camera} cannot be triggered by {line}; it has: {lines}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera {camera} delivered frames faster than they could be evaluated: {frames} frames are waiting.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera {camera} delivered {count} torn frames of {exposures}: part of each is another exposure&apos;s, or no picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera {camera} did not deliver {count} of {exposures} frames ({share} % of the last ones).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera {camera} gave no frame within {seconds} s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera {camera} gives black frames.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera {camera} gives frames of another kind than can be measured: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera {camera} gives {measured_hz} frames/s where {wanted_hz} were asked for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera {camera} is blind: {frames} spots in a row were seen by camera {other} alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera {camera} is driven through OpenCV, which cannot trigger it by {trigger}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera {camera} reported a fault: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera {camera} was unplugged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera {camera} was used after it had been closed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DICOM files are written by the package pydicom, which is not installed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything measured so far is safe and a new worker was started; run it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything measured so far is safe; send the log if it happens again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything written before is kept; open it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files of the kind &apos;{suffix}&apos; cannot be written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the best pose the new mount stands where light to the earlier one passed: {share} % of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It contradicts the others: the loop of mounts would close with an error of {closure_um} um.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is not used; take more views with the board filling the volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was not touched; choose another name, or overwrite it with --force.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was not touched; open it with the newer program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was not touched; scan into a new case.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was switched off again; check the controller&apos;s settings $30 to $32.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its points are kept; fix cameras and object, then scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its points may be right; a shape without rotational symmetry would tell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its surface lies nowhere over that of the others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lengths from there on are off by as much; let the cameras warm up, calibrate, and scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark {number} on the table&apos;s rim was moved by {shift_um} um before the view at {table_deg} deg.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark {number} on the table&apos;s rim was not found at {table_deg} deg, where nothing should hide it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mount {mount} was not joined to the others. {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Neither camera has seen the laser spot for {frames} exposures ({seconds} s), where the object was before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No mesh was written and the points are kept; {do}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No mesh was written; export the points again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No mesh was written; reconstruct one object at a time, and cut the points of the others off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No mesh was written; scan more of the object.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No mesh was written; scan the object from more sides.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No part of the surface in {path} was measured: its vertices all say that nothing supports them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No rig file was written; &apos;impronta doctor --find&apos; says what became of every port and camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No sphere of {radius_mm} mm radius was found: {points} points were measured, {share} % of them lie on the best candidate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No surface was found: of {planned} planned measurements none gave a point ({reasons}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No trigger reached camera {camera} on {line} within {seconds} s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody can place the artefacts of the test.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing answers on the port {port}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is measured meanwhile; see to its lens cap, aperture and view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is measured meanwhile; see whether the beam is blocked, the laser is off, or the object fell over.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is measured meanwhile; shorten the exposure or lower the laser&apos;s power.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is measured meanwhile; switch the lamp off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was changed; check the name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was changed; choose another folder or give permission.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was changed; close it there, or choose another case.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was changed; mark more of the tooth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was changed; paint more, or use the automatic frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was changed; pick at least three points far from each other, in the same order on both surfaces.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was changed; write one line a point: mount, x, y, z on that mount, and x, y, z of the same place on the first mount, in mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was changed; {do}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was compared; choose the whole surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was compared; export the mesh again from its program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was compared; mark the stable part again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was compared; scan it again, or reconstruct it from its points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was done; check the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was done; check the name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was done; export the mesh again from its program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was done; use PLY, XYZ, TXT, CSV, ASC, NPY or a case.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was done; use STL, PLY, OBJ, VTP or 3MF.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was joined and all points are kept; measure more of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was joined and all points are kept; pick three points far from each other, in the same order on both.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was joined and all points are kept; pick three points on both, or measure another mount that shares more with the earlier ones.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was joined and all points are kept; see that the object did not change its shape, and measure the mount again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was measured; ask for a number of points instead, or scan by the spot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was measured; choose another recording.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was measured; correct &apos;pixel_format&apos; or &apos;size_px&apos; in the rig file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was measured; correct &apos;trigger_line&apos; in the rig file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was measured; give both the same &apos;rate_hz&apos; in the rig file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was measured; plug it into a USB port of its own, choose a smaller size, or lower &apos;rate_hz&apos; in the rig file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was measured; run &apos;impronta calibrate&apos; or the Rig page first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was measured; run it where a person or the virtual bench can.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was measured; take the lens cap off, open the shutter, and look at &apos;exposure_ms&apos; in the rig file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; choose another port in the rig file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; choose another target, or correct the limits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; close the other program and connect again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; correct &apos;table_axis&apos; in the rig file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; correct the file or take one of the presets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; give the left and the right camera each an &apos;id&apos; of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; install GRBL 1.1 or grblHAL with laser power on its PWM output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; install GRBL 1.1 or newer on the controller.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; install the rule of packaging/udev or join the group &apos;dialout&apos;, then log in again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; install the rule of packaging/udev or join the group &apos;video&apos;, then log in again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; plug it in, or correct &apos;id&apos; in the rig file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; plug the controller in or correct &apos;port&apos; in the rig file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; run: pip install &apos;impronta[{driver}]&apos;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; see that the controller has power and that the cable carries data, then check &apos;port&apos; and &apos;baud&apos; in the rig file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; unplug it, plug it in again, and connect again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; with $32=0 the beam would stand still while lit: send $32=1 to the controller once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was moved; write trigger = &quot;free&quot; into the rig file, or use a camera with a trigger of its own and its own driver.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was scanned; choose a smaller specimen, or scale it (is its unit millimetres?).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was scanned; correct the plan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was touched, and what was measured can be used as it is; scan again into a new case, which takes about half a minute.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was written; close other programs, or ask for fewer points or triangles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was written; install it with pip install &apos;impronta[dicom]&apos;, or choose another format.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was written; see what would be in it with --list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was written; use one of {known}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was written; write .ply, .obj or .3mf instead, or move the points nearer to the origin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One of {after} and {before} is mirrored, or they show opposite sides: {score} % of the surface agrees as it is, {mirrored} % of its mirror image.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over the others its surface is {residual_um} um away (noise explains {most_um} um), and {agree} % of it agrees with theirs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points from there on may be off; see that both cameras are fixed, and calibrate before the next scan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Room light drowned the laser spot: of {planned} planned measurements none gave a point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Room light drowns the laser spot: {frames} frames in a row of camera {camera} are too bright.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ball bar was not found in position {position}: {found} of its two spheres was seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board&apos;s squares measure {measured_mm} mm where {given_mm} mm was given (by the bar of {bar_mm} mm).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration failed: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration of this rig is not the one with which the scan in {path} was begun.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration was not accepted: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cameras are exchanged: what is called the right camera stands to the left of the other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cameras are out of step by {count} frame: camera {late} lost a trigger, and every pair since then mixes two instants.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cameras do not expose together: camera {late} is {skew_ms} ms late.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The case is unchanged; reconstruct it with &apos;impronta reconstruct&apos; and ask again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The case is unchanged; reconstruct with fewer triangles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The case is unchanged; {do}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The case {path} was used after it had been closed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The connection to the controller on {port} was lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller on {port} did not answer &apos;{command}&apos; within {seconds} s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller on {port} does not tell its setting {setting} ({meaning}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller on {port} has no axis &apos;{axis}&apos; for the table (it has {axes}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller on {port} is not in laser mode ($32={value}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller on {port} reports another position each time although it rests.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller on {port} restarted by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller on {port} runs {firmware}, which knows no laser mode.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller on {port} was used after it had been closed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller refused &apos;{command}&apos; with error:{number} ({meaning}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller reports ALARM:{alarm} ({meaning}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The controller reports a lit laser (S{power}) where it must be dark.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is untouched; scan or export the surface again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file of picked points {path} cannot be used: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file was not touched; choose another file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frames of camera {camera} cannot be recorded into {path}: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The interrupted scan cannot go on: of {known} known points {seen} were found again, {shift_um} um beside where they were.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The interrupted scan cannot go on: the marks on the table&apos;s rim are seen {shift_um} um beside where they were ({cause}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The interrupted scan of {path} was made by a laser line, which is not resumed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser did not light although it was asked to.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off and everything written before is kept; free some space and go on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off and the points so far are in {case}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off and the points so far are kept; check its cable and resume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off and the points so far are kept; check the trigger cable, or set trigger = &quot;free&quot; in the rig file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off and the points so far are kept; close other programs and resume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off and the points so far are kept; close the door and resume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off and the points so far are kept; free some space or choose another folder, and resume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off and the points so far are kept; its position is lost, home it and resume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off and the points so far are kept; plug it in and resume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off and the points so far are kept; resume when the rig is free.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off and the points so far are kept; unplug the camera, plug it in again, and resume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off and the points so far are kept; {remedy}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off and what was measured before is kept; put table and cameras back as they were and resume, or scan anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off and what was measured before is kept; put the object and the cameras back as they were and resume, or scan anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off and what was measured before is kept; switch the lamp off, then resume or scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off; ask for more points, or more views.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off; check --spacing-mm and that nothing else of the spheres&apos; size stands in the volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off; check the rig file and the controller&apos;s settings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off; open the rig again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off; place the bar as the plan of the test says, and check --reference-mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off; put the matt white plate into the middle of the volume, facing the cameras, and keep the lamps away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off; put the object on the table, and check the laser and the lens caps.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off; put the reference sphere alone into the middle of the table, and check --reference-mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off; take all but one away and start the test again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser may be on: switch off its power before you reach into the rig, then connect again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser spot is saturated in {frames} frames in a row of camera {camera}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser was switched off and the points so far are kept; free the machine of other work, then resume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser was switched off by a reset; connect again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The left camera gives {left_hz} frames/s and the right one {right_hz}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marked part holds {marked} measured vertices; at least {least} are needed for a motion.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mask {path} cannot be used: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mesh of {path} does not say how certain it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The motion was stopped during &apos;{command}&apos;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The new mount fits in more than one way: a pose that is turned by {angle} degrees against the best one fits about as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The new mount fits nowhere on what was measured before: in the best pose only {agree} % of the surface that both show agrees.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The new mount shares too little with what was measured before: {overlap} % of it, and at least {least} % are needed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The new mount, or what was measured before, has too few points to find its place: {points}, but at least {least} are needed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The null comparison says nothing of the rig: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The object moved on the table: the views from {table_deg} deg on lie {shift_um} um beside the earlier ones.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picked points do not belong to each other: after the best fit of the surfaces they lie {apart_mm} mm apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picked points do not say how the surfaces lie: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plan {path} cannot be used: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points are kept and the other marks go on watching; fix it, and see that nothing touches it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points are kept and the other marks go on watching; see whether it is covered or was knocked off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points are noisier than they claim; look for vibration, moving reflections or a dirty lens.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points are shifted along the sweep; trigger both cameras from one source.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points belong to {count} separate objects: the second largest holds {share} % of them and lies {gap_mm} mm from the largest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points contain {count} values that are not finite numbers, or impossibly far away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points do not enclose a body: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points from there on are off; fix the cameras, calibrate, and scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points since then are wrong; check the trigger cable and scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points so far are kept. A sweep ends dark by itself, a standing spot may stay lit: see that the laser is off, plug it in, then resume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The port {port} does not exist or cannot be opened.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The port {port} is used by another program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The previous calibration stays in use; exchange the two cameras in the rig file, then calibrate again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The previous calibration stays in use; give the right size with --square-mm, or the bar&apos;s certified length with --length-mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The previous calibration stays in use; take the views again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program did not look after the lit laser for {seconds} s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording {path} cannot be replayed: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording {path} holds no frames for what was asked of camera {camera}: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig file is unchanged; measure the same model twice.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig file {path} cannot be used: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig has no calibration.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The right camera exposes {skew_us} us after the left one, and a moving laser line is then not the same line in both images.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The safety door of the rig is open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The safety relay of the serial port stopped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The safety relay of the serial port {port} stopped, and the controller could not be reset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scale changed by {percent} %: since the view at {table_deg} deg the marks on the table&apos;s rim have other distances.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scale is off by {percent} % against the calibrated distances of the marks on the table&apos;s rim.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scan stopped on an unexpected fault ({reason}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The software for cameras of the kind &apos;{driver}&apos; is not installed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The specimen is {size_mm} mm large, but both cameras see a volume of {volume_mm} mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The spheres in position {position} stand {measured_mm} mm apart, not {reference_mm} mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The standing spot was seen by both cameras in {seen} of {exposed} exposures only ({reasons}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The support bundle has no entry &apos;{name}&apos;; it has {known}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface that both mounts show does not tell how they lie: {directions} of six directions of motion stay open, as on a ball or a cylinder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface that was found is not trustworthy: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The table lost steps: by the marks on its rim it stands {turn_deg} deg beside its reading, since the view at {table_deg} deg.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The table lost steps: it stands {turn_deg} deg beside its reading{where}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The table or a camera moved: since the view at {table_deg} deg the marks on the table&apos;s rim are seen up to {shift_um} um beside.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The triangles of {path} all lie in one point or line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The turn does not close: the first view measured again lies {shift_um} um beside its first measurement.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The two images of the spot disagree by {sd_px} px, where {expected_px} px are expected ({where}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The views from there on are turned; see that the table moves freely, and scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The worker process ended unexpectedly during {phase} ({reason}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The worker process failed: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {part} of the rig is not the one with which the scan in {path} was begun.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Their points are kept; fix the cameras, calibrate, and scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Their points are kept; fix the object to the table and scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no camera {camera} ({id}); this machine has: {found}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no space left on the disk of {path}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is not enough memory for &apos;{command}&apos;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This user may not open camera {camera} ({id}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This user may not open the port {port}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Those measurements are missing; check its cable and port, and close other programs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two spheres stand on the table: {first} points lie on the one, {second} on the other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What answers on {port} is no GRBL controller (it said: {said}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was measured is kept; use the rig file of that scan to resume it, or keep what is there and scan anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was measured so far is kept and the laser is off; let a trigger line expose both cameras at once, then scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was measured so far is kept; replay with the rig, plan and seed that it was recorded with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the table lost steps cannot be judged on this object: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which of them it was is not decided; the points from there on are off: fix cameras and table, calibrate, and scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{after} and {before} do not fit onto each other: in the best pose only {score} % of the surface agrees. They seem to be different objects, or opposite sides of one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{after} and {before} do not overlap: nothing of one lies within {reach_mm} mm of the other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{area_mm2} mm2 with a counterpart are painted as stable; at least {least_mm2} mm2 are needed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{axis} cannot go to {target} deg: {whose} allow {low} to {high} deg.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} holds too few measured triangles with an area: {triangles}, but a comparison needs at least {least}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be read as points: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be read: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be written: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot hold this mesh: so far from the origin the numbers of an STL file have steps of {step_mm} mm, wider than its triangles allow.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} does not exist.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} exists already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} holds no interrupted scan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} holds no triangles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} holds no {what} yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} holds too few triangles for a comparison: {triangles}, but at least {least} are needed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is no Impronta case: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is no mesh that can be read: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is open in another window or program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} was written by a newer Impronta (case version {version}, this program knows {known}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{points} points are too few for a sphere; at least {least} are needed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{points} points are too few for a surface; at least {least} are needed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>spot</name>
+    <message>
+        <source>no spot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spot clipped: shorten the exposure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spot dim: lengthen the exposure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spot too sharp: defocus the lens</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spot too wide: focus the lens</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>support</name>
+    <message>
+        <source>Checks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How large the cases are and when they changed; nothing of what is in them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rig file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sizes of the cases</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig as it is used, with its calibration.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Transcript of the controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Versions and machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Versions, system, processors, memory, graphics.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What program and controller said to each other: seconds, direction, line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the program noted, the newest at the end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was checked without moving anything, each with its remedy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without folders, recent cases and orders.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+</TS>

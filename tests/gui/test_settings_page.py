@@ -1,0 +1,99 @@
+"""The page of the settings: in force at once, kept at once, and taken back by Ctrl+Z like everything else."""
+
+from __future__ import annotations
+
+import os
+import time
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QLocale
+from PySide6.QtWidgets import QApplication, QCheckBox
+
+from app.controllers.preferences import STEPS
+from app.main import _scale
+from app.palettes import DARK, LIGHT
+from app.program import Program
+from app.settings import Settings, load_settings, save_settings
+from app.theme import look, set_theme
+from app.views.settings_page import SettingsPage
+from tests.gui.waiting import until
+
+
+def _page(program: Program) -> SettingsPage:
+    page = program.window.pages["settings"]
+    assert isinstance(page, SettingsPage)
+    program.window.show_page("settings")
+    return page
+
+
+def test_a_choice_is_in_force_and_on_the_disk_at_once_and_undo_takes_it_back(
+    shared_program: Program, shared_settings: Path, application: QApplication
+) -> None:
+    page, window = _page(shared_program), shared_program.window
+    page.themes["light"].click()
+    assert look.text == LIGHT.text
+    assert load_settings(shared_settings).theme == "light"
+    assert window.actions_by_id["undo"].isEnabled()
+    window.undo()
+    assert look.text == DARK.text
+    assert page.themes["system"].isChecked()
+    assert load_settings(shared_settings).theme == "system"
+    window.redo()
+    assert page.themes["light"].isChecked()
+    window.undo()
+    set_theme(application, "dark")
+
+
+def test_a_reset_is_one_step(shared_program: Program, shared_settings: Path) -> None:
+    page, window = _page(shared_program), shared_program.window
+    for box in page.findChildren(QCheckBox):
+        box.click()
+    page.scales[150].click()
+    changed = load_settings(shared_settings)
+    assert (changed.code_in_names, changed.live_surface, changed.retry, changed.scale_percent) == (True, False, False, 150)
+    page.reset.click()
+    first, now = Settings(), load_settings(shared_settings)
+    assert {name: getattr(now, name) for name in STEPS} == {name: getattr(first, name) for name in STEPS}
+    assert page.scales[100].isChecked()
+    window.undo()
+    again = load_settings(shared_settings)
+    assert {name: getattr(again, name) for name in STEPS} == {name: getattr(changed, name) for name in STEPS}
+
+
+def test_an_empty_pattern_of_names_is_not_taken(shared_program: Program, shared_settings: Path) -> None:
+    page = _page(shared_program)
+    page.template.setText("{order}-{rev}")
+    page.template.editingFinished.emit()
+    assert load_settings(shared_settings).name_template == "{order}-{rev}"
+    page.template.setText(" ")
+    page.template.editingFinished.emit()
+    assert page.template.text() == "{order}-{rev}"
+
+
+def test_the_window_is_made_anew_in_another_language(program: Program, application: QApplication, settings_file: Path) -> None:
+    page = _page(program)
+    program.services.draft.edit("order", "4711")
+    page.language.setCurrentIndex(page.language.findData("de"))
+    page.language.activated.emit(page.language.currentIndex())
+    until(lambda: not program.window.isVisible(), 30, "the end of the first window")
+    again = program.again
+    assert again is not None
+    second = Program(application, started_s=time.perf_counter(), settings_file=settings_file, after=again)
+    try:
+        until(lambda: second.window.page_id == "settings", 30, "the page where the person was")
+        assert second.services.draft.values.order == "4711"
+        assert QLocale().decimalPoint() == ","
+    finally:
+        second.window.close()
+        second.window.deleteLater()
+    assert QLocale().name() == QLocale.system().name()
+
+
+@pytest.mark.parametrize(("percent", "wanted"), [(100, None), (150, "1.5"), (200, "2"), (1000, None)])
+def test_the_size_is_handed_to_qt_before_it_starts(percent: int, wanted: str | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("QT_SCALE_FACTOR", "")
+    monkeypatch.delenv("QT_SCALE_FACTOR")
+    save_settings(Settings(scale_percent=percent), tmp_path / "settings.json")
+    _scale(tmp_path / "settings.json")
+    assert os.environ.get("QT_SCALE_FACTOR") == wanted
