@@ -30,9 +30,7 @@ class DistanceChart(QWidget):
         self.setFixedHeight(_HEIGHT)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setAccessibleName(self.tr("Distance of the points from the surface"))
-        self.setToolTip(
-            self.tr("Distance of the points from the surface: half of them are nearer than the first mark, 95 of 100 nearer than the second.")
-        )
+        self.setToolTip(self.tr("Half of the points are nearer to the surface than the first mark, 95 of 100 nearer than the second."))
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         return QSize(260, _HEIGHT)

@@ -9,7 +9,7 @@ from app.services import Services
 from app.views import format as fmt
 from app.views.distance_chart import DistanceChart
 from app.views.page import Page
-from app.views.parts import BigNumber, button, give_role, label, make_primary, row, scrolled, seam
+from app.views.parts import BigNumber, button, give_role, label, make_primary, scrolled, seam
 from app.views.processing_rows import ProcessingRows
 from app.views.reconstruction_phases import ReconstructionPhases
 from app.views.reconstruction_waiting import ReconstructionWaiting

@@ -9,7 +9,7 @@ from app.controllers.reconstruction import ReconstructionController
 from app.controllers.reconstruction_queue import WantedSurface
 from app.theme import icon
 from app.views.parts import label, row
-from app.views.reconstruction_words import order_words, status_words
+from app.views.reconstruction_words import order_words, reconstruction_words
 
 
 class ReconstructionWaiting(QWidget):
@@ -34,7 +34,7 @@ class ReconstructionWaiting(QWidget):
         """As it is now."""
         job = self._job
         waiting = job.queue.waiting
-        self._now.setText("" if job.mine else status_words(job))
+        self._now.setText("" if job.mine else reconstruction_words(job))
         self._now.setVisible(job.running and not job.mine)
         self._title.setVisible(bool(waiting))
         if tuple(line.wanted for line in self.lines) != waiting:

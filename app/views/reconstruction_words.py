@@ -23,7 +23,7 @@ def order_words(values: DraftValues) -> str:
     return translate("reconstruction", "{order} · {side}").format(order=number, side=translate("draft", SIDES[values.side]))
 
 
-def status_words(job: ReconstructionController) -> str:
+def reconstruction_words(job: ReconstructionController) -> str:
     """Of what runs, for every page; empty when nothing does."""
     translate = QCoreApplication.translate
     if not job.running or job.wanted is None:
@@ -84,7 +84,7 @@ def wish_words(values: DraftValues, carried: Carried | None) -> str:
 
 def _rounded(count: int) -> int:
     """Two digits of a number that is an estimate."""
-    size = 10 ** max(len(str(count)) - 2, 0)
+    size = int(10.0 ** max(len(str(count)) - 2, 0))
     return round(count / size) * size
 
 

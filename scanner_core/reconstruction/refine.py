@@ -247,7 +247,7 @@ class Refinement:
 
     def _drawn_share(self, fit: Fit) -> float:
         """How far refinement is: with the root of the triangles, as measured on clouds of 5,000 to 90,000 points."""
-        return float(min(len(fit.mesh.triangles) / self._most_triangles(), 1.0)) ** 0.5
+        return float(np.sqrt(min(len(fit.mesh.triangles) / self._most_triangles(), 1.0)))
 
     # ------------------------------------------------------------------------------------------ points
 
