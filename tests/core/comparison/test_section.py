@@ -7,9 +7,9 @@ from hypothesis import settings
 from hypothesis import strategies as st
 
 from scanner_core.comparison.landmarks import Landmark, distance_changes
-from scanner_core.comparison.section import SectionPlane, distance_along, section
 from scanner_core.comparison.volume import volume_between
 from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.measuring.section import SectionPlane, distance_along, section
 from tests.core.comparison.aligned import plane, pose
 from tests.core.geometry.solids import box, sphere, torus
 

@@ -1,4 +1,4 @@
-"""Sections of surfaces by a plane."""
+"""Sections of surfaces by a plane: their contours, area and perimeter."""
 
 from __future__ import annotations
 
@@ -47,6 +47,88 @@ class SectionPlane:
     def in_space(self, flat: Array) -> Array:
         """(n, 2) mm of the plane's axes to (n, 3)."""
         return np.asarray(self.point + flat[:, :1] * self.x + flat[:, 1:] * self.y)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SectionSize:
+    """How large a section is.
+
+    Attributes
+    ----------
+    contours : polylines (k, 3) mm, closed ones with their first point again at the end
+    area_mm2 : that the contours enclose, holes taken off; None when one of them is open
+    perimeter_mm : length of all contours
+    """
+
+    contours: list[Array]
+    area_mm2: float | None
+    perimeter_mm: float
+
+    @property
+    def centroid(self) -> Array | None:
+        """(3,) mm, of what lies within the largest contour; None without a closed one."""
+        closed = [loop for loop in self.contours if is_closed(loop)]
+        return loop_centroid(max(closed, key=loop_area)) if closed else None
+
+
+def measure_section(mesh: TriangleMesh, plane: SectionPlane) -> SectionSize | None:
+    """Size of the section of a mesh; None where the plane does not meet it."""
+    contours = section(mesh, plane)
+    if not contours:
+        return None
+    perimeter = sum(float(np.linalg.norm(np.diff(line, axis=0), axis=1).sum()) for line in contours)
+    closed = all(is_closed(line) for line in contours)
+    return SectionSize(contours, _area(contours, plane) if closed else None, perimeter)
+
+
+def _area(loops: list[Array], plane: SectionPlane) -> float:
+    """What closed loops enclose: one that lies within an odd number of others is a hole."""
+    flat = [plane.flat(loop) for loop in loops]
+    total = 0.0
+    for number, loop in enumerate(flat):
+        around = sum(bool(encloses(other, loop[0])) for i, other in enumerate(flat) if i != number)
+        total += (1 - 2 * (around % 2)) * abs(_shoelace(loop))
+    return total
+
+
+def is_closed(contour: Array) -> bool:
+    """Whether a polyline (k, 3) comes back to its first point."""
+    return len(contour) > 3 and bool((contour[0] == contour[-1]).all())
+
+
+def loop_area(loop: Array) -> float:
+    """Area, mm^2, within a closed flat polyline (k, 3)."""
+    return float(np.linalg.norm(_area_vector(loop)))
+
+
+def loop_centroid(loop: Array) -> Array:
+    """Centre (3,) of the area within a closed flat polyline (k, 3)."""
+    middle = loop.mean(axis=0)
+    parts = 0.5 * np.cross(loop[:-1] - middle, loop[1:] - middle)
+    whole = parts.sum(axis=0)
+    size = float(whole @ whole)
+    if size < 1e-18:
+        return np.asarray(middle)
+    shares = parts @ whole / size
+    return np.asarray(middle + shares @ (loop[:-1] + loop[1:] - 2 * middle) / 3)
+
+
+def encloses(loop: Array, place: Array) -> bool:
+    """Whether a closed polyline (k, 2) goes round a place (2,)."""
+    (x0, y0), (x1, y1) = loop[:-1].T, loop[1:].T
+    spans = (y0 <= place[1]) != (y1 <= place[1])
+    way = (place[1] - y0) * (x1 - x0) - (place[0] - x0) * (y1 - y0)
+    return bool((spans & np.where(y1 > y0, way > 0, way < 0)).sum() % 2)
+
+
+def _area_vector(loop: Array) -> Array:
+    middle = loop.mean(axis=0)
+    return np.asarray(0.5 * np.cross(loop[:-1] - middle, loop[1:] - middle).sum(axis=0))
+
+
+def _shoelace(flat: Array) -> float:
+    x, y = (flat - flat.mean(axis=0)).T
+    return float(0.5 * (x[:-1] * y[1:] - x[1:] * y[:-1]).sum())
 
 
 def section(mesh: TriangleMesh, plane: SectionPlane) -> list[Array]:
