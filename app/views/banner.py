@@ -23,7 +23,7 @@ class Banner(QFrame):
         self._what = label(wrap=True, selectable=True)
         self._what.setStyleSheet("font-weight: 600;")
         self._do = label("", "muted", wrap=True, selectable=True)
-        self._offer = button("", "", self._take_offer)
+        self.offer = button("", "", self._take_offer)
         self._offered: Callable[[], object] = self.dismiss
         self._toggle = QPushButton(self.tr("Details"))
         self._toggle.setCheckable(True)
@@ -40,7 +40,7 @@ class Banner(QFrame):
         words.setSpacing(1)
         words.addWidget(self._what)
         words.addWidget(self._do)
-        line = row(self._mark, words, self._offer, self._support, self._copy, self._toggle, close, spacing=12)
+        line = row(self._mark, words, self.offer, self._support, self._copy, self._toggle, close, spacing=12)
         line.setStretch(1, 1)
         line.setAlignment(self._mark, Qt.AlignmentFlag.AlignVCenter)
         self._details = QPlainTextEdit()
@@ -71,8 +71,8 @@ class Banner(QFrame):
         self._show("note", what, do, "")
         if take is not None:
             self._offered = take
-            self._offer.setText(offer)
-            self._offer.show()
+            self.offer.setText(offer)
+            self.offer.show()
 
     @property
     def text(self) -> str:
@@ -90,14 +90,14 @@ class Banner(QFrame):
         self._details.hide()
         self._copy.hide()
         self._support.hide()
-        self._offer.hide()
+        self.offer.hide()
         self.hide()
 
     def _show(self, mood: str, what: str, do: str, details: str) -> None:
         if not self.isHidden() and self._details.toPlainText():
             self._before = [self._details.toPlainText(), *self._before][:5]
         self._fault = None
-        self._offer.hide()
+        self.offer.hide()
         self.setProperty("mood", mood)
         self.style().unpolish(self)
         self.style().polish(self)

@@ -40,8 +40,8 @@ class DistanceChart(QWidget):
         if (counts, median_um, p95_um) == (self._counts, self._median_um, self._p95_um):
             return
         self._counts, self._median_um, self._p95_um = counts, median_um, p95_um
-        said = self.tr("Half of the points are within {median} µm of the surface, 95 of 100 within {p95} µm.")
-        self.setAccessibleDescription(said.format(median=fmt.micrometres(median_um), p95=fmt.micrometres(p95_um)) if counts else "")
+        said = self.tr("Half of the points are within {median} of the surface, 95 of 100 within {p95}.")
+        self.setAccessibleDescription(said.format(median=_length(median_um), p95=_length(p95_um)) if counts else "")
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802 - Qt's name
@@ -81,11 +81,11 @@ class DistanceChart(QWidget):
         """Half of the points to the left of the first, 95 of 100 to the left of the second; its words outwards where there is room."""
         metrics = QFontMetricsF(painter.font())
         marks = (
-            (self._median_um, Qt.PenStyle.SolidLine, self.tr("half {n} µm")),
-            (self._p95_um, Qt.PenStyle.DashLine, self.tr("95 % {n} µm")),
+            (self._median_um, Qt.PenStyle.SolidLine, self.tr("half {length}")),
+            (self._p95_um, Qt.PenStyle.DashLine, self.tr("95 % {length}")),
         )
         places = [_place(value, plot) for value, _, _ in marks]
-        said = [words.format(n=fmt.micrometres(value)) for value, _, words in marks]
+        said = [words.format(length=_length(value)) for value, _, words in marks]
         wide = [metrics.horizontalAdvance(words) for words in said]
         second = min(max(places[1] + 4, 0.0), self.width() - wide[1])
         first = min(max(places[0] - wide[0] - 4, 0.0), second - wide[0] - 8)
@@ -96,6 +96,11 @@ class DistanceChart(QWidget):
             painter.drawLine(QPointF(at, _HEAD - 3.0), QPointF(at, plot.bottom()))
             painter.setPen(QColor(look.text))
             painter.drawText(QPointF(left, 11.0), words)
+
+
+def _length(value_um: float) -> str:
+    """7.3 µm, 240 µm, 1.2 mm."""
+    return f"{fmt.micrometres(value_um)} µm" if value_um < 1000 else f"{value_um / 1000:.1f} mm"
 
 
 def _place(value_um: float, plot: QRectF) -> float:

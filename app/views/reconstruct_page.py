@@ -26,7 +26,7 @@ class ReconstructPage(Page):
         super().__init__(services)
         job = services.reconstruction
         box = self.inspector(self.tr("Reconstruct"))
-        self._state = label("", wrap=True)
+        self.verdict = label("", wrap=True)
         self._error = BigNumber(self.tr("µm expected error"))
         self._supported = BigNumber(self.tr("% supported"))
         self._triangles = BigNumber(self.tr("triangles"))
@@ -49,7 +49,7 @@ class ReconstructPage(Page):
         inside = QVBoxLayout(middle)
         inside.setContentsMargins(0, 0, 6, 0)
         inside.setSpacing(9)
-        for part in (self._state, self._numbers, self._phases, self._chart_title, self._chart, self._told):
+        for part in (self.verdict, self._numbers, self._phases, self._chart_title, self._chart, self._told):
             inside.addWidget(part)
         inside.addWidget(self.again, alignment=Qt.AlignmentFlag.AlignLeft)
         inside.addWidget(self.wishes)
@@ -68,13 +68,14 @@ class ReconstructPage(Page):
         box.addWidget(seam())
         for part in (self.waiting, self._next, self.missing, self._start, self.enough, self._cancel):
             box.addWidget(part)
+        for told in (services.case.opened, services.case.meshed):
+            told.connect(self._fold)
         self._carried: tuple[object, object, Carried | None] = (None, None, None)
         for told in (job.changed, job.began, job.ended, services.case.opened, services.case.meshed, services.acquisition.ended):
             told.connect(self._show)
         for told in (job.ended, services.acquisition.ended):
             told.connect(self.processing.show_choice)
         services.draft.changed.connect(lambda _: self._show_start())
-        services.case.opened.connect(self._fold)
         self._fold()
         self._show()
 
@@ -88,7 +89,7 @@ class ReconstructPage(Page):
 
     # -------------------------------------------------------------------------------- inside
     def _fold(self) -> None:
-        """Another case: what was unfolded for the last one is not of this one."""
+        """Another case or surface: what was unfolded for the last one is not of this one."""
         self.processing.hide()
         self.wishes.setVisible(not self.services.case.report)
 
@@ -104,9 +105,9 @@ class ReconstructPage(Page):
             self.wishes.show()
         wishing = not mine and not self.wishes.isHidden()
         words, role = ("", "") if mine else verdict(report) if done else (self._ready_words(), "muted")
-        self._state.setText(words)
-        self._state.setVisible(not mine)
-        give_role(self._state, role)
+        self.verdict.setText(words)
+        self.verdict.setVisible(not mine)
+        give_role(self.verdict, role)
         self._show_numbers(report, done, mine)
         self._phases.setVisible(mine)
         if mine:
@@ -186,7 +187,7 @@ class ReconstructPage(Page):
         if job.running:
             words = self.tr("It waits") if job.waits else self.tr("Reconstruct next")
         self._start.setText(words)
-        make_primary(self._start, not done)
+        make_primary(self._start, not done and not job.waits)
 
 
 class _Facts(QWidget):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QCoreApplication
+from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import QProgressBar, QVBoxLayout, QWidget
 
 from app.controllers.reconstruction import PHASES, ReconstructionController
@@ -69,6 +69,8 @@ class _PhaseLine(QWidget):
         self._mark = Sign(15)
         self._title = label(title)
         self._time = label("", "muted")
+        self._time.setMinimumWidth(56)  # of "888.8 s": it changes too often to lay the line out anew
+        self._time.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         line = row(self._mark, self._title, label(what, "faint"), 1, self._time, spacing=6)
         line.setContentsMargins(0, 0, 0, 0)
         self.setLayout(line)

@@ -34,7 +34,7 @@ class ReconstructionWaiting(QWidget):
         """As it is now."""
         job = self._job
         waiting = job.queue.waiting
-        self._now.setText("" if job.mine else reconstruction_words(job))
+        self._now.setText("" if job.mine else reconstruction_words(job, with_count=False))
         self._now.setVisible(job.running and not job.mine)
         self._title.setVisible(bool(waiting))
         if tuple(line.wanted for line in self.lines) != waiting:

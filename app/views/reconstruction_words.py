@@ -23,8 +23,8 @@ def order_words(values: DraftValues) -> str:
     return translate("reconstruction", "{order} · {side}").format(order=number, side=translate("draft", SIDES[values.side]))
 
 
-def reconstruction_words(job: ReconstructionController) -> str:
-    """Of what runs, for every page; empty when nothing does."""
+def reconstruction_words(job: ReconstructionController, *, with_count: bool = True) -> str:
+    """Of what runs, and how many wait, for every page; empty when nothing runs."""
     translate = QCoreApplication.translate
     if not job.running or job.wanted is None:
         return ""
@@ -33,7 +33,7 @@ def reconstruction_words(job: ReconstructionController) -> str:
         return translate("reconstruction", "{order}: being finished").format(order=order)
     if left is None:
         return translate("reconstruction", "{order}: reconstructing").format(order=order)
-    if job.queue.waiting:
+    if job.queue.waiting and with_count:
         words = translate("reconstruction", "{order}: reconstructing, {left} left, {count} waiting")
         return words.format(order=order, left=fmt.left_time(left), count=len(job.queue.waiting))
     return translate("reconstruction", "{order}: reconstructing, {left} left").format(order=order, left=fmt.left_time(left))

@@ -2,7 +2,7 @@
 
 What the facets add to the expected error was measured on four clouds with a fourth to twice the triangles that they carry: 0.54
 times the sag that 95 of 100 facets keep, and the sag goes with the area of a facet.  Before a first surface is there the error is a
-rule of thumb: of n points with a noise of s, 22 s / sqrt(n) is left on bodies with the detail of an impression, within a factor of 1.5.
+rule of thumb: of n points with a noise of s, 26 s / sqrt(n) is left on bodies with the detail of an impression, within a factor of 1.5.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import numpy as np
 from scanner_core.geometry.point_cloud import PointCloud
 
 _SAG_SHARE = 0.54
-_AVERAGED = 22.0
+_AVERAGED = 26.0
 _BEND = 9.0
 """Sag, times triangles, over the rms distance of the points from their centre: of a ball it is 3.6."""
 _POINTS_EACH, _LEAST_CARRIED = 1.04, 24_000
