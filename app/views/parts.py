@@ -188,6 +188,7 @@ class SideBadge(QLabel):
         self.setText(word)
         self.updateGeometry()
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.updateGeometry()  # the style has a margin that was not there before
 
 
 class Lamp(QWidget):

@@ -42,7 +42,7 @@ class Rail(QWidget):
         kind.setStretch(1, 1)
         order.addLayout(kind)
         order.addWidget(self._pair)
-        self._values = DraftValues()
+        self._values: DraftValues | None = None
         self._surfaces: tuple[str | None, str | None] | None = None
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 14)
@@ -92,7 +92,8 @@ class Rail(QWidget):
     def show_page(self, page_id: str) -> None:
         self._steps[page_id].setChecked(True)
 
-    def show_order(self, values: DraftValues) -> None:
+    def show_order(self, values: DraftValues | None) -> None:
+        """None while no case is open."""
         self._values = values
         self._show_head()
 
@@ -110,6 +111,11 @@ class Rail(QWidget):
             before, after = (name or self.tr("none yet") for name in names)
             self._pair.setText(self.tr("Before: {before}\nAfter: {after}").format(before=before, after=after))
             self._pair.setToolTip(self._pair.text())
+            return
+        if values is None:
+            self._order.setText(self.tr("No order open"))
+            for part in (self._code, self._badge, self._kind):
+                part.setVisible(False)
             return
         self._order.setText(values.order or self.tr("No order number"))
         self._code.setText(values.patient_code)
