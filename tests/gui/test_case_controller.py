@@ -18,10 +18,12 @@ from PySide6.QtWidgets import QApplication
 from app.background import Background
 from app.controllers.case import CaseController
 from app.controllers.reconstruction import ReconstructionController
+from app.controllers.reconstruction_queue import WantedSurface
 from app.draft import Draft
 from app.settings import Settings
 from scanner_core.case.store import CaseStore, Order
 from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.jobs.progress import Cancelled
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 from tests.gui.waiting import until, wait_ms
@@ -75,10 +77,11 @@ def test_a_mesh_reaches_the_case_of_its_points_though_another_is_open(desk: Desk
     desk.case.meshed_elsewhere.connect(elsewhere.append)
     job = ReconstructionController(desk.background, desk.case, desk.told.append)
     desk.open(desk.first)
-    job._path, job._source, job.running = desk.case.path, {"scans": [2]}, True
+    wanted = WantedSurface(desk.case.path, PointCloud(TETRAHEDRON.vertices), {"scans": [2]}, desk.draft.values)
+    job.wanted, job.running = wanted, True
     store = desk.open(desk.second)
-    report = SimpleNamespace(as_dict=lambda: {"triangles": 4})
-    job._done(cast(Any, SimpleNamespace(mesh=TETRAHEDRON, report=report)), ReconstructionParameters())
+    report = SimpleNamespace(as_dict=lambda: {"triangles": 4, "stopped_early": True})
+    job._done(cast(Any, SimpleNamespace(mesh=TETRAHEDRON, report=report)), wanted, ReconstructionParameters())
     until(lambda: elsewhere, 20, "the news")
     assert elsewhere == [desk.first]
     assert store.mesh_count() == 0
@@ -87,7 +90,8 @@ def test_a_mesh_reaches_the_case_of_its_points_though_another_is_open(desk: Desk
         assert kept.mesh_count() == 1
         provenance = kept.mesh()[1]
     assert provenance["scans"] == [2]
-    assert provenance["report"] == {"triangles": 4}
+    assert provenance["report"] == {"triangles": 4, "stopped_early": True}
+    assert provenance["stopped_early"] is True
     assert desk.told == []
 
 
