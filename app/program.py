@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.background import Background
 from app.controllers.acquisition import AcquisitionController
+from app.controllers.aiming import AimController
 from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
@@ -24,12 +25,14 @@ from app.controllers.export import ExportController
 from app.controllers.live_surface import LiveSurfaceController
 from app.controllers.mount_picks import MountPicks
 from app.controllers.mounts import MountsController
+from app.controllers.pair_tray import PairTrayController
 from app.controllers.preferences import Preferences
 from app.controllers.readiness import ReadinessController
 from app.controllers.reconstruction import ReconstructionController
 from app.controllers.recovery import RecoveryController
 from app.controllers.rig import RigController
 from app.controllers.shading import Shading
+from app.controllers.worklist import WorklistController
 from app.draft import Draft, DraftValues, first_order
 from app.event_log import EventLog
 from app.faults import install_hooks, remove_hooks
@@ -45,6 +48,7 @@ from app.undo import UndoHistory
 from app.views.activity import activity_words
 from app.views.main_window import MainWindow
 from scanner_core.log_file import log_fault, log_versions
+from scanner_core.user_folders import cache_folder
 
 _DEADLINE_S = 8.0
 _SWITCH_S = 0.001
@@ -90,6 +94,7 @@ class Program(QObject):
         application.setWindowIcon(icon("mark"))
         self._translation = Translation(application, self.settings.language)
         set_theme(application, self.settings.theme)
+        application.styleHints().colorSchemeChanged.connect(self._follow_system)
         self.background = Background()
         self.pump = Pump(self)
         self.heartbeat = Heartbeat(self)
@@ -109,7 +114,9 @@ class Program(QObject):
         coverage = CoverageController(self.background, cases, acquisition, self.tell, self)
         mounts = MountsController(self.background, cases, acquisition, rig, self.tell, self)
         picks = MountPicks(self.compare_stack, mounts, self)
+        worklist = WorklistController(self.background, self.settings, cases, self._cache_folder(), self.tell, self)
         readiness = ReadinessController(self.background, rig, self.settings, self)
+        aiming = AimController(self.background, rig, self.compare_stack, self._settings_file.parent / "materials", self.tell, self)
         self.services = Services(
             self.settings,
             draft,
@@ -128,6 +135,10 @@ class Program(QObject):
             picks,
             preferences,
             readiness,
+            worklist,
+            PairTrayController(cases, worklist, acquisition, rig, self.tell, self),
+            Draft(self.undo_stack, self),
+            aiming,
         )
         draft.load(first_order(self.settings.last_order) if after is None else after.order)
         live.allow(self.settings.live_surface)
@@ -162,6 +173,11 @@ class Program(QObject):
     def _show(self, fault: BaseException) -> None:
         self.background.post(lambda: self.window.banner.tell_fault(fault))
 
+    def _cache_folder(self) -> Path:
+        """Beside settings of one's own, else where the system keeps such things."""
+        own = self._settings_file != settings_path()
+        return self._settings_file.parent / "cache" if own else cache_folder()
+
     def _take_preference(self, name: str) -> None:
         """What was set is in force from now on."""
         if name == "theme":
@@ -172,6 +188,11 @@ class Program(QObject):
             window = self.window
             self.again = Again(self.services.case.path, window.page_id, self.services.draft.values, window.saveGeometry())
             QTimer.singleShot(0, window.close)
+
+    def _follow_system(self) -> None:
+        """The desktop has changed between dark and light."""
+        if self.settings.theme == "system" and not self._closed:
+            set_theme(self._application, "system")
 
     # -------------------------------------------------------------------------------- start
     def _painted(self, case: Path | None, after: Again | None) -> None:
@@ -189,6 +210,7 @@ class Program(QObject):
             self.services.preferences.keep()  # shown once
             self.window.show_tour()
         self.services.recovery.look()
+        self.services.worklist.look()
 
     def _make_scene(self) -> None:
         if self._closed:
@@ -218,6 +240,7 @@ class Program(QObject):
             ("pump", self.pump.stop),
             ("heartbeat", self._end_heartbeat),
             ("recovery", services.recovery.shutdown),
+            ("worklist", services.worklist.shutdown),
             ("scan", lambda: services.acquisition.shutdown(_DEADLINE_S)),
             ("assistant", lambda: services.assistant.shutdown(_DEADLINE_S)),
             ("rig", lambda: services.rig.shutdown(_DEADLINE_S)),

@@ -24,9 +24,11 @@ if TYPE_CHECKING:
     from scanner_core.acquisition.rig_session import OpenRig
     from scanner_core.acquisition.runner import ScanRunner
     from scanner_core.acquisition.scan_result import ScanResult
+    from scanner_core.acquisition.view_state import ViewProgress
     from scanner_core.acquisition.views import RegisteredViews
     from scanner_core.case.store import CaseStore
 
+_VIEWS_PERIOD_S = 0.2
 MakeRunner = Callable[["OpenRig", "CaseStore"], "ScanRunner"]
 
 
@@ -50,7 +52,9 @@ class AcquisitionController(QObject):
         self._stopped = self._borrowed = False
         self.status: ScanStatus | None = None
         """Of the runner, with rate and time left in the person's own seconds."""
-        self._began_s = 0.0
+        self.views: tuple[ViewProgress, ...] = ()
+        """Of the plan of the running scan, or of the one that has ended last; none of a laser line."""
+        self._looked_s = self._began_s = 0.0
         self._calibration = ""  # its identity
         self.result: ScanResult | None = None
         self._taken = 0
@@ -94,6 +98,13 @@ class AcquisitionController(QObject):
         """Go on with the newest scan of the open case until an uncertainty, with so many more points at most."""
         self._go_on(partial(_further, until_um, points))
 
+    def measure_again(self, view: int) -> None:
+        """Measure a view of the plan (from 0) once more: after the last one of a running scan, else at once."""
+        if self._runner is not None:
+            self._runner.measure_again(view)
+        else:
+            self._go_on(partial(_view_again, view))
+
     def resume(self, path: Path) -> None:
         """Go on with the interrupted scan of a case; known points are measured again first."""
         if self.running or not self._rig.snapshot.connected:
@@ -111,12 +122,12 @@ class AcquisitionController(QObject):
 
     def _prepare(self) -> None:
         self._wanted, self._stopped = True, False
-        self.status, self.result = None, None
+        self.status, self.result, self.views = None, None, ()
         self.began.emit()
 
     def pause_or_resume(self) -> None:
         if self._runner is not None:
-            if self.paused:
+            if self.paused or (self.status is not None and self.status.pausing):
                 self._runner.resume()
             else:
                 self._runner.pause()
@@ -156,6 +167,9 @@ class AcquisitionController(QObject):
             if preview is not None:
                 for sink in self._preview_sinks:
                     sink(name, preview)
+        if time.monotonic() - self._looked_s >= _VIEWS_PERIOD_S:
+            self._looked_s = time.monotonic()
+            self.views = runner.views()
         status = self._in_own_seconds(runner.status())
         self.status = status
         self._rig.hear_owner()
@@ -223,7 +237,7 @@ class AcquisitionController(QObject):
     def _finish(self, runner: ScanRunner) -> None:
         self._drain_points(runner)
         self._runner = None
-        self.result = runner.result
+        self.result, self.views = runner.result, runner.views()
         self._let_go()
         if self.result is not None and self.result.views is not None:
             self._case.take_cloud(self.result.views.cloud, _source(self.result, self.result.views, self._calibration))
@@ -269,6 +283,13 @@ def _rest_of_scan(rig: OpenRig, store: CaseStore) -> ScanRunner:
     if interrupted is None:
         raise AcquisitionError("E-SCAN-04", path=store.path)
     return ScanRunner(rig, interrupted.request, store, interruption=interrupted)
+
+
+def _view_again(view: int, rig: OpenRig, store: CaseStore) -> ScanRunner:
+    from scanner_core.case.reopening import reopen_view
+
+    reopen_view(store, view)
+    return _rest_of_scan(rig, store)
 
 
 def _further(until_um: float, points: int, rig: OpenRig, store: CaseStore) -> ScanRunner:

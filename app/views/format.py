@@ -30,11 +30,18 @@ def left_time(seconds: float | None) -> str:
     return f"{hours}:{minutes:02d}:{left:02d}" if hours else f"{minutes}:{left:02d}"
 
 
+def decimal(number: float, places: int, *, signed: bool = False) -> str:
+    """2.50, −0.25 (2,50 where that is the custom); `signed` with a plus; what rounds to nothing has no sign."""
+    digits = f"{abs(number):.{places}f}"
+    sign = "" if not digits.strip("0.") else MINUS if number < 0 else "+" if signed else ""
+    return sign + digits.replace(".", QLocale().decimalPoint())
+
+
 def micrometres(length_um: float | None) -> str:
     """24, 7.3; a dash when nothing is known."""
     if length_um is None:
         return NO_VALUE
-    return f"{length_um:.0f}" if length_um >= 9.95 else f"{length_um:.1f}"
+    return f"{length_um:.0f}" if length_um >= 9.95 else decimal(length_um, 1)
 
 
 def percent(share: float | None) -> str:
@@ -62,6 +69,27 @@ def age(iso: str, today: date | None = None) -> str:
     if days <= 0:
         return QCoreApplication.translate("format", "today")
     return QCoreApplication.translate("format", "1 day old") if days == 1 else QCoreApplication.translate("format", "{n} days old").format(n=days)
+
+
+def ago(iso: str, now: datetime | None = None) -> str:
+    """just now, 5 minutes ago, 3 hours ago, yesterday, 12 days ago, then the date."""
+    try:
+        moment = datetime.fromisoformat(iso).astimezone()
+    except ValueError:
+        return iso
+    now = now or wall_clock.now()
+    minutes, days = int((now - moment).total_seconds() // 60), (now.date() - moment.date()).days
+    if minutes < 1:
+        return QCoreApplication.translate("format", "just now")
+    if minutes < 60:
+        one, more = QCoreApplication.translate("format", "1 minute ago"), QCoreApplication.translate("format", "{n} minutes ago")
+        return one if minutes == 1 else more.format(n=minutes)
+    if days == 0:
+        one, more = QCoreApplication.translate("format", "1 hour ago"), QCoreApplication.translate("format", "{n} hours ago")
+        return one if minutes < 120 else more.format(n=minutes // 60)
+    if days == 1:
+        return QCoreApplication.translate("format", "yesterday")
+    return QCoreApplication.translate("format", "{n} days ago").format(n=days) if days < 31 else day(iso)
 
 
 def _date(iso: str) -> date | None:

@@ -11,19 +11,21 @@ from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QStackedWidget, QVBoxLay
 
 from app.actions import fill_menus, make_actions
 from app.controllers.support import SupportController
-from app.draft import next_order
 from app.services import Services
 from app.undo import UndoHistory
+from app.views import format as fmt
 from app.views.activity import activity_words
 from app.views.banner import Banner
 from app.views.coverage_page import CoveragePage
 from app.views.file_dialogs import choose_file
+from app.views.home_page import HomePage
 from app.views.laser_lamps import LaserLamps
 from app.views.mounts_page import MountsPage
 from app.views.page import Page
 from app.views.pages import ASIDE, FOOT, PAGES
 from app.views.parts import seam
 from app.views.rail import Rail
+from app.views.reconstruction_words import reconstruction_words
 from app.views.scene_link import SceneLink
 from app.views.stage import Stage
 from app.views.status_line import StatusLine
@@ -84,7 +86,7 @@ class MainWindow(QMainWindow):
         upper.addWidget(self.rail)
         upper.addWidget(seam(upright=True))
         upper.addLayout(right, 1)
-        self.status_line = StatusLine()
+        self.status_line = StatusLine(self._open_reconstructed)
         self.laser = LaserLamps(services, self.rail, self.status_line)
         whole = QWidget()
         box = QVBoxLayout(whole)
@@ -144,15 +146,11 @@ class MainWindow(QMainWindow):
         return next(name for name, page in self.pages.items() if page is current)
 
     def new_case(self) -> None:
-        """The next order; a scan that runs keeps its case."""
-        services = self.services
-        if services.acquisition.running:
-            self._tell_running()
-            return
-        if services.case.store is not None:
-            services.case.close()
-            services.draft.load(next_order(services.draft.values))
+        """The form of another order; what is open stays so until that is made."""
         self.show_page("home")
+        home = self.pages["home"]
+        assert isinstance(home, HomePage)
+        home.new_order()
 
     def choose_case(self) -> None:
         choose_file(self, self.tr("Open a case"), self.services.settings.case_folder, self.tr("Cases (*.impronta)"), self.open_case)
@@ -177,20 +175,22 @@ class MainWindow(QMainWindow):
         self._undo.redo()
 
     def start_scan(self) -> None:
-        if self.services.acquisition.running or self.services.reconstruction.running:
+        if self.services.acquisition.running:
             return
         self.banner.dismiss()
         self.services.acquisition.start(self._request())
 
     def _request(self) -> PlanRequest:
         rig, values = self.services.rig.snapshot, self.services.draft.values
-        return PlanRequest(
+        request = PlanRequest(
             views=values.views,
             points=values.points,
             object_radius_mm=rig.specimen_radius_mm,
             object_height_mm=rig.specimen_height_mm,
             until_um=float(values.until_um) if values.until_um else None,
+            retry=self.services.settings.retry,
         )
+        return self.services.pair_tray.planned(request)
 
     def show_coverage(self) -> None:
         self.show_page("coverage")
@@ -282,16 +282,30 @@ class MainWindow(QMainWindow):
     def _tell_running(self) -> None:
         self.banner.tell_note(self.tr("A scan is running."), self.tr("Wait for its end or stop it first (Esc)."))
 
+    def _tell_split(self, counts: dict[str, int]) -> None:
+        what = self.tr("Both ears are measured: {left} points on the left one, {right} on the right one.").format(
+            left=fmt.count(counts["left"]), right=fmt.count(counts["right"])
+        )
+        self.banner.tell_note(what, self.tr("Each is an order of its own now; both stand in the worklist."))
+
     def _tell_meshed(self, path: Path) -> None:
         what = self.tr("The surface of {case} is done.").format(case=path.stem)
-        self.banner.tell_note(what, self.tr("It is kept in its case; open that to see it."))
+        self.banner.tell_note(what, self.tr("It is kept in its case."), self.tr("Open it"), lambda: self.open_case(path))
+
+    def _open_reconstructed(self) -> None:
+        """The order whose points are being reconstructed."""
+        wanted = self.services.reconstruction.wanted
+        if wanted is None or wanted.path in (None, self.services.case.path):
+            self.show_page("reconstruct")
+        elif wanted.path is not None:
+            self.open_case(wanted.path)
 
     def _do(self, action_id: str) -> None:
         self.actions_by_id[action_id].trigger()
 
     def _connect(self) -> None:
         services = self.services
-        services.draft.changed.connect(lambda _: self.rail.show_order(services.draft.values))
+        services.draft.changed.connect(lambda _: self._show_order())
         services.rig.changed.connect(self._show_rig)
         services.acquisition.began.connect(self._begin_scan)
         services.case.opened.connect(self._show_case)
@@ -307,8 +321,13 @@ class MainWindow(QMainWindow):
         for controller in (services.coverage, services.mounts):
             controller.changed.connect(self._show_activity)
         services.mounts.began.connect(self.show_mounts)
+        services.pair_tray.split.connect(self._tell_split)
         self._undo.changed.connect(self._show_undo)
-        self.rail.show_order(services.draft.values)
+        self._show_order()
+
+    def _show_order(self) -> None:
+        """Of the open case; what stands in a form is no order yet."""
+        self.rail.show_order(self.services.draft.values if self.services.case.store is not None else None)
 
     def _show_whose(self) -> None:
         """Whose surface is shown: the order's, or those that are compared, which may be another patient's."""
@@ -331,6 +350,7 @@ class MainWindow(QMainWindow):
         self._show_activity()
 
     def _show_case(self) -> None:
+        self._show_order()
         path = self.services.case.path
         self.setWindowTitle(f"{path.stem} – Impronta" if path is not None else "Impronta")
         self._show_activity()
@@ -346,6 +366,7 @@ class MainWindow(QMainWindow):
 
     def _show_activity(self) -> None:
         self.status_line.show_activity(activity_words(self.services))
+        self.status_line.show_reconstruction(reconstruction_words(self.services.reconstruction))
 
     def _show_rig(self) -> None:
         self.status_line.show_rig(self.services.rig.snapshot)
