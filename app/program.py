@@ -20,8 +20,10 @@ from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
 from app.controllers.coverage import CoverageController
+from app.controllers.editing import EditingController
 from app.controllers.export import ExportController
 from app.controllers.live_surface import LiveSurfaceController
+from app.controllers.measurements import Measurements
 from app.controllers.mount_picks import MountPicks
 from app.controllers.mounts import MountsController
 from app.controllers.preferences import Preferences
@@ -109,6 +111,7 @@ class Program(QObject):
         mounts = MountsController(self.background, cases, acquisition, rig, self.tell, self)
         picks = MountPicks(self.compare_stack, mounts, self)
         readiness = ReadinessController(self.background, rig, self.settings, self)
+        editing = EditingController(self.background, cases, acquisition, self.tell, self)
         self.services = Services(
             self.settings,
             draft,
@@ -127,6 +130,8 @@ class Program(QObject):
             picks,
             preferences,
             readiness,
+            editing,
+            Measurements(self.background, cases, self.tell, self),
         )
         draft.load(first_order(self.settings.last_order) if after is None else after.order)
         live.allow(self.settings.live_surface)
@@ -140,7 +145,7 @@ class Program(QObject):
         install_hooks(self._show)
         self._shading = Shading(self.background)
         pages = [page.tick for page in self.window.pages.values()]
-        drains = (self.background.drain, acquisition.drain, reconstruction.drain, comparing.drain, coverage.drain, mounts.drain)
+        drains = (self.background.drain, acquisition.drain, reconstruction.drain, comparing.drain, coverage.drain, mounts.drain, editing.drain)
         for source in (*drains, live.tick, self._shading.tick, *pages):
             self.pump.add_source(source)
         for painter in (self.window.paint_scene, *(page.paint_scene for page in self.window.pages.values())):
@@ -222,6 +227,8 @@ class Program(QObject):
             ("comparison", services.comparing.shutdown),
             ("coverage", services.coverage.shutdown),
             ("mounts", services.mounts.shutdown),
+            ("editing", services.editing.shutdown),
+            ("measurements", services.measurements.cancel),
             ("case", lambda: services.case.shutdown(_DEADLINE_S)),
             ("shading", lambda: self._shading.close(_DEADLINE_S)),
             ("background", self._end_background),

@@ -10,8 +10,10 @@ from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
 from app.controllers.coverage import CoverageController
+from app.controllers.editing import EditingController
 from app.controllers.export import ExportController
 from app.controllers.live_surface import LiveSurfaceController
+from app.controllers.measurements import Measurements
 from app.controllers.mount_picks import MountPicks
 from app.controllers.mounts import MountsController
 from app.controllers.preferences import Preferences
@@ -44,3 +46,5 @@ class Services:
     mount_picks: MountPicks
     preferences: Preferences
     readiness: ReadinessController
+    editing: EditingController
+    measurements: Measurements

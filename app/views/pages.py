@@ -8,6 +8,7 @@ from app.translation import QT_TRANSLATE_NOOP
 from app.views.assistant_page import AssistantPage
 from app.views.compare_page import ComparePage
 from app.views.coverage_page import CoveragePage
+from app.views.edit_page import EditPage
 from app.views.export_page import ExportPage
 from app.views.home_page import HomePage
 from app.views.mounts_page import MountsPage
@@ -41,6 +42,7 @@ PAGES: tuple[PageInfo, ...] = (
     PageInfo("home", QT_TRANSLATE_NOOP("pages", "Home"), "home", HomePage),
     PageInfo("rig", QT_TRANSLATE_NOOP("pages", "Rig"), "rig", RigPage),
     PageInfo("scan", QT_TRANSLATE_NOOP("pages", "Scan"), "scan", ScanPage, stage=QT_TRANSLATE_NOOP("pages", "Live point cloud")),
+    PageInfo("edit", QT_TRANSLATE_NOOP("pages", "Edit"), "edit", EditPage, stage=QT_TRANSLATE_NOOP("pages", "Points to be reconstructed")),
     PageInfo("reconstruct", QT_TRANSLATE_NOOP("pages", "Reconstruct"), "reconstruct", ReconstructPage, stage=QT_TRANSLATE_NOOP("pages", "Surface")),
     PageInfo("export", QT_TRANSLATE_NOOP("pages", "Export"), "export", ExportPage, stage=QT_TRANSLATE_NOOP("pages", "What is exported")),
     PageInfo("compare", QT_TRANSLATE_NOOP("pages", "Compare"), "compare", ComparePage),

@@ -30,6 +30,7 @@ class SceneLink(QObject):
         self._services, self._stage, self._actions, self._page = services, stage, actions, page
         self.scene: SceneView | None = None
         self._told_s = 0.0
+        self._late = False
         services.acquisition.began.connect(self._begin_scan)
         services.acquisition.changed.connect(self._show_scan)
         services.acquisition.ended.connect(self._end_scan)
@@ -75,7 +76,11 @@ class SceneLink(QObject):
 
     # -------------------------------------------------------------------------------- what is shown
     def show_case(self) -> None:
-        """Everything of the open case, after it was opened or closed."""
+        """Everything of the open case, after it was opened or closed; later where something else is shown in its place."""
+        self._late = self.scene is not None and self.scene.aside is not None and self._page().aside() is not None
+        if self._late:
+            self.shown.emit()
+            return
         scene, case = self.scene, self._services.case
         if scene is not None:
             config = self._services.rig.snapshot.config
@@ -90,6 +95,9 @@ class SceneLink(QObject):
     def show_aside(self) -> None:
         """What the page shows in the place of the case."""
         self.call(lambda scene: scene.show_aside(self._page().aside()))
+        if self.scene is not None and self._late and self.scene.aside is None:
+            self.show_case()
+        self.call(self._page().meet_scene)
         self._show_legend()
 
     def _show_mesh(self) -> None:
