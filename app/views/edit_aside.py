@@ -61,7 +61,7 @@ class EditAside:
         look.SetRepresentationToPoints()
         look.SetAmbient(0.35)
         look.SetDiffuse(0.75)
-        self._shape = (LineActor("#10151a", 5.0, behind=True), LineActor(MARKED, 2.2))
+        self._shape = (LineActor("#10151a", 3.2, behind=True), LineActor(MARKED, 1.5))
         self.show(np.zeros(len(points), np.bool_), None, out_too=False)
 
     @property
@@ -105,7 +105,7 @@ class EditAside:
         if corners is None:
             self._show_shape(None)
             return
-        share = np.linspace(0.0, 1.0, 9)[:, None]
+        share = np.linspace(0.0, 1.0, 5)[:, None]
         a, b, c, d = corners
         along, across = (a + share * (b - a), d + share * (c - d)), (a + share * (d - a), b + share * (c - b))
         self._show_shape(segments(np.concatenate([along[0], across[0]]), np.concatenate([along[1], across[1]])))

@@ -106,6 +106,12 @@ class EditPage(Page):
             self._points_aside.show(editing.out, editing.marked, out_too=self.points.out_too.isChecked())
         return self._points_aside
 
+    def facts(self) -> str:
+        editing = self._editing
+        if editing.points is None or (self.measuring and self._case.surface is not None):
+            return ""
+        return self.tr("{n} points").format(n=fmt.count(len(editing.out) - int(editing.out.sum())))
+
     def meet_scene(self, scene: SceneView) -> None:
         if scene.aside is None:
             self._let_go()

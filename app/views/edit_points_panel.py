@@ -37,12 +37,12 @@ class PointsPanel(QWidget):
             made.setCheckable(True)
             self._bind(made, text, _KEYS[tool], partial(self._toggle_tool, tool))
             self.tools[tool] = made
-        self.back = QCheckBox(self.tr("Bring points back instead"))
+        self.back = _tick(self.tr("Bring points back instead"))
         self.back.toggled.connect(lambda _: self._changed())
-        self.through = QCheckBox(self.tr("Also what lies behind"))
+        self.through = _tick(self.tr("Also what lies behind"))
         self.through.setToolTip(self.tr("Otherwise only what is in front, as it is seen, is taken"))
         self.through.toggled.connect(lambda _: self.tool_changed.emit())
-        self.out_too = QCheckBox(self.tr("Show what was taken out"))
+        self.out_too = _tick(self.tr("Show what was taken out"))
         self.out_too.toggled.connect(lambda _: self.looks_changed.emit())
         self.shapes: dict[str, Shape] = {"crop": CropShape(self._editing), "base": BaseShape(self._editing), "outliers": OutlierShape(self._editing)}
         names = {"crop": self.tr("Crop"), "base": self.tr("Cut the base"), "outliers": self.tr("Outliers")}
@@ -69,6 +69,7 @@ class PointsPanel(QWidget):
             row(*self.choices.values(), spacing=6),
             *self.shapes.values(),
             row(self.invert, self.all_back, spacing=6),
+            1,
             spacing=8,
         )
         box.setContentsMargins(0, 0, 0, 0)
@@ -162,3 +163,9 @@ class PointsPanel(QWidget):
     def _renew(self) -> None:
         self.drop_shape()
         self.show_state()
+
+
+def _tick(text: str) -> QCheckBox:
+    made = QCheckBox(text)
+    made.setProperty("role", "deliberate")
+    return made

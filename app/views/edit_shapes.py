@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QTimer, Signal
-from PySide6.QtWidgets import QProgressBar, QWidget
+from PySide6.QtWidgets import QLayout, QProgressBar, QWidget
 
 from app.controllers.editing import EditingController
 from app.views.length_field import LengthField
@@ -37,6 +37,11 @@ class Shape(QWidget):
         self._timer.setInterval(_COALESCE_MS)
         self._timer.timeout.connect(self.propose)
 
+    def _lay(self, *parts: QWidget | QLayout) -> None:
+        box = column(*parts, spacing=5)
+        box.setContentsMargins(0, 0, 0, 0)
+        self.setLayout(box)
+
     def begin(self) -> None:
         """The panel is shown from now on."""
 
@@ -55,7 +60,7 @@ class CropShape(Shape):
         super().__init__(editing)
         names = (self.tr("x from"), self.tr("x to"), self.tr("y from"), self.tr("y to"), self.tr("z from"), self.tr("z to"))
         self.fields = [LengthField(name, self.tr(" mm"), partial(self._moved, number)) for number, name in enumerate(names)]
-        self.setLayout(column(label(self.tr("What is inside the box stays."), "muted", wrap=True), *self.fields, spacing=5))
+        self._lay(label(self.tr("What is inside the box stays."), "muted", wrap=True), *self.fields)
         self._whole = np.zeros((2, 3))
 
     def begin(self) -> None:
@@ -100,7 +105,7 @@ class BaseShape(Shape):
             field.set_range(-_STEEPEST_DEG, _STEEPEST_DEG)
         self.find_again = button(self.tr("Find it again"), "link", self.begin)
         told = label(self.tr("What is below the plane goes."), "muted", wrap=True)
-        self.setLayout(column(told, self.height_mm, *self.tilts, row(self.find_again, 1), spacing=5))
+        self._lay(told, self.height_mm, *self.tilts, row(self.find_again, 1))
 
     def begin(self) -> None:
         points = self._editing.points
@@ -151,7 +156,7 @@ class OutlierShape(Shape):
         self.bar.setAccessibleName(self.tr("Looking at every point"))
         self.stop = button(self.tr("Cancel"), "link", editing.cancel)
         told = label(self.tr("Points that are far from their neighbours, off their surface, or in a small group of their own."), "muted", wrap=True)
-        self.setLayout(column(told, self.limit, self.bar, row(self.stop, 1), spacing=5))
+        self._lay(told, self.limit, self.bar, row(self.stop, 1))
         editing.changed.connect(self._show)
         self._show()
 

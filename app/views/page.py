@@ -56,6 +56,10 @@ class Page(QWidget):
     def meet_scene(self, scene: SceneView) -> None:
         """The page stands beside the 3D view from now on; called whenever it is shown.  What it did to it the page takes back when it is hidden."""
 
+    def facts(self) -> str:
+        """What is told beside the title of the 3D view, of what :meth:`aside` shows; empty for the facts of the case."""
+        return ""
+
     def look(self, view: str) -> bool:
         """Turn a 3D view of its own: ``fit``, ``front`` or ``top``; False when there is none."""
         return False
