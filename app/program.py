@@ -32,6 +32,7 @@ from app.controllers.reconstruction import ReconstructionController
 from app.controllers.recovery import RecoveryController
 from app.controllers.rig import RigController
 from app.controllers.shading import Shading
+from app.controllers.worklist import WorklistController
 from app.draft import Draft, DraftValues, first_order
 from app.event_log import EventLog
 from app.faults import install_hooks, remove_hooks
@@ -47,6 +48,7 @@ from app.undo import UndoHistory
 from app.views.activity import activity_words
 from app.views.main_window import MainWindow
 from scanner_core.log_file import log_fault, log_versions
+from scanner_core.user_folders import cache_folder
 
 _DEADLINE_S = 8.0
 _SWITCH_S = 0.001
@@ -82,6 +84,7 @@ class Program(QObject):
         self._started_s = started_s
         self._heartbeat_file = heartbeat_file
         self._settings_file = settings_file or settings_path()
+        self._first_run = not self._settings_file.exists()
         self._closed = False
         self.again: Again | None = None
         """The window was closed so that it be made anew, as this."""
@@ -110,6 +113,7 @@ class Program(QObject):
         coverage = CoverageController(self.background, cases, acquisition, self.tell, self)
         mounts = MountsController(self.background, cases, acquisition, rig, self.tell, self)
         picks = MountPicks(self.compare_stack, mounts, self)
+        worklist = WorklistController(self.background, self.settings, cases, self._cache_folder(), self.tell, self)
         readiness = ReadinessController(self.background, rig, self.settings, self)
         editing = EditingController(self.background, cases, acquisition, self.tell, self)
         self.services = Services(
@@ -130,6 +134,8 @@ class Program(QObject):
             picks,
             preferences,
             readiness,
+            worklist,
+            Draft(self.undo_stack, self),
             editing,
             Measurements(self.background, cases, self.tell, self),
         )
@@ -166,6 +172,11 @@ class Program(QObject):
     def _show(self, fault: BaseException) -> None:
         self.background.post(lambda: self.window.banner.tell_fault(fault))
 
+    def _cache_folder(self) -> Path:
+        """Beside settings of one's own, else where the system keeps such things."""
+        own = self._settings_file != settings_path()
+        return self._settings_file.parent / "cache" if own else cache_folder()
+
     def _take_preference(self, name: str) -> None:
         """What was set is in force from now on."""
         if name == "theme":
@@ -189,7 +200,11 @@ class Program(QObject):
             self.window.open_case(case)
         if after is not None:
             self.window.show_page(after.page)
+        elif self._first_run:
+            self.services.preferences.keep()  # shown once
+            self.window.show_tour()
         self.services.recovery.look()
+        self.services.worklist.look()
 
     def _make_scene(self) -> None:
         if self._closed:
@@ -219,6 +234,7 @@ class Program(QObject):
             ("pump", self.pump.stop),
             ("heartbeat", self._end_heartbeat),
             ("recovery", services.recovery.shutdown),
+            ("worklist", services.worklist.shutdown),
             ("scan", lambda: services.acquisition.shutdown(_DEADLINE_S)),
             ("assistant", lambda: services.assistant.shutdown(_DEADLINE_S)),
             ("rig", lambda: services.rig.shutdown(_DEADLINE_S)),

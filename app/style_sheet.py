@@ -52,7 +52,7 @@ QPushButton[role="step"] {{ text-align: left; background: transparent; border: n
 QPushButton[role="step"]:hover {{ background: {p.raised}; color: {p.text}; }}
 QPushButton[role="step"]:checked {{ background: {p.raised}; color: {p.text}; border-left: 3px solid {p.accent}; font-weight: 600; }}
 QPushButton[role="step"]:focus {{ color: {p.text}; border-left: 3px solid {p.text}; }}
-QPushButton[role="step"]:checked:focus {{ border-left: 3px solid {p.accent}; }}
+QPushButton[role="step"]:checked:focus {{ border-left: 3px solid {p.text}; }}
 QPushButton[role="link"] {{ background: transparent; border: none; color: {p.accent}; padding: 2px 0; text-align: left; }}
 QPushButton[role="quiet-link"] {{ background: transparent; border: none; color: {p.muted}; padding: 2px 0; text-align: left; }}
 QPushButton[role="link"]:hover, QPushButton[role="link"]:focus {{ text-decoration: underline; }}
@@ -61,6 +61,8 @@ QPushButton[role="choice"] {{ padding: 8px 10px; }}
 QPushButton[role="choice"]:checked {{ background: {p.accent_ground}; color: {p.text}; border-color: {p.accent}; }}
 QPushButton[side="left"]:checked {{ background: {p.left_ground}; color: {p.left_ear}; border: 2px solid {p.left_ear}; font-weight: 600; }}
 QPushButton[side="right"]:checked {{ background: {p.right_ground}; color: {p.right_ear}; border: 2px solid {p.right_ear}; font-weight: 600; }}
+QPushButton:checked:focus, QPushButton[role="choice"]:checked:focus {{ border-color: {p.text}; }}
+QPushButton[side="left"]:checked:focus, QPushButton[side="right"]:checked:focus {{ border-color: {p.text}; }}
 QToolButton {{ background: transparent; border: 1px solid transparent; border-radius: 5px; padding: 5px 7px; }}
 QToolButton:hover {{ background: {p.raised}; }}
 QToolButton:checked {{ background: {p.raised}; border-color: {p.seam}; }}
@@ -97,6 +99,11 @@ QScrollArea {{ border: none; background: transparent; }}
 QPlainTextEdit[role="details"] {{ background: {p.ground}; border: 1px solid {p.seam}; color: {p.muted}; }}
 QFrame[role="banner"] {{ background: {p.warning_ground}; border: none; border-bottom: 1px solid {p.warning}; }}
 QFrame[role="banner"][mood="note"] {{ background: {p.accent_ground}; border-bottom: 1px solid {p.accent}; }}
+QFrame[role="help"] {{ background: {p.raised}; border-left: 1px solid {p.seam}; }}
+QFrame[role="card"] {{ background: {p.raised}; border: 1px solid {p.accent}; border-radius: 8px; }}
+QTreeWidget {{ background: {p.panel}; border: 1px solid {p.seam}; outline: none; }}
+QTreeWidget::item {{ padding: 4px 2px; }}
+QHeaderView::section {{ background: {p.panel}; color: {p.muted}; border: none; border-bottom: 1px solid {p.seam}; padding: 5px 6px; }}
 QFrame[role="status"] {{ background: {p.panel}; border-top: 1px solid {p.seam}; }}
 QLabel[role="arrow"] {{ color: {p.faint}; font-size: 26px; }}
 QLabel[role="strong"] {{ font-weight: 600; }}

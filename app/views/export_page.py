@@ -54,6 +54,7 @@ class ExportPage(Page):
         browse = QToolButton()
         browse.setIcon(icon("folder"))
         browse.setToolTip(self.tr("Choose a folder"))
+        browse.setAccessibleName(self.tr("Choose a folder"))
         browse.clicked.connect(self._browse)
         box.addLayout(row(self._folder, browse, spacing=4))
         box.addWidget(label(self.tr("Name"), "section"))

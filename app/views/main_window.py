@@ -11,13 +11,13 @@ from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QStackedWidget, QVBoxLay
 
 from app.actions import fill_menus, make_actions
 from app.controllers.support import SupportController
-from app.draft import next_order
 from app.services import Services
 from app.undo import UndoHistory
 from app.views.activity import activity_words
 from app.views.banner import Banner
 from app.views.coverage_page import CoveragePage
 from app.views.file_dialogs import choose_file
+from app.views.home_page import HomePage
 from app.views.laser_lamps import LaserLamps
 from app.views.mounts_page import MountsPage
 from app.views.page import Page
@@ -28,7 +28,7 @@ from app.views.scene_link import SceneLink
 from app.views.stage import Stage
 from app.views.status_line import StatusLine
 from app.views.support_dialog import SupportDialog
-from scanner_core import __version__
+from app.views.window_help import WindowHelp
 from scanner_core.acquisition.plan import PlanRequest
 
 if TYPE_CHECKING:
@@ -95,6 +95,7 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(whole)
         size = services.settings.window
         self.resize(*(size if len(size) == 2 else SIZE))
+        self.help = WindowHelp(whole, self._stack, self.rail, self.pages, services.background)
         self._connect()
         self.show_page(PAGES[0].id)
         for name in ("show_points", "show_surface"):
@@ -132,6 +133,7 @@ class MainWindow(QMainWindow):
             self._stack.setMinimumWidth(0)
             self._stack.setMaximumWidth(16_777_215)
         self.rail.show_page(info.of or page_id)
+        self.help.show_page(page_id)
         self._show_whose()
         page.entered()
         self._link.show_aside()
@@ -142,15 +144,11 @@ class MainWindow(QMainWindow):
         return next(name for name, page in self.pages.items() if page is current)
 
     def new_case(self) -> None:
-        """The next order; a scan that runs keeps its case."""
-        services = self.services
-        if services.acquisition.running:
-            self._tell_running()
-            return
-        if services.case.store is not None:
-            services.case.close()
-            services.draft.load(next_order(services.draft.values))
+        """The form of another order; what is open stays so until that is made."""
         self.show_page("home")
+        home = self.pages["home"]
+        assert isinstance(home, HomePage)
+        home.new_order()
 
     def choose_case(self) -> None:
         choose_file(self, self.tr("Open a case"), self.services.settings.case_folder, self.tr("Cases (*.impronta)"), self.open_case)
@@ -188,6 +186,7 @@ class MainWindow(QMainWindow):
             object_radius_mm=rig.specimen_radius_mm,
             object_height_mm=rig.specimen_height_mm,
             until_um=float(values.until_um) if values.until_um else None,
+            retry=self.services.settings.retry,
         )
 
     def show_coverage(self) -> None:
@@ -217,6 +216,7 @@ class MainWindow(QMainWindow):
 
     def laser_off(self) -> None:
         """Esc and the stop buttons: from every page, whatever is going on."""
+        self.help.dismiss()
         if self.services.acquisition.running:
             self.services.acquisition.stop()
         else:
@@ -260,10 +260,17 @@ class MainWindow(QMainWindow):
         self._support.activateWindow()
 
     def show_about(self) -> None:
-        self.banner.tell_note(
-            self.tr("Impronta {version}: from two cameras and a laser spot to a closed surface.").format(version=__version__),
-            self.tr("MIT licence. Reconstruction by adaptive deformation after Tognola et al."),
-        )
+        self.help.show_about()
+
+    def show_help(self) -> None:
+        self.help.toggle_panel()
+
+    def show_shortcuts(self) -> None:
+        self.help.show_shortcuts()
+
+    def show_tour(self) -> None:
+        self.show_page(PAGES[0].id)
+        self.help.start_tour()
 
     # -------------------------------------------------------------------------------- inside
     def _tell_running(self) -> None:
@@ -278,7 +285,7 @@ class MainWindow(QMainWindow):
 
     def _connect(self) -> None:
         services = self.services
-        services.draft.changed.connect(lambda _: self.rail.show_order(services.draft.values))
+        services.draft.changed.connect(lambda _: self._show_order())
         services.rig.changed.connect(self._show_rig)
         services.acquisition.began.connect(self._begin_scan)
         services.case.opened.connect(self._show_case)
@@ -295,7 +302,11 @@ class MainWindow(QMainWindow):
             controller.changed.connect(self._show_activity)
         services.mounts.began.connect(self.show_mounts)
         self._undo.changed.connect(self._show_undo)
-        self.rail.show_order(services.draft.values)
+        self._show_order()
+
+    def _show_order(self) -> None:
+        """Of the open case; what stands in a form is no order yet."""
+        self.rail.show_order(self.services.draft.values if self.services.case.store is not None else None)
 
     def _show_whose(self) -> None:
         """Whose surface is shown: the order's, or those that are compared, which may be another patient's."""
@@ -318,6 +329,7 @@ class MainWindow(QMainWindow):
         self._show_activity()
 
     def _show_case(self) -> None:
+        self._show_order()
         path = self.services.case.path
         self.setWindowTitle(f"{path.stem} – Impronta" if path is not None else "Impronta")
         self._show_activity()
