@@ -155,7 +155,7 @@ class EditPage(Page):
             return
         from scanner_core.editing.sight import Sight
 
-        view = self._tools.scene.viewpoint()
+        view = self._tools.scene.whole_view()
         sight = Sight(view.matrix, view.width, view.height, view.direction)
         self._editing.begin_stroke(sight, back=self.points.back.isChecked(), through=self.points.through.isChecked())
 
@@ -172,7 +172,7 @@ class EditPage(Page):
         aside, tools = self._measure_aside, self._tools
         if aside is None or tools is None:
             return None
-        view = tools.scene.viewpoint()
+        view = tools.scene.whole_view()
         if aside.drawn is not None:
             hit = aside.drawn.picker.hit(*view.ray(x, y))
             return None if hit is None else Place.of_mesh(aside.drawn.mesh, hit.vertex, hit.point)
@@ -212,7 +212,7 @@ class EditPage(Page):
         tools = self._tools
         if tools is None or not self.measuring or tools.scene.closed:
             return
-        view = tools.scene.viewpoint()
+        view = tools.scene.whole_view()
         tags = []
         for number, item in enumerate(self.services.measurements.items, 1):
             lines = measure_words.lines_of(item)

@@ -142,7 +142,7 @@ class EditTools(QObject):
         self._last = place
 
     def _radius_px(self) -> float:
-        return self._radius_mm * self.scene.viewpoint().pixels_per_mm(self._middle_mm)
+        return self._radius_mm * self.scene.whole_view().pixels_per_mm(self._middle_mm)
 
     def _set_radius_mm(self, radius_mm: float) -> None:
         self._radius_mm = radius_mm

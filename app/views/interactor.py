@@ -114,7 +114,7 @@ class InteractorView(QWidget):
             self._engine.update()
         return self.paint_s
 
-    def viewpoint(self) -> Viewpoint:
+    def whole_view(self) -> Viewpoint:
         """The camera with the whole widget as its picture."""
         return Viewpoint.of(self._open().camera, 0.0, 0.0, self.width(), self.height())
 

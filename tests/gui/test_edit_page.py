@@ -123,8 +123,8 @@ def test_what_is_drawn_on_the_picture_goes_and_comes_back(shared_program: Progra
     _drag(shared_program, (0.02, 0.02), (0.5, 0.5), (0.98, 0.98))
     front = editing.out.copy()
     assert 0.25 * len(front) < front.sum() < 0.95 * len(front)
-    assert (editing.points.cloud.points[front] @ scene.viewpoint().direction).mean() < (
-        editing.points.cloud.points[~front] @ scene.viewpoint().direction
+    assert (editing.points.cloud.points[front] @ scene.whole_view().direction).mean() < (
+        editing.points.cloud.points[~front] @ scene.whole_view().direction
     ).mean()
     page.points.back.setChecked(True)
     assert page.points.out_too.isChecked()
