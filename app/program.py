@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.background import Background
 from app.controllers.acquisition import AcquisitionController
+from app.controllers.aiming import AimController
 from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
@@ -94,6 +95,7 @@ class Program(QObject):
         application.setWindowIcon(icon("mark"))
         self._translation = Translation(application, self.settings.language)
         set_theme(application, self.settings.theme)
+        application.styleHints().colorSchemeChanged.connect(self._follow_system)
         self.background = Background()
         self.pump = Pump(self)
         self.heartbeat = Heartbeat(self)
@@ -115,6 +117,7 @@ class Program(QObject):
         picks = MountPicks(self.compare_stack, mounts, self)
         worklist = WorklistController(self.background, self.settings, cases, self._cache_folder(), self.tell, self)
         readiness = ReadinessController(self.background, rig, self.settings, self)
+        aiming = AimController(self.background, rig, self.compare_stack, self._settings_file.parent / "materials", self.tell, self)
         editing = EditingController(self.background, cases, acquisition, self.tell, self)
         self.services = Services(
             self.settings,
@@ -136,6 +139,7 @@ class Program(QObject):
             readiness,
             worklist,
             Draft(self.undo_stack, self),
+            aiming,
             editing,
             Measurements(self.background, cases, self.tell, self),
         )
@@ -187,6 +191,11 @@ class Program(QObject):
             window = self.window
             self.again = Again(self.services.case.path, window.page_id, self.services.draft.values, window.saveGeometry())
             QTimer.singleShot(0, window.close)
+
+    def _follow_system(self) -> None:
+        """The desktop has changed between dark and light."""
+        if self.settings.theme == "system" and not self._closed:
+            set_theme(self._application, "system")
 
     # -------------------------------------------------------------------------------- start
     def _painted(self, case: Path | None, after: Again | None) -> None:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from app.background import Background
 from app.controllers.acquisition import AcquisitionController
+from app.controllers.aiming import AimController
 from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
@@ -50,5 +51,6 @@ class Services:
     worklist: WorklistController
     new_order: Draft
     """What is entered for an order that is not made yet."""
+    aiming: AimController
     editing: EditingController
     measurements: Measurements
