@@ -50,7 +50,7 @@ FOOT: tuple[PageInfo, ...] = (PageInfo("settings", QT_TRANSLATE_NOOP("pages", "S
 """At the foot of the rail: no step of the work."""
 ASIDE: tuple[PageInfo, ...] = (
     PageInfo("assistant", QT_TRANSLATE_NOOP("pages", "Set up a rig"), "rig", AssistantPage, of="rig"),
-    PageInfo("coverage", QT_TRANSLATE_NOOP("pages", "Coverage"), "scan", CoveragePage, stage=QT_TRANSLATE_NOOP("pages", "Coverage"), of="scan"),
+    PageInfo("coverage", QT_TRANSLATE_NOOP("pages", "Complete"), "scan", CoveragePage, stage=QT_TRANSLATE_NOOP("pages", "Missing places"), of="scan"),
     PageInfo("mounts", QT_TRANSLATE_NOOP("pages", "Another mount"), "scan", MountsPage, stage=QT_TRANSLATE_NOOP("pages", "Mounts"), of="scan"),
     PageInfo("pick", QT_TRANSLATE_NOOP("pages", "Pick three points"), "scan", PickPage, of="scan"),
 )
