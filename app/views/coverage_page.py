@@ -142,7 +142,7 @@ class CoveragePage(Page):
         self._colour_aside()
         advice = None if found is None else found.remount
         self.advice.setText("" if advice is None else remount_words(advice))
-        self.advice.setVisible(advice is not None)
+        self.remount.setToolTip(self.advice.text())
         self._show_buttons()
         self.aside_changed.emit()
 
@@ -193,6 +193,7 @@ class CoveragePage(Page):
         self.remount.setText(self.tr("Needs another mount") if hidden and not few else self.tr("Scan another mount"))
         make_primary(self.fill, few)
         make_primary(self.remount, hidden and not few)
+        self.advice.setVisible(hidden and not few)  # it stands on the pointer as long as something else comes first
         self.accept.setVisible(found is not None)
         self.next.setVisible(found is not None)
         make_primary(self.next, not few and not hidden)
