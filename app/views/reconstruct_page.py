@@ -75,7 +75,7 @@ class ReconstructPage(Page):
         box.addLayout(wishes)
         self._start = button(self.tr("Reconstruct"), "primary", lambda: self.intent.emit("reconstruct"))
         self._cancel = button(self.tr("Cancel"), "", services.reconstruction.cancel)
-        self._next = button(self.tr("Export"), "primary", lambda: self.wanted.emit("export"))
+        self._next = button(self.tr("Deliver"), "primary", lambda: self.wanted.emit("deliver"))
         self.missing = button(self.tr("Coverage"), "", lambda: self.intent.emit("coverage"))
         self.missing.setToolTip(self.tr("Places that are not as certain as wanted, why, and what can be done about them (F8)"))
         box.addWidget(self._next)

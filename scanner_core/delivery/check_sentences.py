@@ -69,6 +69,7 @@ SENTENCES: dict[str, str] = {
     "side.undecided": "Whether it mirrors the other ear cannot be told ({mirrored_um} µm apart mirrored, {direct_um} µm as it is). Look at both.",
     "side.same": "Another ear of this order is labelled {side} too, and yet the two mirror each other. Is one of them labelled wrongly?",
     "side.missing": "The order does not say which ear it is.",
+    "side.jaw": "The order does not say which jaw it is.",
     "side.alone": "Not checked: the other ear of this order is not there yet.",
     "side.open": "There is no other side to compare with.",
     "places.pass": "No hole or thin place had to be accepted.",
