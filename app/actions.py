@@ -65,6 +65,9 @@ ACTIONS: tuple[ActionInfo, ...] = (
     ActionInfo("show_surface", VIEW, QT_TRANSLATE_NOOP("actions", "&Surface"), "L", "surface", "show_surface", checkable=True),
     ActionInfo("show_edges", VIEW, QT_TRANSLATE_NOOP("actions", "&Edges"), "E", "edges", "show_edges", checkable=True),
     ActionInfo("show_uncertainty", VIEW, QT_TRANSLATE_NOOP("actions", "&Uncertainty"), "U", "uncertainty", "show_uncertainty", checkable=True),
+    ActionInfo("help", HELP, QT_TRANSLATE_NOOP("actions", "&Help on this page"), "F1", "", "show_help"),
+    ActionInfo("shortcuts", HELP, QT_TRANSLATE_NOOP("actions", "&Keyboard shortcuts"), "?", "", "show_shortcuts"),
+    ActionInfo("tour", HELP, QT_TRANSLATE_NOOP("actions", "&Tour"), "", "", "show_tour"),
     ActionInfo("support", HELP, QT_TRANSLATE_NOOP("actions", "&Support bundle…"), "", "", "show_support"),
     ActionInfo("about", HELP, QT_TRANSLATE_NOOP("actions", "&About Impronta"), "", "mark", "show_about"),
 )

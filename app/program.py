@@ -80,6 +80,7 @@ class Program(QObject):
         self._started_s = started_s
         self._heartbeat_file = heartbeat_file
         self._settings_file = settings_file or settings_path()
+        self._first_run = not self._settings_file.exists()
         self._closed = False
         self.again: Again | None = None
         """The window was closed so that it be made anew, as this."""
@@ -184,6 +185,9 @@ class Program(QObject):
             self.window.open_case(case)
         if after is not None:
             self.window.show_page(after.page)
+        elif self._first_run:
+            self.services.preferences.keep()  # shown once
+            self.window.show_tour()
         self.services.recovery.look()
 
     def _make_scene(self) -> None:

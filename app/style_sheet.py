@@ -97,6 +97,11 @@ QScrollArea {{ border: none; background: transparent; }}
 QPlainTextEdit[role="details"] {{ background: {p.ground}; border: 1px solid {p.seam}; color: {p.muted}; }}
 QFrame[role="banner"] {{ background: {p.warning_ground}; border: none; border-bottom: 1px solid {p.warning}; }}
 QFrame[role="banner"][mood="note"] {{ background: {p.accent_ground}; border-bottom: 1px solid {p.accent}; }}
+QFrame[role="help"] {{ background: {p.raised}; border-left: 1px solid {p.seam}; }}
+QFrame[role="card"] {{ background: {p.raised}; border: 1px solid {p.accent}; border-radius: 8px; }}
+QTreeWidget {{ background: {p.panel}; border: 1px solid {p.seam}; outline: none; }}
+QTreeWidget::item {{ padding: 4px 2px; }}
+QHeaderView::section {{ background: {p.panel}; color: {p.muted}; border: none; border-bottom: 1px solid {p.seam}; padding: 5px 6px; }}
 QFrame[role="status"] {{ background: {p.panel}; border-top: 1px solid {p.seam}; }}
 QLabel[role="arrow"] {{ color: {p.faint}; font-size: 26px; }}
 QLabel[role="strong"] {{ font-weight: 600; }}

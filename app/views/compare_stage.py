@@ -130,6 +130,7 @@ class CompareStage(QWidget):
     def _bind(self, part: QWidget, text: str, key: str, call: Callable[[], None]) -> None:
         """A key while the page is shown; it stands in the part's tool tip."""
         shortcut = QShortcut(QKeySequence(key), self)
+        shortcut.setWhatsThis(text)
         shortcut.activated.connect(lambda: call())
         part.setToolTip(f"{text} ({QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)})")
 

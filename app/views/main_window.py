@@ -28,7 +28,7 @@ from app.views.scene_link import SceneLink
 from app.views.stage import Stage
 from app.views.status_line import StatusLine
 from app.views.support_dialog import SupportDialog
-from scanner_core import __version__
+from app.views.window_help import WindowHelp
 from scanner_core.acquisition.plan import PlanRequest
 
 if TYPE_CHECKING:
@@ -95,6 +95,7 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(whole)
         size = services.settings.window
         self.resize(*(size if len(size) == 2 else SIZE))
+        self.help = WindowHelp(whole, self._stack, self.rail, self.pages, services.background)
         self._connect()
         self.show_page(PAGES[0].id)
         for name in ("show_points", "show_surface"):
@@ -132,6 +133,7 @@ class MainWindow(QMainWindow):
             self._stack.setMinimumWidth(0)
             self._stack.setMaximumWidth(16_777_215)
         self.rail.show_page(info.of or page_id)
+        self.help.show_page(page_id)
         self._show_whose()
         page.entered()
         self._link.show_aside()
@@ -217,6 +219,7 @@ class MainWindow(QMainWindow):
 
     def laser_off(self) -> None:
         """Esc and the stop buttons: from every page, whatever is going on."""
+        self.help.dismiss()
         if self.services.acquisition.running:
             self.services.acquisition.stop()
         else:
@@ -260,10 +263,17 @@ class MainWindow(QMainWindow):
         self._support.activateWindow()
 
     def show_about(self) -> None:
-        self.banner.tell_note(
-            self.tr("Impronta {version}: from two cameras and a laser spot to a closed surface.").format(version=__version__),
-            self.tr("MIT licence. Reconstruction by adaptive deformation after Tognola et al."),
-        )
+        self.help.show_about()
+
+    def show_help(self) -> None:
+        self.help.toggle_panel()
+
+    def show_shortcuts(self) -> None:
+        self.help.show_shortcuts()
+
+    def show_tour(self) -> None:
+        self.show_page(PAGES[0].id)
+        self.help.start_tour()
 
     # -------------------------------------------------------------------------------- inside
     def _tell_running(self) -> None:

@@ -70,6 +70,10 @@ class Rail(QWidget):
         stop.addWidget(hint)
         box.addLayout(stop)
 
+    def step_of(self, page_id: str) -> QPushButton:
+        """The button of a page that has one."""
+        return self._steps[page_id]
+
     def _make_step(self, page: PageInfo, shortcut: str, chosen: Callable[[str], None]) -> QPushButton:
         step = QPushButton(QCoreApplication.translate("pages", page.title))
         step.setProperty("role", "step")

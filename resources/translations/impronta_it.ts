@@ -2,6 +2,57 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="it" sourcelanguage="en">
 <context>
+    <name>AboutDialog</name>
+    <message>
+        <source>About Impronta</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy versions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Impronta itself is free software under the MIT licence.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Impronta {version}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its package brings no text of the licence along.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Libraries and their licences</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Libraries in this program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measures an object with two cameras and a laser spot, and turns the points into a closed surface: ear impressions, dental models.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Names and versions of everything in this program, as text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text of the licence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The method is the published one of G. Tognola et al., “Contact-less 3D-Coordinate Measurement System by Laser Scanning and Image Reconstruction from Unorganized Data”: two cameras see a laser spot, and a surface adapts itself to the points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>AlignmentPanel</name>
     <message>
         <source>Erase</source>
@@ -1495,6 +1546,45 @@
     </message>
 </context>
 <context>
+    <name>HelpPanel</name>
+    <message>
+        <source>? shows all keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the help (F1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to a control with Tab: what it does is said here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is this?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the numbers mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What this page is for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What to do now</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>HomePage</name>
     <message>
         <source> points</source>
@@ -1784,15 +1874,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Impronta {version}: from two cameras and a laser spot to a closed surface.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>It is kept in its case; open that to see it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>MIT licence. Reconstruction by adaptive deformation after Tognola et al.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2657,6 +2739,41 @@ After: {after}</source>
     </message>
 </context>
 <context>
+    <name>ShortcutsDialog</name>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No shortcut fits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search the shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search: a word, or a key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Stage</name>
     <message>
         <source>Preparing the 3D view…</source>
@@ -2910,6 +3027,33 @@ After: {after}</source>
     </message>
 </context>
 <context>
+    <name>TourCard</name>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} of {all}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>TranscriptWindow</name>
     <message>
         <source>&amp;Copy</source>
@@ -2968,6 +3112,57 @@ After: {after}</source>
     </message>
     <message>
         <source>What is shown was computed before the last change.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>WindowHelp</name>
+    <message>
+        <source>At the end stands a file for the next machine, with its checks in plain words.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checked, then delivered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Esc does the same on every page. It is filled with red while the laser is on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every order passes these steps. Ctrl and a number opens each.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F1 explains the page and the control in hand, ? lists all keys, and Ctrl+Z takes back what you did.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Help is at hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One button is next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points and surface grow before you. Pause is safe: the laser goes dark and nothing is lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scanning runs by itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop, from everywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The filled button is what to do now. A demo order stands here already: press it and watch.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The work goes from the top down</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3084,6 +3279,14 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>&amp;Help on this page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>&amp;New case</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3129,6 +3332,10 @@ After: {after}</source>
     </message>
     <message>
         <source>&amp;Top</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Tour</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4225,6 +4432,224 @@ After: {after}</source>
     </message>
 </context>
 <context>
+    <name>help</name>
+    <message>
+        <source>A deviation is positive where the surface after lies outside of the one before. What is smaller than the detection level cannot be told from noise and stays grey.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A rig of your own is set up here: its board and cameras are found, checked, and written into a file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An area is that of the missing surface in square millimetres. The sign at each place says why it is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both cameras live, with the laser spot that is accepted and every spot that is not.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose what receives it, look at the name, and write. The name never holds the patient&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut the base off, then brush or lasso what is left over. Every step can be taken back with Ctrl+Z; no point is ever deleted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Directions and steps are measured by what the cameras see, and corrected in the file where they differ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop both files, say which part has not changed, and compare. Then go through the areas, the largest first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every change is in force at once or says when it will be, and Ctrl+Z takes it back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill now scans more where the laser reaches as the object stands. For what is hidden set the object down another way and scan that, or accept the place as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go from step to step. Each says what it moves before it does; keep the lid closed and the stop button within reach.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Here the day begins: an order is chosen or made, and its scan is started.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lengths are in millimetres between measured points, areas in square millimetres within the section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lengths in the file are millimetres. The revision counts up, so that no file is overwritten.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let the exposure be set by itself, or choose a material. Change the limits of the size only when good spots are refused: the reason stands at each of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing needs to be done while it runs. Pause stops at a safe place with the laser dark; Esc ends the scan and keeps what was measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick a place on the left, then the same place on the right, three times and far apart. Without a mouse: turn with the arrow keys, pick with space.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points that do not belong to the object are taken out here, and distances are measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the checks: what is amber says in one sentence what it means. Choose the profile of the receiver and deliver.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set it down so that what was below looks up, and scan this mount. If it does not fit by itself, pick three points on both.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start it with the detail as it stands. You may stop it and keep what is there, or scan the next order meanwhile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coverage is the share of the surface that was measured, the rest was spanned. The uncertainty is that of a point of the surface, one standard deviation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The distance says how well both agree where they overlap; it should be about the noise of a point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ellipse is the spot&apos;s size, one sigma in pixels. The line is where the other camera says that the spot must be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The error is the distance of the points to the surface: half of them are nearer than the first number, 95 % nearer than the second. Its width should be about the noise of a point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The error of the calibration is measured at corners of the board that were not used to calibrate. Its age counts since then: calibrate again when something was moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The large number says how accurate the rig measured the last time it was checked, and when that was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The object is measured: the laser visits it point by point, and the table turns it from view to view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The object is scanned again, set down another way, and both scans are brought together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The places need not be exact: a few millimetres are enough, the rest is computed from all points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points become a closed surface: a balloon is inflated inside them, refined where they ask for it, and smoothed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points count what is in the case already. Rejected points were seen by one camera only, or not sharply enough: a few of them are normal. The time left is computed from the views that are done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The size is that of everything in the window: 150 % makes texts and buttons half as large again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface is checked and leaves the program as a file for the next machine, with a certificate beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface is checked and leaves the program as a file for the next machine.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This page shows the cameras, the laser, the table and their calibration.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Three places that both mounts have in common tell the program how the object was set down.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two surfaces of the same object, before and after, are laid upon each other and their difference is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type the order&apos;s number or read it with the scanner, choose the side and the type, put the object on the table, and start. An interrupted scan is offered at the top and can be resumed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is set once: looks, language, folders, and what a scan does by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>When everything is green there is nothing to do. Otherwise read the one sentence that is amber: it says what helps, with a button.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the surface is not measured, or only thinly: a list of places, the largest first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>keys</name>
+    <message>
+        <source>Compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nearer and farther</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next and previous control</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the menus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick the point in the middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pick three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press the control in hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The other surface, for a moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>mounts</name>
     <message>
         <source>Mount {n}</source>
@@ -4673,6 +5098,10 @@ After: {after}</source>
     </message>
     <message>
         <source>Bench: 604 × 294 px at 435 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both ears on a pair tray</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5526,6 +5955,14 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Nothing was split and every point is kept; a single impression needs no tray, for a pair set both on their seats and scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was split and every point is kept; take those points out (Edit), or set the impressions on their seats and scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Nothing was touched, and what was measured can be used as it is; scan again into a new case, which takes about half a minute.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5538,6 +5975,10 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Nothing was written; mend that, or deliver it anyway, and the certificate says so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Nothing was written; see what would be in it with --list.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5546,11 +5987,19 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Nothing was written; use one of: {known}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Nothing was written; write .ply, .obj or .3mf instead, or move the points nearer to the origin.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>One of {after} and {before} is mirrored, or they show opposite sides: {score} % of the surface agrees as it is, {mirrored} % of its mirror image.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only {count} points in {path} lie on the seat of the {side} ear.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6026,6 +6475,10 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The two ears in {path} cannot be told apart: {count} points lie half way between the seats of the tray.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The two images of the spot disagree by {sd_px} px, where {expected_px} px are expected ({where}).</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6058,11 +6511,19 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>There is no export profile &apos;{name}&apos;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>There is no space left on the disk of {path}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is not enough memory for &apos;{command}&apos;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This surface is not ready to be delivered: {checks}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
