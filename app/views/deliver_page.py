@@ -173,7 +173,7 @@ class DeliverPage(Page):
             counts = {verdict: len(found.of(verdict)) for verdict in CheckVerdict}
             self._sign.show_sign(*READY_SIGNS[found.verdict])
             self._verdict.setText(readiness_word(found.verdict) if delivery.last is None else self.tr("Delivered"))
-            self._counts.setText(self._counted(counts))
+            self._counts.setText(self._counted(counts) if delivery.last is not None else self._before(found.facts.delivered, self._counted(counts)))
             return
         if not delivery.ready_to_check:
             scanned = self.services.case.cloud is not None
@@ -197,6 +197,14 @@ class DeliverPage(Page):
         if counts[CheckVerdict.WARN]:
             return self.tr("Remarks: {remarks}. Passed: {passed}.").format(remarks=counts[CheckVerdict.WARN], passed=counts[CheckVerdict.PASS])
         return self.tr("All {passed} checks passed.").format(passed=counts[CheckVerdict.PASS])
+
+    def _before(self, delivered: dict[str, object], counted: str) -> str:
+        """With what the case remembers of an earlier delivery."""
+        files = delivered.get("files")
+        if not isinstance(files, list) or not files:
+            return counted
+        day = fmt.day(str(delivered.get("time", "")))
+        return self.tr("{counted}\nDelivered before, on {day}: {name}").format(counted=counted, day=day, name=files[0])
 
     def _phase(self) -> str:
         phase = "" if self._delivery.progress is None else self._delivery.progress.phase
@@ -224,12 +232,12 @@ class DeliverPage(Page):
         there = delivery.ready_to_check
         if last is not None:
             self._name.setText(last.files[0])
-            others = " ".join(name[name.rindex(".") :] for name in last.files[1:])
+            others = ", ".join(name[name.rindex(".") :] for name in last.files[1:])
             written = self.tr("Written to {folder}").format(folder=fmt.short_path(last.folder))
             self._note.setText(self.tr("{written}, with {others}").format(written=written, others=others) if others else written)
         else:
             self._name.setText(f"{stem}{profile.format}" if there else "")
-            others = " ".join(profile.suffixes[1:])
+            others = ", ".join(profile.suffixes[1:])
             place = self.tr("In {folder}").format(folder=fmt.short_path(str(folder)))
             note = self.tr("{place}, with {others}").format(place=place, others=others) if others else place
             if exists:

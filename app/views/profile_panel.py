@@ -20,13 +20,20 @@ from app.views import format as fmt
 from app.views.delivery_words import POSES, profile_name
 from app.views.file_dialogs import choose_folder
 from app.views.parts import button, label, row, seam
-from scanner_core.delivery.profile import LONGEST_NAME, UNITS, Pose, Profile
+from scanner_core.delivery.profile import LONGEST_NAME, Pose, Profile
 
 _FORMAT_WORDS = {
     ".stl": "STL",
     ".ply": QT_TRANSLATE_NOOP("delivery", "PLY, with uncertainty and support"),
     ".obj": "OBJ",
     ".3mf": QT_TRANSLATE_NOOP("delivery", "3MF, carries its unit"),
+}
+
+_UNIT_WORDS = {
+    "mm": QT_TRANSLATE_NOOP("delivery", "Millimetres"),
+    "cm": QT_TRANSLATE_NOOP("delivery", "Centimetres"),
+    "m": QT_TRANSLATE_NOOP("delivery", "Metres"),
+    "inch": QT_TRANSLATE_NOOP("delivery", "Inches"),
 }
 
 
@@ -50,7 +57,7 @@ class ProfilePanel(QWidget):
         self.name = self._text(grid, self.tr("Name"), lambda text: self._change(name=text.strip() or self._profile().name))
         self.name.setMaxLength(LONGEST_NAME)
         self.format = self._choice(grid, self.tr("Format"), {suffix: _word(words) for suffix, words in _FORMAT_WORDS.items()}, "format")
-        self.unit = self._choice(grid, self.tr("Unit"), {unit: unit for unit in UNITS}, "unit")
+        self.unit = self._choice(grid, self.tr("Unit"), {unit: _word(words) for unit, words in _UNIT_WORDS.items()}, "unit")
         self.template = self._text(grid, self.tr("File name"), lambda text: self._change(template=text.strip()))
         self.template.setToolTip(self.tr("In braces: {fields}").format(fields=", ".join(FIELDS)))
         self.folder = QLineEdit()

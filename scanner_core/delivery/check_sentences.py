@@ -23,9 +23,9 @@ NAMES: dict[str, str] = {
 """By id, in the order in which they are shown."""
 
 SENTENCES: dict[str, str] = {
-    "coverage.pass": "{percent} % of the surface beside its base rest on measured points.",
-    "coverage.warn": "Only {percent} % of the surface beside its base rest on measured points; the rest is a guess. Fill the holes, or say so.",
-    "coverage.fail": "Only {percent} % of the surface beside its base rest on measured points: too much of it is a guess. Scan the rest first.",
+    "coverage.pass": "{percent} % of the surface beside its base rests on measured points.",
+    "coverage.warn": "Only {percent} % of the surface beside its base rests on measured points; the rest is a guess. Fill the holes, or say so.",
+    "coverage.fail": "Only {percent} % of the surface beside its base rests on measured points: too much of it is a guess. Scan the rest first.",
     "coverage.open": "Which part of this surface was measured is not recorded.",
     "noise.pass": "The measured surface is expected to be off by {error_um} µm rms; the points scatter by {residual_um} µm about it.",
     "noise.warn": "The surface is expected to be off by {error_um} µm rms, more than {limit_um} µm. More points, or a calibration, would help.",
