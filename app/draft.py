@@ -150,11 +150,6 @@ def orders_of(values: DraftValues) -> tuple[DraftValues, ...]:
     return tuple(replace(values, side=side) for side in sides_of(values.kind)) if values.side == "both" else (values,)
 
 
-def next_order(values: DraftValues) -> DraftValues:
-    """The form for the order after this one: its number counted on, no code yet, the plan as it was."""
-    return replace(values, order=first_order(values.order).order if values.order else "", patient_code="")
-
-
 def first_order(last: str) -> DraftValues:
     """What the form opens with: the first number of the year on the first start, then the one after the last."""
     stem = last.rstrip("0123456789")

@@ -30,6 +30,7 @@ from app.controllers.reconstruction import ReconstructionController
 from app.controllers.recovery import RecoveryController
 from app.controllers.rig import RigController
 from app.controllers.shading import Shading
+from app.controllers.worklist import WorklistController
 from app.draft import Draft, DraftValues, first_order
 from app.event_log import EventLog
 from app.faults import install_hooks, remove_hooks
@@ -45,6 +46,7 @@ from app.undo import UndoHistory
 from app.views.activity import activity_words
 from app.views.main_window import MainWindow
 from scanner_core.log_file import log_fault, log_versions
+from scanner_core.user_folders import cache_folder
 
 _DEADLINE_S = 8.0
 _SWITCH_S = 0.001
@@ -109,6 +111,7 @@ class Program(QObject):
         coverage = CoverageController(self.background, cases, acquisition, self.tell, self)
         mounts = MountsController(self.background, cases, acquisition, rig, self.tell, self)
         picks = MountPicks(self.compare_stack, mounts, self)
+        worklist = WorklistController(self.background, self.settings, cases, self._cache_folder(), self.tell, self)
         readiness = ReadinessController(self.background, rig, self.settings, self)
         self.services = Services(
             self.settings,
@@ -128,6 +131,8 @@ class Program(QObject):
             picks,
             preferences,
             readiness,
+            worklist,
+            Draft(self.undo_stack, self),
         )
         draft.load(first_order(self.settings.last_order) if after is None else after.order)
         live.allow(self.settings.live_surface)
@@ -162,6 +167,11 @@ class Program(QObject):
     def _show(self, fault: BaseException) -> None:
         self.background.post(lambda: self.window.banner.tell_fault(fault))
 
+    def _cache_folder(self) -> Path:
+        """Beside settings of one's own, else where the system keeps such things."""
+        own = self._settings_file != settings_path()
+        return self._settings_file.parent / "cache" if own else cache_folder()
+
     def _take_preference(self, name: str) -> None:
         """What was set is in force from now on."""
         if name == "theme":
@@ -189,6 +199,7 @@ class Program(QObject):
             self.services.preferences.keep()  # shown once
             self.window.show_tour()
         self.services.recovery.look()
+        self.services.worklist.look()
 
     def _make_scene(self) -> None:
         if self._closed:
@@ -218,6 +229,7 @@ class Program(QObject):
             ("pump", self.pump.stop),
             ("heartbeat", self._end_heartbeat),
             ("recovery", services.recovery.shutdown),
+            ("worklist", services.worklist.shutdown),
             ("scan", lambda: services.acquisition.shutdown(_DEADLINE_S)),
             ("assistant", lambda: services.assistant.shutdown(_DEADLINE_S)),
             ("rig", lambda: services.rig.shutdown(_DEADLINE_S)),

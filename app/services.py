@@ -19,6 +19,7 @@ from app.controllers.readiness import ReadinessController
 from app.controllers.reconstruction import ReconstructionController
 from app.controllers.recovery import RecoveryController
 from app.controllers.rig import RigController
+from app.controllers.worklist import WorklistController
 from app.draft import Draft
 from app.settings import Settings
 
@@ -44,3 +45,6 @@ class Services:
     mount_picks: MountPicks
     preferences: Preferences
     readiness: ReadinessController
+    worklist: WorklistController
+    new_order: Draft
+    """What is entered for an order that is not made yet."""

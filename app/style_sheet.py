@@ -52,7 +52,7 @@ QPushButton[role="step"] {{ text-align: left; background: transparent; border: n
 QPushButton[role="step"]:hover {{ background: {p.raised}; color: {p.text}; }}
 QPushButton[role="step"]:checked {{ background: {p.raised}; color: {p.text}; border-left: 3px solid {p.accent}; font-weight: 600; }}
 QPushButton[role="step"]:focus {{ color: {p.text}; border-left: 3px solid {p.text}; }}
-QPushButton[role="step"]:checked:focus {{ border-left: 3px solid {p.accent}; }}
+QPushButton[role="step"]:checked:focus {{ border-left: 3px solid {p.text}; }}
 QPushButton[role="link"] {{ background: transparent; border: none; color: {p.accent}; padding: 2px 0; text-align: left; }}
 QPushButton[role="quiet-link"] {{ background: transparent; border: none; color: {p.muted}; padding: 2px 0; text-align: left; }}
 QPushButton[role="link"]:hover, QPushButton[role="link"]:focus {{ text-decoration: underline; }}
@@ -61,6 +61,8 @@ QPushButton[role="choice"] {{ padding: 8px 10px; }}
 QPushButton[role="choice"]:checked {{ background: {p.accent_ground}; color: {p.text}; border-color: {p.accent}; }}
 QPushButton[side="left"]:checked {{ background: {p.left_ground}; color: {p.left_ear}; border: 2px solid {p.left_ear}; font-weight: 600; }}
 QPushButton[side="right"]:checked {{ background: {p.right_ground}; color: {p.right_ear}; border: 2px solid {p.right_ear}; font-weight: 600; }}
+QPushButton:checked:focus, QPushButton[role="choice"]:checked:focus {{ border-color: {p.text}; }}
+QPushButton[side="left"]:checked:focus, QPushButton[side="right"]:checked:focus {{ border-color: {p.text}; }}
 QToolButton {{ background: transparent; border: 1px solid transparent; border-radius: 5px; padding: 5px 7px; }}
 QToolButton:hover {{ background: {p.raised}; }}
 QToolButton:checked {{ background: {p.raised}; border-color: {p.seam}; }}

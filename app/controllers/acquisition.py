@@ -9,27 +9,26 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
 from app.background import Background
 from app.controllers.case import CaseController
 from app.controllers.rig import RigController
 from scanner_core.acquisition.handover import Preview
+from scanner_core.acquisition.live_points import LivePoints
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.status import ScanState, ScanStatus
 from scanner_core.errors import ImprontaError, UsageError
-from scanner_core.geometry.view_directions import seen_from
 
 if TYPE_CHECKING:
     from scanner_core.acquisition.rig_session import OpenRig
     from scanner_core.acquisition.runner import ScanRunner
     from scanner_core.acquisition.scan_result import ScanResult
+    from scanner_core.acquisition.view_state import ViewProgress
     from scanner_core.acquisition.views import RegisteredViews
     from scanner_core.case.store import CaseStore
 
-Floats = NDArray[np.float64]
+_VIEWS_PERIOD_S = 0.2
 MakeRunner = Callable[["OpenRig", "CaseStore"], "ScanRunner"]
 
 
@@ -53,16 +52,18 @@ class AcquisitionController(QObject):
         self._stopped = self._borrowed = False
         self.status: ScanStatus | None = None
         """Of the runner, with rate and time left in the person's own seconds."""
-        self._began_s = 0.0
+        self.views: tuple[ViewProgress, ...] = ()
+        """Of the plan of the running scan, or of the one that has ended last; none of a laser line."""
+        self._looked_s = self._began_s = 0.0
         self._calibration = ""  # its identity
         self.result: ScanResult | None = None
         self._taken = 0
-        self._point_sinks: list[Callable[[Floats, Floats], None]] = []
+        self._point_sinks: list[Callable[[LivePoints], None]] = []
         self._preview_sinks: list[Callable[[str, Preview], None]] = []
 
     # -------------------------------------------------------------------------------- who wants to see it
-    def add_point_sink(self, sink: Callable[[Floats, Floats], None]) -> None:
-        """`sink(points, towards)` gets every point once: (n, 3) mm in the object frame, and unit vectors to the cameras."""
+    def add_point_sink(self, sink: Callable[[LivePoints], None]) -> None:
+        """`sink(points)` gets every point once."""
         self._point_sinks.append(sink)
 
     def add_preview_sink(self, sink: Callable[[str, Preview], None]) -> None:
@@ -97,6 +98,13 @@ class AcquisitionController(QObject):
         """Go on with the newest scan of the open case until an uncertainty, with so many more points at most."""
         self._go_on(partial(_further, until_um, points))
 
+    def measure_again(self, view: int) -> None:
+        """Measure a view of the plan (from 0) once more: after the last one of a running scan, else at once."""
+        if self._runner is not None:
+            self._runner.measure_again(view)
+        else:
+            self._go_on(partial(_view_again, view))
+
     def resume(self, path: Path) -> None:
         """Go on with the interrupted scan of a case; known points are measured again first."""
         if self.running or not self._rig.snapshot.connected:
@@ -114,12 +122,12 @@ class AcquisitionController(QObject):
 
     def _prepare(self) -> None:
         self._wanted, self._stopped = True, False
-        self.status, self.result = None, None
+        self.status, self.result, self.views = None, None, ()
         self.began.emit()
 
     def pause_or_resume(self) -> None:
         if self._runner is not None:
-            if self.paused:
+            if self.paused or (self.status is not None and self.status.pausing):
                 self._runner.resume()
             else:
                 self._runner.pause()
@@ -159,6 +167,9 @@ class AcquisitionController(QObject):
             if preview is not None:
                 for sink in self._preview_sinks:
                     sink(name, preview)
+        if time.monotonic() - self._looked_s >= _VIEWS_PERIOD_S:
+            self._looked_s = time.monotonic()
+            self.views = runner.views()
         status = self._in_own_seconds(runner.status())
         self.status = status
         self._rig.hear_owner()
@@ -169,13 +180,12 @@ class AcquisitionController(QObject):
             self._finish(runner)
 
     def _drain_points(self, runner: ScanRunner) -> None:
-        points, table_deg = runner.live_cloud.since(self._taken)
+        points = runner.live_cloud.since(self._taken)
         if not len(points):
             return
         self._taken += len(points)
-        towards = seen_from(table_deg)
         for sink in self._point_sinks:
-            sink(points, towards)
+            sink(points)
 
     # -------------------------------------------------------------------------------- inside
     def _begin(self, store: CaseStore, make: MakeRunner) -> None:
@@ -227,7 +237,7 @@ class AcquisitionController(QObject):
     def _finish(self, runner: ScanRunner) -> None:
         self._drain_points(runner)
         self._runner = None
-        self.result = runner.result
+        self.result, self.views = runner.result, runner.views()
         self._let_go()
         if self.result is not None and self.result.views is not None:
             self._case.take_cloud(self.result.views.cloud, _source(self.result, self.result.views, self._calibration))
@@ -273,6 +283,13 @@ def _rest_of_scan(rig: OpenRig, store: CaseStore) -> ScanRunner:
     if interrupted is None:
         raise AcquisitionError("E-SCAN-04", path=store.path)
     return ScanRunner(rig, interrupted.request, store, interruption=interrupted)
+
+
+def _view_again(view: int, rig: OpenRig, store: CaseStore) -> ScanRunner:
+    from scanner_core.case.reopening import reopen_view
+
+    reopen_view(store, view)
+    return _rest_of_scan(rig, store)
 
 
 def _further(until_um: float, points: int, rig: OpenRig, store: CaseStore) -> ScanRunner:

@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.background import Background
 from app.controllers.case_content import CaseContent, read_content, read_values
-from app.controllers.case_files import create_cases
+from app.controllers.case_files import DEMO, create_cases
 from app.controllers.computing import compute_anew
 from app.controllers.device_thread import DeviceThread
 from app.draft import EDIT_TEXTS, ORDER_FIELDS, Draft, DraftValues, orders_of
@@ -345,7 +345,8 @@ class CaseController(QObject):
         self._draft.keep_order = self._edit_order
         path = str(store.path)
         self._settings.recent_cases = [path, *(old for old in self._settings.recent_cases if old != path)][:RECENT]
-        self._settings.last_order = content.values.order
+        if not content.values.order.startswith(DEMO):
+            self._settings.last_order = content.values.order
         if self._settings_file is not None:
             kept = replace(self._settings, recent_cases=list(self._settings.recent_cases))
             self._thread.call(partial(save_settings, kept, self._settings_file))

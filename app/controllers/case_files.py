@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from scanner_core.case.store import CaseStore
 
 SUFFIX = ".impronta"
+DEMO = "DEMO-"
+"""Orders whose number begins so are tried out: the others are not counted on from them."""
 
 
 def create_cases(folder: Path, values: DraftValues) -> CaseStore:

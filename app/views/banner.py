@@ -44,6 +44,7 @@ class Banner(QFrame):
         self._details = QPlainTextEdit()
         self._details.setProperty("role", "details")
         self._details.setReadOnly(True)
+        self._details.setAccessibleName(self.tr("Details"))
         self._details.setFixedHeight(150)
         box = QVBoxLayout(self)
         box.setContentsMargins(16, 9, 12, 9)

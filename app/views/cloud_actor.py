@@ -1,15 +1,24 @@
-"""The point cloud as VTK draws it: a buffer of fixed size for the live cloud, the whole cloud once nothing moves."""
+"""The point cloud as VTK draws it: at most 60,000 points while anything moves, the rest chunk by chunk once nothing does."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
+from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkRenderingCore import vtkActor, vtkProperty
 
-from app.views.height_colours import HEIGHT, table
-from app.views.vtk_arrays import copied, copied_ids, shared
+from app.views.cloud_buffer import CloudBuffer
+from app.views.cloud_chunks import CloudChunks
+from app.views.cloud_points import CloudPoints, Floats
+from app.views.cloud_store import CloudStore, StoredPart, every
+from app.views.colour_maps import MAPS, MISSING
+from app.views.height_colours import rgb
+from app.views.point_colour import PointColour
+from app.views.value_range import ValueRange
+from app.views.vtk_arrays import copied
+from scanner_core.geometry.point_cloud import PointCloud
 
 LIVE_LIMIT = 60_000
 """Points drawn while the cloud grows."""
@@ -17,211 +26,162 @@ MOVING_LIMIT = 30_000
 """Points drawn while the camera moves."""
 POINT_SIZES = ((2_500, 6.0), (8_000, 5.0), (60_000, 4.0), (10**9, 3.0))
 """Most points, and their size on the screen."""
-STILL_LIMIT = 400_000
-"""Points drawn while nothing moves."""
 
-Floats = NDArray[np.float32]
+FirstNormals = Callable[[Floats, Floats], Floats]
+"""What is known of normals at points (n, 3) mm that were seen from (n, 3) unit vectors."""
+
+
+def _towards(points: Floats, towards: Floats) -> Floats:
+    return towards
 
 
 class CloudActor:
-    """Points coloured by height and lit by their normals.
+    """Points coloured by what a person chose and lit by their normals.
 
     The live buffer never holds more than ``LIVE_LIMIT`` points: when it is full every second one is dropped, and from
     then on only every second new one is taken, and so on.  Rows come coarse to fine, so the thinned cloud stays even.
     """
 
     def __init__(self) -> None:
-        self._all = np.empty((4096, 3), np.float32)
-        self._towards = np.empty((4096, 3), np.float32)
-        self._count = 0
-        self._live = _Drawn(LIVE_LIMIT)
-        self._stride = 1
-        self._quiet = False
-        self._still: _Drawn | None = None
+        self._store = CloudStore()
+        self._lookup = vtkLookupTable()
+        self._look = vtkProperty()
+        self._look.SetRepresentationToPoints()
+        self._live = CloudBuffer(LIVE_LIMIT, self._lookup, self._look)
+        self.chunks = CloudChunks(self._lookup, self._look)
+        """The whole cloud, where it is more than the live buffer holds."""
+        self.stride = 1
+        """Every so many-th point is in the live buffer."""
+        self._quiet = self._moving = self._growing = False
+        self._by = PointColour.HEIGHT
+        self._dark = True
         self.generation = 0
-        """Changes whenever points that were there go away; stale normals are told by it."""
+        """Changes whenever points that were there go away; stale answers are told by it."""
+        self.first_normals: FirstNormals = _towards
         self._corners = np.array([[np.inf] * 3, [-np.inf] * 3])
-        self.actor = vtkActor()
-        self.actor.SetMapper(self._live.mapper)
-        look = self.actor.GetProperty()
-        look.SetRepresentationToPoints()
-        look.SetColor(0.52, 0.56, 0.6)
-        look.SetInterpolationToPhong()
-        look.SetAmbient(0.3)
-        look.SetDiffuse(0.75)
-        look.SetSpecular(0.05)
+        self.range = ValueRange()
+        self.views = 0
+        """How many views have points."""
+        self.actor: vtkActor = self._live.actor
+        self.restyle(dark=True)
 
     def __len__(self) -> int:
-        return self._count
+        return self._store.count
 
     @property
     def bounds_mm(self) -> NDArray[np.float64] | None:
         """(2, 3) lowest and highest corner, or None without points."""
-        return self._corners if self._count else None
+        return self._corners if len(self) else None
 
     @property
     def drawn(self) -> int:
-        """Number of points that the next picture holds."""
-        if self.actor.GetMapper() is self._live.mapper:
-            return self._live.drawn
-        return self._still.drawn if self._still is not None else 0
+        """Number of points that the picture holds once it is complete."""
+        return self._live.drawn if self._moving or self._growing else max(self._live.drawn, self.chunks.count)
+
+    @property
+    def by(self) -> PointColour:
+        return self._by
 
     def clear(self) -> None:
-        self._count = 0
-        self._stride = 1
-        self._still = None
+        self._store.clear()
+        self.stride, self.views = 1, 0
         self._live.clear()
+        self.chunks.clear()
         self.generation += 1
         self._corners = np.array([[np.inf] * 3, [-np.inf] * 3])
-        self.actor.SetMapper(self._live.mapper)
+        self.range = ValueRange()
+        self.first_normals = _towards
 
-    def append(self, points: NDArray[np.float64], towards: NDArray[np.float64]) -> None:
-        """Add points (n, 3) mm; `towards` (n, 3) are unit vectors to where they were seen from, their first normals."""
-        if not len(points):
-            return
-        start, end = self._count, self._count + len(points)
-        if end > len(self._all):
-            room = max(end, 2 * len(self._all))
-            self._all = np.concatenate([self._all[:start], np.empty((room - start, 3), np.float32)])
-            self._towards = np.concatenate([self._towards[:start], np.empty((room - start, 3), np.float32)])
-        self._all[start:end] = points
-        self._towards[start:end] = towards
-        self._count = end
-        self._corners[0] = np.minimum(self._corners[0], points.min(axis=0))
-        self._corners[1] = np.maximum(self._corners[1], points.max(axis=0))
-        first = -start % self._stride
-        while self._live.count + len(range(start + first, end, self._stride)) > LIVE_LIMIT:
-            self._live.halve()
-            self._stride *= 2
-            self.generation += 1
-            first = -start % self._stride
-        self._live.append(self._all[start + first : end : self._stride], towards[first :: self._stride])
-        self._live.show_range(self._corners[0, 2], self._corners[1, 2])
-        self._still = None
-        self.actor.SetMapper(self._live.mapper)
+    def append(self, points: CloudPoints) -> None:
+        """Add points that were just measured."""
+        if len(points):
+            start = len(self)
+            self._store.append(points)
+            self._take(start, points.points, lambda first, stride: points.rows(slice(first, None, stride)))
+
+    def hold(self, cloud: PointCloud) -> None:
+        """Add all points of a case at once; those that the live buffer does not take are converted in other threads."""
+        if len(cloud):
+            start = len(self)
+            self._store.hold(cloud)
+            self._take(start, cloud.points, lambda first, stride: CloudPoints.of_case(cloud, slice(first, len(cloud), stride)))
+
+    def parts(self) -> tuple[StoredPart, ...]:
+        """All points; they may be read in another thread."""
+        return self._store.parts()
 
     def live_points(self) -> tuple[Floats, Floats]:
         """Copies of the points in the live buffer, (m, 3) mm, and of the directions to where they were seen from."""
-        kept = slice(0, self._count, self._stride)
-        return self._all[kept].copy(), self._towards[kept].copy()
+        live = every(self._store.parts(), 0, self.stride)
+        return live.points, live.towards
 
-    def all_points(self) -> tuple[Floats, Floats]:
-        """The same for all points, thinned to what is drawn when nothing moves."""
-        kept = slice(0, self._count, self._still_stride())
-        return self._all[kept].copy(), self._towards[kept].copy()
-
-    def light_live(self, normals: NDArray[np.float64], generation: int) -> None:
-        """Normals (m, 3) of the first m live points, unless the buffer was thinned meanwhile."""
+    def light_live(self, normals: Floats, density: Floats, generation: int) -> None:
+        """Normals (m, 3) and points / mm2 (m,) of the first m live points, unless the buffer was thinned meanwhile."""
         if generation == self.generation:
             self._live.light(normals)
+            self._live.put(PointColour.DENSITY, density)
 
-    def show_still(self, normals: NDArray[np.float64], generation: int) -> None:
-        """From now on the whole cloud, with normals (m, 3) for :meth:`all_points`."""
-        points = self._all[: self._count : self._still_stride()]
-        if generation != self.generation or len(normals) != len(points):
-            return
-        self._still = _Drawn(len(points))
-        self._still.append(points, normals)
-        self._still.show_range(self._corners[0, 2], self._corners[1, 2])
-        self._still.mapper.SetScalarVisibility(not self._quiet)
-        self.actor.SetMapper(self._still.mapper)
+    def take_chunk(self, points: CloudPoints, normals: Floats, generation: int, *, first: bool) -> None:
+        """Some more of the whole cloud, unless points went away meanwhile."""
+        if generation == self.generation:
+            if first:
+                self.chunks.clear()
+            self.chunks.add(points, normals)
 
-    def fit_point_size(self, pixel_ratio: float) -> None:
-        """Larger points while they are few, so that the surface closes to the eye."""
+    # -------------------------------------------------------------------------------- how it looks
+    def restyle(self, *, dark: bool) -> None:
+        """The ground is dark, or light."""
+        self._dark = dark
+        self._lookup.SetTable(copied(MAPS[self._by].table(dark)))
+        red, green, blue = (channel / 255 for channel in rgb(MISSING[dark]))
+        self._lookup.SetNanColor(red, green, blue, 1.0)
+        self._look.SetColor(red, green, blue)
+        self.prepare(1.0)
+
+    def colour_by(self, by: PointColour) -> None:
+        self._by = by
+        self.restyle(dark=self._dark)
+
+    def prepare(self, pixel_ratio: float) -> None:
+        """Before a picture: the range of what is coloured, and larger points while they are few, so that the surface closes to the eye."""
+        if self._by is PointColour.VIEW:
+            self._lookup.SetTableRange(-0.5, len(MAPS[self._by].on_dark) - 0.5)
+        else:
+            self._lookup.SetTableRange(*self.shown_range())
         size = next(size for most, size in POINT_SIZES if self.drawn <= most)
-        self.actor.GetProperty().SetPointSize(pixel_ratio * (2.0 if self._quiet else size))
+        self._look.SetPointSize(pixel_ratio * (2.0 if self._quiet else size))
+        self._live.colour(self._by, not self._quiet)
+
+    def shown_range(self) -> tuple[float, float]:
+        """What the ends of the colour map stand for."""
+        if self._by is PointColour.HEIGHT:
+            low, high = self._corners[:, 2].tolist() if len(self) else (0.0, 1.0)
+            return low, max(high, low + 1e-3)
+        return self.range.of(self._by, self._live.rows)
 
     def quiet(self, on: bool) -> None:
         """Small and grey: the surface that grows among the points is what matters."""
         self._quiet = on
-        for drawn in (self._live, self._still):
-            if drawn is not None:
-                drawn.mapper.SetScalarVisibility(not on)
+
+    def grow(self, on: bool) -> None:
+        """More points come: the whole cloud is not worth drawing."""
+        self._growing = on
 
     def thin_for_motion(self, moving: bool) -> None:
         """Fewer points while the camera moves."""
-        if moving:
-            self.actor.SetMapper(self._live.mapper)
-            self._live.thin(-(-self._live.count // MOVING_LIMIT))
-        else:
-            self._live.thin(1)
-            if self._still is not None:
-                self.actor.SetMapper(self._still.mapper)
+        self._moving = moving
+        self._live.thin(-(-self._live.count // MOVING_LIMIT) if moving else 1)
 
-    def _still_stride(self) -> int:
-        return max(1, -(-self._count // STILL_LIMIT))
-
-
-class _Drawn:
-    """Points, normals and heights in buffers of a fixed size that VTK reads in place."""
-
-    def __init__(self, room: int) -> None:
-        self._points = np.zeros((room, 3), np.float32)
-        self._normals = np.zeros((room, 3), np.float32)
-        self._heights = np.zeros(room, np.float32)
-        self.count = 0
-        self._step = 1
-        self._places = vtkPoints()
-        self._places.SetData(shared(self._points))
-        self._vtk_normals = shared(self._normals)
-        self._vtk_heights = shared(self._heights)
-        self._poly = vtkPolyData()
-        self._poly.SetPoints(self._places)
-        self._poly.GetPointData().SetNormals(self._vtk_normals)
-        self._poly.GetPointData().SetScalars(self._vtk_heights)
-        lookup = vtkLookupTable()
-        lookup.SetTable(copied(table(HEIGHT)))
-        self.mapper = vtkPolyDataMapper()
-        self.mapper.SetInputData(self._poly)
-        self.mapper.SetLookupTable(lookup)
-        self.mapper.SetUseLookupTableScalarRange(False)
-        self._changed()
-
-    @property
-    def drawn(self) -> int:
-        return -(-self.count // self._step)
-
-    def clear(self) -> None:
-        self.count = 0
-        self._step = 1
-        self._changed()
-
-    def append(self, points: Floats, normals: NDArray[np.float64]) -> None:
-        end = self.count + len(points)
-        self._points[self.count : end] = points
-        self._normals[self.count : end] = normals
-        self._heights[self.count : end] = points[:, 2]
-        self.count = end
-        self._points[end:] = self._points[0]  # VTK counts unused points into the bounds
-        self._changed()
-
-    def halve(self) -> None:
-        """Keep every second point."""
-        kept = -(-self.count // 2)
-        for buffer in (self._points, self._normals, self._heights):
-            buffer[:kept] = buffer[: self.count : 2].copy()
-        self.count = kept
-
-    def light(self, normals: NDArray[np.float64]) -> None:
-        self._normals[: len(normals)] = normals
-        self._vtk_normals.Modified()
-        self._poly.Modified()
-
-    def thin(self, step: int) -> None:
-        if step != self._step:
-            self._step = max(1, step)
-            self._changed()
-
-    def show_range(self, low_mm: float, high_mm: float) -> None:
-        self.mapper.SetScalarRange(low_mm, max(high_mm, low_mm + 1e-3))
-
-    def _changed(self) -> None:
-        drawn = np.arange(0, self.count, self._step, dtype=np.int64)
-        cells = vtkCellArray()
-        if len(drawn):
-            cells.SetData(copied_ids(np.array([0, len(drawn)], np.int64)), copied_ids(drawn))
-        self._poly.SetVerts(cells)
-        for part in (self._places.GetData(), self._vtk_normals, self._vtk_heights):
-            part.Modified()
-        self._places.Modified()
-        self._poly.Modified()
+    # -------------------------------------------------------------------------------- inside
+    def _take(self, start: int, points: NDArray[np.generic], rows: Callable[[int, int], CloudPoints]) -> None:
+        self._corners[0] = np.minimum(self._corners[0], points.min(axis=0))
+        self._corners[1] = np.maximum(self._corners[1], points.max(axis=0))
+        first, new = -start % self.stride, len(points)
+        while self._live.count + len(range(first, new, self.stride)) > LIVE_LIMIT:
+            self._live.halve()
+            self.stride *= 2
+            self.generation += 1
+            first = -start % self.stride
+        taken = rows(first, self.stride)
+        self._live.append(taken, self.first_normals(taken.points, taken.towards))
+        self.chunks.clear()

@@ -124,6 +124,7 @@ class ComparePage(Page):
             made = button(text, "choice", partial(self.show_panel, name))
             made.setCheckable(True)
             made.setAutoExclusive(True)
+            made.setStyleSheet("padding: 7px 4px;")
             self.tabs[name] = made
             self._panels.addWidget(scrolled(panel))
         whole = QWidget()

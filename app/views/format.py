@@ -64,6 +64,27 @@ def age(iso: str, today: date | None = None) -> str:
     return QCoreApplication.translate("format", "1 day old") if days == 1 else QCoreApplication.translate("format", "{n} days old").format(n=days)
 
 
+def ago(iso: str, now: datetime | None = None) -> str:
+    """just now, 5 minutes ago, 3 hours ago, yesterday, 12 days ago, then the date."""
+    try:
+        moment = datetime.fromisoformat(iso).astimezone()
+    except ValueError:
+        return iso
+    now = now or wall_clock.now()
+    minutes, days = int((now - moment).total_seconds() // 60), (now.date() - moment.date()).days
+    if minutes < 1:
+        return QCoreApplication.translate("format", "just now")
+    if minutes < 60:
+        one, more = QCoreApplication.translate("format", "1 minute ago"), QCoreApplication.translate("format", "{n} minutes ago")
+        return one if minutes == 1 else more.format(n=minutes)
+    if days == 0:
+        one, more = QCoreApplication.translate("format", "1 hour ago"), QCoreApplication.translate("format", "{n} hours ago")
+        return one if minutes < 120 else more.format(n=minutes // 60)
+    if days == 1:
+        return QCoreApplication.translate("format", "yesterday")
+    return QCoreApplication.translate("format", "{n} days ago").format(n=days) if days < 31 else day(iso)
+
+
 def _date(iso: str) -> date | None:
     try:
         return datetime.fromisoformat(iso).date()

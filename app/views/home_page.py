@@ -1,23 +1,28 @@
-"""Home: the order first, one primary button, how accurate the rig is, and the recent cases."""
+"""Home: the orders, newest first; a number that is scanned or typed opens one or begins a new one; how accurate the rig is."""
 
 from __future__ import annotations
 
-from datetime import datetime
-from functools import partial
-from pathlib import Path
+from dataclasses import replace
 
-from PySide6.QtCore import QCoreApplication, QSize, Qt, QTimer
-from PySide6.QtWidgets import QButtonGroup, QGridLayout, QHBoxLayout, QLineEdit, QListWidget, QListWidgetItem, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, Qt, QTimer
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
-from app.controllers.case_files import read_case_name
-from app.draft import KINDS, SIDES, DraftValues
-from app.faults import sentence_of
+from app.controllers.case_files import DEMO, free_number
+from app.draft import ORDER_FIELDS, DraftValues, first_order
 from app.services import Services
-from app.views import format as fmt
+from app.views.home_start import HomeStart
 from app.views.interrupted_strip import InterruptedStrip
+from app.views.order_form import OrderForm
+from app.views.order_list import OrderList
+from app.views.order_words import kind_word, page_of, side_word
 from app.views.page import Page
-from app.views.parts import BigNumber, SideBadge, button, label, number_field, row, seam
-from app.views.rig_choice import specimen_words
+from app.views.parts import button, label, row, scrolled, seam
+from app.views.removed_strip import RemovedStrip
+from app.views.wedge_field import WedgeField
+from scanner_core.case.case_glance import CaseGlance
+
+_ASIDE = 412
 
 
 class HomePage(Page):
@@ -26,262 +31,241 @@ class HomePage(Page):
     def __init__(self, services: Services) -> None:
         super().__init__(services)
         self.strip = InterruptedStrip(services)
+        self.start = HomeStart(services, self.new_order, self.demo, self.edit_order, lambda: self.wanted.emit("rig"))
+        self.form = OrderForm(services.new_order, services.preferences, new=True)
+        self.open_form = OrderForm(services.draft, services.preferences, new=False)
+        self._aside = QStackedWidget()
+        self._aside.setFixedWidth(_ASIDE)
+        for part in (self.start, self.form, self.open_form):
+            part.setContentsMargins(28, 24, 28, 20)
+            self._aside.addWidget(scrolled(part))
         box = QHBoxLayout()
         box.setSpacing(0)
-        box.addWidget(self._order(), 6)
+        box.addWidget(self._orders(), 1)
         box.addWidget(seam(upright=True))
-        box.addWidget(self._aside(), 5)
+        box.addWidget(self._aside)
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
         whole.setSpacing(0)
         whole.addWidget(self.strip)
         whole.addLayout(box, 1)
-        services.draft.changed.connect(self._show_field)
+        self.form.scan.connect(self._scan_new)
+        self.form.keep.connect(self._keep_new)
+        for form in (self.form, self.open_form):
+            form.left.connect(self.show_start)
+        services.worklist.changed.connect(self._show_orders)
+        services.preferences.changed.connect(lambda name: services.worklist.look() if name == "case_folder" else None)
+        services.case.opened.connect(self._show_case)
+        services.acquisition.began.connect(self._show_case)
+        services.acquisition.ended.connect(self._show_case)
         services.rig.changed.connect(self._show_rig_if_seen)
-        services.acquisition.ended.connect(self._show_start)
-        services.case.opened.connect(self._show_recent)
-        services.case.opened.connect(self._show_head)
-        for name in DraftValues.__dataclass_fields__:
-            self._show_field(name)
-        self._show_rig()
-        self._show_recent()
-        self._show_head()
+        services.readiness.changed.connect(self._show_rig_if_seen)
+        self._show_orders()
+        self._show_case()
 
     def entered(self) -> None:
-        self._show_recent()
-        self._show_rig()
+        if self.window().isVisible():  # what it needs is imported after the window stands
+            self.services.worklist.look()
+        self._show_orders()
+        self._show_case()
+        self.show_start()
+
+    def show_start(self) -> None:
+        """The list with its field, which has the keys."""
+        self._aside.setCurrentIndex(0)
+        self.wedge.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        self.wedge.selectAll()
 
     # -------------------------------------------------------------------------------- parts
-    def _order(self) -> QWidget:
-        draft = self.services.draft
-        self._number = QLineEdit()
-        self._number.setPlaceholderText(self.tr("as on the order form"))
-        self._number.textEdited.connect(lambda text: draft.edit("order", text.strip()))
-        self._code = QLineEdit()
-        self._code.setPlaceholderText(self.tr("a code, not the name"))
-        self._code.textEdited.connect(lambda text: draft.edit("patient_code", text.strip()))
-        for field in (self._number, self._code):
-            field.setMinimumHeight(34)
-            field.setTextMargins(6, 0, 6, 0)
-        self._sides = self._choices("side", SIDES, side_colours=True)
-        self._kinds = self._choices("kind", KINDS)
-        grid = QGridLayout()
-        grid.setHorizontalSpacing(18)
-        grid.setVerticalSpacing(14)
-        grid.setColumnMinimumWidth(0, 110)
-        grid.setColumnStretch(1, 1)
-        for line, (name, part) in enumerate(
-            (
-                (self.tr("Order number"), self._number),
-                (self.tr("Patient code"), self._code),
-                (self.tr("Side"), self._sides[0]),
-                (self.tr("Type"), self._kinds[0]),
-            )
-        ):
-            caption = label(name, "muted")
-            caption.setBuddy(part)
-            grid.addWidget(caption, line, 0)
-            grid.addWidget(part, line, 1)
-        self._views = number_field(1, 360, 1, lambda value: draft.edit("views", value), suffix=self.tr(" views"))
-        self._points = number_field(500, 2_000_000, 1000, lambda value: draft.edit("points", value), suffix=self.tr(" points"))
-        self._on_table = label("")
-        self._change = button(self.tr("Change"), "link", lambda: self.wanted.emit("rig"))
-        plan = QGridLayout()
-        plan.setHorizontalSpacing(18)
-        plan.setVerticalSpacing(14)
-        plan.setColumnMinimumWidth(0, 110)
-        plan.setColumnStretch(1, 1)
-        plan.addWidget(label(self.tr("Scan plan"), "muted"), 0, 0)
-        plan.addLayout(row(self._views, self._points), 0, 1)
-        self._on_table_caption = label("", "muted")
-        plan.addWidget(self._on_table_caption, 1, 0)
-        plan.addLayout(row(self._on_table, self._change, 1, spacing=14), 1, 1)
-        for count_field in (self._views, self._points):
-            count_field.setMinimumHeight(34)
-        self._start = button(self.tr("Start scan"), "primary", lambda: self.intent.emit("start_scan"), "play", "on_accent")
-        self._start.setMinimumHeight(46)
-        self._start.setStyleSheet("font-size: 15px;")
-        self._ready = label("", "muted", wrap=True)
-        side = QWidget()
-        side_box = QVBoxLayout(side)
-        side_box.setContentsMargins(40, 38, 40, 30)
-        side_box.setSpacing(0)
-        self._head = label("", "headline")
-        self._about = label("", "muted")
-        self._new = button(self.tr("New case"), "link", lambda: self.intent.emit("new_case"))
-        side_box.addLayout(row(self._head, 1, self._new))
-        side_box.addSpacing(6)
-        side_box.addWidget(self._about)
-        side_box.addSpacing(28)
-        side_box.addLayout(grid)
-        side_box.addSpacing(24)
-        side_box.addWidget(seam())
-        side_box.addSpacing(20)
-        side_box.addLayout(plan)
-        side_box.addSpacing(28)
-        side_box.addWidget(self._start)
-        side_box.addSpacing(10)
-        side_box.addWidget(self._ready)
-        side_box.addStretch(1)
-        return side
-
-    def _choices(self, name: str, choices: dict[str, str], *, side_colours: bool = False) -> tuple[QWidget, dict[str, QPushButton]]:
-        holder = QWidget()
-        box = QHBoxLayout(holder)
+    def _orders(self) -> QWidget:
+        self.wedge = WedgeField()
+        self.wedge.textChanged.connect(self._show_orders)
+        self.wedge.entered.connect(self._enter)
+        self.hint = label("", "faint")
+        self.list = OrderList(self.services.worklist)
+        self.wedge.down.connect(self.list.select_first)
+        self.list.chosen.connect(self.open_order)
+        self.list.removal.connect(self._remove)
+        self.list.typed.connect(self._type)
+        self.list.selected.connect(self._show_selected)
+        self.empty = label("", "muted", wrap=True)
+        self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._open = button(self.tr("Open"), "", lambda: self._with_selected(self.open_order))
+        self._open.setToolTip(self.tr("Enter, or a double click"))
+        self._remove_button = button(self.tr("Remove"), "", lambda: self._with_selected(self._remove))
+        self._remove_button.setToolTip(self.tr("Del; the file is moved, never deleted"))
+        more = button(self.tr("Open another case…"), "link", lambda: self.intent.emit("open_case"))
+        head = QVBoxLayout()
+        head.setContentsMargins(22, 18, 22, 8)
+        head.setSpacing(6)
+        head.addWidget(self.wedge)
+        head.addWidget(self.hint)
+        foot = row(self._open, self._remove_button, 1, more, spacing=8)
+        foot.setContentsMargins(22, 9, 22, 10)
+        made = QWidget()
+        box = QVBoxLayout(made)
         box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(8)
-        group = QButtonGroup(holder)
-        buttons = {}
-        for key, word in choices.items():
-            made = button(QCoreApplication.translate("draft", word), "choice", partial(self.services.draft.edit, name, key))
-            made.setCheckable(True)
-            if side_colours:
-                made.setProperty("side", key)
-            group.addButton(made)
-            box.addWidget(made, 1)
-            buttons[key] = made
-        return holder, buttons
-
-    def _aside(self) -> QWidget:
-        self._accuracy = BigNumber("", "hero")
-        self._accuracy_note = label("", "muted", wrap=True)
-        self._recent = QListWidget()
-        self._recent.setAccessibleName(self.tr("Recent cases"))
-        self._recent.itemActivated.connect(self._open)
-        self._recent.itemClicked.connect(self._open)
-        self._no_recent = label(self.tr("No cases yet. Every scan makes one."), "muted")
-        self._more = button(self.tr("Open another case…"), "link", lambda: self.intent.emit("open_case"))
-        aside = QWidget()
-        box = QVBoxLayout(aside)
-        box.setContentsMargins(36, 38, 36, 30)
         box.setSpacing(0)
-        box.addWidget(label(self.tr("How accurate is it?"), "section"))
-        box.addWidget(self._accuracy)
-        box.addSpacing(4)
-        box.addWidget(self._accuracy_note)
-        box.addSpacing(22)
+        box.addLayout(head)
         box.addWidget(seam())
-        box.addSpacing(20)
-        box.addWidget(label(self.tr("Recent cases"), "section"))
-        box.addSpacing(6)
-        box.addWidget(self._no_recent)
-        box.addWidget(self._recent, 1)
-        box.addSpacing(8)
-        box.addWidget(self._more, 0, Qt.AlignmentFlag.AlignLeft)
-        box.addStretch(0)
-        return aside
+        box.addWidget(RemovedStrip(self.services.worklist))
+        box.addWidget(self.list, 1)
+        box.addWidget(self.empty, 1)
+        box.addWidget(seam())
+        box.addLayout(foot)
+        return made
+
+    # -------------------------------------------------------------------------------- what a person does
+    def new_order(self, kind: str = "ear", side: str = "", number: str = "") -> None:
+        """The form for another order; what is open stays so until that is made."""
+        number = number or self._next_number()
+        for name, value in (("order", number), ("patient_code", ""), ("kind", kind), ("side", side)):
+            self.services.new_order.put(name, value)
+        self._aside.setCurrentIndex(1)
+        self.form.start()
+
+    def _next_number(self) -> str:
+        """The one after that of the order that was made last."""
+        orders = [told for told in self.services.worklist.orders if told.order.number and not told.order.number.startswith(DEMO)]
+        last = max(orders, key=lambda told: told.created, default=None)
+        number = self.services.settings.last_order if last is None else last.order.number
+        return free_number(first_order(number).order, [told.order.number for told in orders])
+
+    def edit_order(self) -> None:
+        """The form of the open case."""
+        self._aside.setCurrentIndex(2)
+        self.open_form.start()
+
+    def demo(self) -> None:
+        """An order on the virtual rig, whose ear stands on the table, ready to be scanned."""
+        rig = self.services.rig
+        if not (rig.snapshot.virtual and rig.snapshot.specimen == "ear"):
+            rig.choose(preset=rig.snapshot.preset if rig.snapshot.virtual else "bench", specimen="ear")
+        number = free_number(f"{DEMO}01", [told.order.number for told in self.services.worklist.orders])
+        self._make(DraftValues(order=number, side="left", kind="ear"))
+
+    def open_order(self, told: CaseGlance) -> None:
+        """Open its case, at the page where the work goes on."""
+        services = self.services
+        if services.acquisition.running:
+            if services.case.path == told.path:
+                self.wanted.emit("scan")
+            else:
+                self.noted.emit(self.tr("A scan is running."), self.tr("Wait for its end or stop it first (Esc)."))
+            return
+        self.wedge.clear()
+        if services.case.path != told.path:
+            QTimer.singleShot(0, lambda: services.case.open(told.path))
+        self.wanted.emit(page_of(told) if told.trouble is None else "home")
+
+    def _enter(self, number: str) -> None:
+        """The order of that number, or a new one."""
+        found = self.services.worklist.find(number)
+        if found:
+            self.open_order(found[0])
+        else:
+            self.wedge.clear()
+            self.new_order(number=number)
+
+    def _scan_new(self) -> None:
+        self._make(self.services.new_order.values)
+
+    def _make(self, order: DraftValues) -> None:
+        """Make an order's files and go on with the first."""
+        services = self.services
+        if services.acquisition.running:
+            return
+        services.case.close()
+        services.draft.load(replace(services.draft.values, **{name: getattr(order, name) for name in ORDER_FIELDS}))
+        services.case.create(lambda _: self.wanted.emit("scan"))
+
+    def _keep_new(self) -> None:
+        order = self.services.new_order.values
+        self.show_start()
+        self.services.case.place(order, lambda _: self.services.worklist.look())
+
+    def _remove(self, told: CaseGlance) -> None:
+        if self.services.acquisition.running and self.services.case.path == told.path:
+            self.noted.emit(self.tr("This order is being scanned."), self.tr("Wait for its end or stop it first (Esc)."))
+        else:
+            self.services.worklist.remove(told)
+
+    def _type(self, text: str) -> None:
+        """Keys that belong to no other part of the page go into the field."""
+        self.show_start()
+        self.wedge.end(False)
+        self.wedge.insert(text)
 
     # -------------------------------------------------------------------------------- showing
-    def _show_head(self) -> None:
-        """Whose order this is: of the open case, which keeps every change, or of the next one."""
-        there = self.services.case.store is not None
-        self._head.setText(self.tr("Open case") if there else self.tr("New case"))
-        self._about.setText(
-            self.tr("Changes of the order are kept in this case.") if there else self.tr("The order goes with every file that leaves this program.")
-        )
-        self._new.setVisible(there)
-        self._show_start()
+    def _show_orders(self) -> None:
+        worklist, typed = self.services.worklist, self.wedge.number
+        running = self.services.case.path if self.services.acquisition.running else None
+        self.list.show_orders(typed, running)
+        shown = self.list.orders.rowCount()
+        self.list.setVisible(shown > 0)
+        self.empty.setVisible(shown == 0)
+        if typed:
+            self.empty.setText(self.tr("No order has that in it."))
+        else:
+            self.empty.setText(self.tr("No orders yet. They stand here as soon as they are entered.") if worklist.known else self.tr("Looking…"))
+        self._show_hint()
+        self.start.show_worklist()
 
-    def _show_field(self, name: str) -> None:
-        values = self.services.draft.values
-        if name == "order" and self._number.text().strip() != values.order:
-            self._number.setText(values.order)
-        elif name == "patient_code" and self._code.text().strip() != values.patient_code:
-            self._code.setText(values.patient_code)
-        elif name == "views":
-            self._views.setValue(values.views)
-        elif name == "points":
-            self._points.setValue(values.points)
-        elif name == "side":
-            for side, made in self._sides[1].items():
-                group = made.group()
-                group.setExclusive(False)
-                made.setChecked(side == values.side)
-                group.setExclusive(True)
-        elif name == "kind":
-            self._kinds[1][values.kind].setChecked(True)
+    def _show_hint(self) -> None:
+        """What Enter does."""
+        typed, count = self.wedge.number, len(self.services.worklist.orders)
+        found = self.services.worklist.find(typed) if typed else []
+        if found:
+            order = found[0].order
+            what = ", ".join(part for part in (order.number, side_word(order.side), kind_word(order.type)) if part)
+            self.hint.setText(self.tr("Enter opens {order}.").format(order=what))
+        elif typed:
+            self.hint.setText(self.tr("Enter makes a new order {number}.").format(number=typed))
+        elif count == 1:
+            self.hint.setText(self.tr("1 order; Enter opens the one that is selected."))
+        else:
+            self.hint.setText(self.tr("{n} orders, the newest first. Arrow down goes into the list.").format(n=count))
+
+    def _show_selected(self) -> None:
+        there = self.list.current is not None
+        self._open.setEnabled(there)
+        self._remove_button.setEnabled(there)
+
+    def _with_selected(self, call: object) -> None:
+        told = self.list.current
+        if told is not None and callable(call):
+            call(told)
+
+    def _show_case(self) -> None:
+        if self._aside.currentIndex() == 2 and self.services.case.store is None:
+            self.show_start()
+        self._show_orders()
+        self._show_rig()
 
     def _show_rig_if_seen(self) -> None:
         if self.isVisible():
             self._show_rig()
 
     def _show_rig(self) -> None:
-        calibration = self.services.rig.snapshot.calibration
-        if calibration is None:
-            self._accuracy.show_number(fmt.NO_VALUE)
-            unreadable = self.services.rig.snapshot.unreadable
-            self._accuracy.show_unit("" if unreadable else self.tr("not calibrated"))
-            to_do = self.tr("The Rig page calibrates it in a few minutes.")
-            self._accuracy_note.setText(self.tr("The Rig page says what is wrong with the rig file.") if unreadable else to_do)
+        self.form.block_scan(self.tr("A scan is running: the order can wait in the list.") if self.services.acquisition.running else "")
+        self.start.show_rig()
+
+    # -------------------------------------------------------------------------------- keys
+    def event(self, event: QEvent) -> bool:
+        """A key that a part of the page leaves is typed into the field, before it is a shortcut of the 3D view."""
+        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent) and _is_typed(event):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
+        if _is_typed(event) and self._aside.currentIndex() == 0:
+            self._type(event.text())
         else:
-            self._accuracy.show_number(fmt.micrometres(calibration.held_out_rms_um))
-            self._accuracy.show_unit(self.tr("µm rms error of the calibration"))
-            self._accuracy_note.setText(
-                self.tr(
-                    "Measured on {date} at corners of the board that were not used to calibrate. "
-                    "The laser spot adds its own noise: every surface states the error that is expected of it."
-                ).format(date=fmt.day(calibration.date))
-            )
-        self._show_start()
-
-    def _show_start(self) -> None:
-        rig, running = self.services.rig.snapshot, self.services.acquisition.running
-        self._start.setEnabled(rig.connected and rig.calibration is not None and not running)
-        if running:
-            self._ready.setText(self.tr("A scan is running."))
-        elif rig.failure is not None and not rig.opening:
-            self._ready.setText(" ".join(sentence_of(rig.failure.fault)))
-        elif not rig.connected:
-            self._ready.setText(self.tr("Opening the rig…"))
-        elif rig.calibration is None:
-            self._ready.setText(self.tr("The rig has to be calibrated first."))
-        else:
-            self._ready.setText(self.tr("Ready. The scan makes a new case.") if self.services.case.store is not None else self.tr("Ready."))
-        self._on_table_caption.setText(self.tr("On the table") if rig.virtual else self.tr("Rig"))
-        self._on_table.setText(specimen_words(rig.specimen) if rig.virtual else Path(rig.preset).stem)
-
-    def _show_recent(self) -> None:
-        self._recent.clear()
-        for text in self.services.settings.recent_cases:
-            path = Path(text)
-            try:
-                changed = datetime.fromtimestamp(path.stat().st_mtime)
-            except OSError:
-                continue
-            item = QListWidgetItem()
-            item.setData(Qt.ItemDataRole.UserRole, text)
-            item.setToolTip(text)
-            entry = _RecentCase(path, fmt.day(changed.isoformat()))
-            item.setSizeHint(QSize(0, 46))
-            self._recent.addItem(item)
-            self._recent.setItemWidget(item, entry)
-        empty = self._recent.count() == 0
-        self._no_recent.setVisible(empty)
-        self._recent.setVisible(not empty)
-
-    def _open(self, item: QListWidgetItem) -> None:
-        path = Path(item.data(Qt.ItemDataRole.UserRole))
-        if not self.services.acquisition.running:
-            QTimer.singleShot(0, lambda: self.services.case.open(path))
-            self.wanted.emit("reconstruct")
+            super().keyPressEvent(event)
 
 
-class _RecentCase(QWidget):
-    """A case by what its name tells."""
-
-    def __init__(self, path: Path, day: str) -> None:
-        super().__init__()
-        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        told = read_case_name(path.stem)
-        title = label(told.order if told else path.stem)
-        title.setStyleSheet("font-weight: 600;")
-        line = row(title, spacing=10)
-        if told:
-            badge = SideBadge()
-            badge.show_side(told.side)
-            line.addWidget(badge)
-            line.addWidget(label(QCoreApplication.translate("draft", KINDS[told.kind]), "muted"))
-        line.addStretch(1)
-        line.addWidget(label(day, "muted"))
-        line.setContentsMargins(4, 0, 4, 0)
-        self.setLayout(line)
+def _is_typed(event: QKeyEvent) -> bool:
+    """A letter or a digit, without another key."""
+    plain = not event.modifiers() & ~(Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier)
+    return plain and event.text().isalnum()

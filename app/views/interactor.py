@@ -72,6 +72,8 @@ class InteractorView(QWidget):
         self._moving = False
         self._dirty = True
         self._begun_s = 0.0
+        self._more = self._adding = False
+        self._drawn_from: tuple[object, ...] = ()
         self.paint_s = 0.0
         """How long the last picture took."""
         self.pictures = 0
@@ -98,10 +100,12 @@ class InteractorView(QWidget):
         return x, y, z
 
     def paint(self) -> float:
-        """Ask for a picture if something changed; the time that the last one took, in seconds."""
-        if self._dirty and self._engine is not None and self.isVisible():
-            self._dirty = False
-            self._prepare_picture()
+        """Ask for a picture if something changed, or for more of one that is not complete; the time that the last one took, in seconds."""
+        if self._engine is not None and self.isVisible() and (self._dirty or self._unfinished()):
+            self._more = not self._dirty
+            if self._dirty:
+                self._dirty = False
+                self._prepare_picture()
             self._engine.stale = True
             self._engine.update()
         return self.paint_s
@@ -111,10 +115,15 @@ class InteractorView(QWidget):
         self._open().grabFramebuffer()
 
     def grab_picture(self) -> NDArray[np.uint8]:
-        """The scene as (H, W, 3) bytes, drawn anew."""
+        """The scene as (H, W, 3) bytes, drawn anew, and all of it."""
         engine = self._open()
         self._prepare_picture()
         engine.render()
+        self._dirty = False
+        self._adding = True
+        while self._adding and self._unfinished():
+            self._more = True
+            engine.render_window.Render()
         reader = vtkWindowToImageFilter()
         reader.SetInput(engine.render_window)
         reader.ReadFrontBufferOff()
@@ -160,6 +169,19 @@ class InteractorView(QWidget):
     def _prepare_picture(self) -> None:
         """Called before every picture."""
 
+    def _unfinished(self) -> bool:
+        """Whether there is more to draw into the picture that is there."""
+        return False
+
+    def _begin_slice(self) -> None:
+        """Called before the picture is drawn on: let only that be visible which is still missing."""
+
+    def _end_slice(self, seconds: float) -> None:
+        """Called after it."""
+
+    def _begin_whole(self) -> None:
+        """Called before a picture is drawn anew."""
+
     def _interact(self, moving: bool) -> None:
         """A person begins or ends to move the camera."""
         self._moving = moving
@@ -175,9 +197,30 @@ class InteractorView(QWidget):
         if self._engine is not None and not self._engine.drawing:
             self._dirty = True
 
+    def _stand(self) -> tuple[object, ...]:
+        """From where and how large the picture is."""
+        engine = self._open()
+        return engine.camera.GetMTime(), *engine.render_window.GetSize()
+
+    def _keep(self, on: bool) -> None:
+        """Whether colours and depths of the last picture stay."""
+        renderer = self._open().renderer
+        renderer.SetPreserveColorBuffer(on)
+        renderer.SetPreserveDepthBuffer(on)
+
     def _begin_picture(self) -> None:
         self._begun_s = time.perf_counter()
+        self._adding, self._more = self._more and not self._dirty and self._drawn_from == self._stand(), False
+        self._keep(self._adding)
+        if self._adding:
+            self._begin_slice()
+        else:
+            self._begin_whole()
 
     def _end_picture(self) -> None:
         self.paint_s = time.perf_counter() - self._begun_s
+        if self._adding:
+            self._end_slice(self.paint_s)
+            self._keep(False)
+        self._drawn_from = self._stand()
         self.pictures += 1

@@ -11,13 +11,13 @@ from PySide6.QtWidgets import QHBoxLayout, QMainWindow, QStackedWidget, QVBoxLay
 
 from app.actions import fill_menus, make_actions
 from app.controllers.support import SupportController
-from app.draft import next_order
 from app.services import Services
 from app.undo import UndoHistory
 from app.views.activity import activity_words
 from app.views.banner import Banner
 from app.views.coverage_page import CoveragePage
 from app.views.file_dialogs import choose_file
+from app.views.home_page import HomePage
 from app.views.laser_lamps import LaserLamps
 from app.views.mounts_page import MountsPage
 from app.views.page import Page
@@ -144,15 +144,11 @@ class MainWindow(QMainWindow):
         return next(name for name, page in self.pages.items() if page is current)
 
     def new_case(self) -> None:
-        """The next order; a scan that runs keeps its case."""
-        services = self.services
-        if services.acquisition.running:
-            self._tell_running()
-            return
-        if services.case.store is not None:
-            services.case.close()
-            services.draft.load(next_order(services.draft.values))
+        """The form of another order; what is open stays so until that is made."""
         self.show_page("home")
+        home = self.pages["home"]
+        assert isinstance(home, HomePage)
+        home.new_order()
 
     def choose_case(self) -> None:
         choose_file(self, self.tr("Open a case"), self.services.settings.case_folder, self.tr("Cases (*.impronta)"), self.open_case)
@@ -190,6 +186,7 @@ class MainWindow(QMainWindow):
             object_radius_mm=rig.specimen_radius_mm,
             object_height_mm=rig.specimen_height_mm,
             until_um=float(values.until_um) if values.until_um else None,
+            retry=self.services.settings.retry,
         )
 
     def show_coverage(self) -> None:
@@ -288,7 +285,7 @@ class MainWindow(QMainWindow):
 
     def _connect(self) -> None:
         services = self.services
-        services.draft.changed.connect(lambda _: self.rail.show_order(services.draft.values))
+        services.draft.changed.connect(lambda _: self._show_order())
         services.rig.changed.connect(self._show_rig)
         services.acquisition.began.connect(self._begin_scan)
         services.case.opened.connect(self._show_case)
@@ -305,7 +302,11 @@ class MainWindow(QMainWindow):
             controller.changed.connect(self._show_activity)
         services.mounts.began.connect(self.show_mounts)
         self._undo.changed.connect(self._show_undo)
-        self.rail.show_order(services.draft.values)
+        self._show_order()
+
+    def _show_order(self) -> None:
+        """Of the open case; what stands in a form is no order yet."""
+        self.rail.show_order(self.services.draft.values if self.services.case.store is not None else None)
 
     def _show_whose(self) -> None:
         """Whose surface is shown: the order's, or those that are compared, which may be another patient's."""
@@ -328,6 +329,7 @@ class MainWindow(QMainWindow):
         self._show_activity()
 
     def _show_case(self) -> None:
+        self._show_order()
         path = self.services.case.path
         self.setWindowTitle(f"{path.stem} – Impronta" if path is not None else "Impronta")
         self._show_activity()

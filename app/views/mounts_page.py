@@ -29,14 +29,14 @@ class MountsPage(Page):
         self._aside: Aside | None = None
         self._advice: RemountAdvice | None = None
         box = self.inspector(self.tr("Another mount"))
-        box.addWidget(label(self.tr("1  Set the object down anew"), "section"))
+        box.addWidget(label(self.tr("1  Set the object down anew"), "section", wrap=True))
         self.how = label("", wrap=True)
         box.addWidget(self.how)
         about = self.tr("Leave about half of what was scanned in sight, near the middle of the table, and see that nothing wobbles.")
         box.addWidget(label(about, "muted", wrap=True))
         self.tip = button(self.tr("Tip the virtual object"), "", lambda: self._mounts.tip(self._advice))
         box.addWidget(self.tip)
-        box.addWidget(label(self.tr("2  Scan it into the same case"), "section"))
+        box.addWidget(label(self.tr("2  Scan it into the same case"), "section", wrap=True))
         self.scan = button(self.tr("Scan this mount"), "primary", lambda: self.intent.emit("scan_mount"))
         self.scan.setToolTip(self.tr("The points of the earlier mounts stay (Shift+F9)"))
         box.addWidget(self.scan)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import ClassVar, TypeVar
 
-from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QValidator
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QLayout, QPushButton, QScrollArea, QSizePolicy, QSpinBox, QVBoxLayout, QWidget
 
@@ -73,6 +73,8 @@ def number_field(low: int, high: int, step: int, edited: Callable[[int], None], 
     made.setMinimumHeight(30)
     if suffix:
         made.setSuffix(suffix)
+        if len(suffix.strip()) > 3:  # a word, no unit
+            made.setAccessibleName(suffix.strip())
     if special:
         made.setSpecialValueText(special)
     made.valueChanged.connect(edited)
@@ -107,13 +109,27 @@ def column(*parts: QWidget | QLayout | int, spacing: int = 8) -> QVBoxLayout:
 
 def scrolled(part: QWidget) -> QScrollArea:
     """As high as there is room; what does not fit is scrolled to, downwards only."""
-    area = QScrollArea()
+    area = _Scrolled()
     area.setWidgetResizable(True)
     area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     area.setWidget(part)
     area.viewport().setAutoFillBackground(False)
     part.setAutoFillBackground(False)
     return area
+
+
+class _Scrolled(QScrollArea):
+    """Gives what it holds the height that its wrapped texts need; left to itself it goes by what they need without a wrap."""
+
+    def viewportEvent(self, event: QEvent) -> bool:  # noqa: N802 - Qt's name
+        done = super().viewportEvent(event)
+        if event.type() in (QEvent.Type.Resize, QEvent.Type.LayoutRequest):
+            part = self.widget()
+            layout = None if part is None else part.layout()
+            if part is not None and layout is not None and layout.hasHeightForWidth():
+                width = min(self.viewport().width(), part.maximumWidth())
+                part.setMinimumHeight(layout.totalHeightForWidth(width))
+        return done
 
 
 def _fill(box: BoxT, parts: tuple[QWidget | QLayout | int, ...], spacing: int) -> BoxT:
@@ -172,6 +188,7 @@ class SideBadge(QLabel):
         self.setText(word)
         self.updateGeometry()
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.updateGeometry()  # the style has a margin that was not there before
 
 
 class Lamp(QWidget):

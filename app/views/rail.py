@@ -24,14 +24,13 @@ class Rail(QWidget):
         super().__init__()
         self.setProperty("role", "panel")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        self.setFixedWidth(WIDTH)
         mark = Sign(26, "mark", "accent")
         head = row(mark, label("Impronta", "title"), 1, spacing=9)
         head.setContentsMargins(16, 14, 12, 12)
         self._order = label("", "")
         self._order.setStyleSheet("font-weight: 600; font-size: 14px;")
         self._badge = SideBadge()
-        self._kind = label("", "muted")
+        self._kind = label("", "muted", wrap=True)
         self._pair = label("", "", wrap=True)
         self._code = label("", "faint")
         order = QVBoxLayout()
@@ -39,9 +38,11 @@ class Rail(QWidget):
         order.setSpacing(5)
         order.addWidget(self._order)
         order.addWidget(self._code)
-        order.addLayout(row(self._badge, self._kind, 1, spacing=8))
+        kind = row(self._badge, self._kind, spacing=8)
+        kind.setStretch(1, 1)
+        order.addLayout(kind)
         order.addWidget(self._pair)
-        self._values = DraftValues()
+        self._values: DraftValues | None = None
         self._surfaces: tuple[str | None, str | None] | None = None
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 14)
@@ -65,10 +66,11 @@ class Rail(QWidget):
         stop.setContentsMargins(14, 0, 14, 0)
         stop.setSpacing(6)
         stop.addWidget(self.stop_button)
-        hint = label(self.tr("Esc, from every page"), "faint")
+        hint = label(self.tr("Esc, from every page"), "faint", wrap=True)
         hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
         stop.addWidget(hint)
         box.addLayout(stop)
+        self.setFixedWidth(max(WIDTH, self.sizeHint().width()))  # in another language its buttons may be wider
 
     def step_of(self, page_id: str) -> QPushButton:
         """The button of a page that has one."""
@@ -90,7 +92,8 @@ class Rail(QWidget):
     def show_page(self, page_id: str) -> None:
         self._steps[page_id].setChecked(True)
 
-    def show_order(self, values: DraftValues) -> None:
+    def show_order(self, values: DraftValues | None) -> None:
+        """None while no case is open."""
         self._values = values
         self._show_head()
 
@@ -108,6 +111,11 @@ class Rail(QWidget):
             before, after = (name or self.tr("none yet") for name in names)
             self._pair.setText(self.tr("Before: {before}\nAfter: {after}").format(before=before, after=after))
             self._pair.setToolTip(self._pair.text())
+            return
+        if values is None:
+            self._order.setText(self.tr("No order open"))
+            for part in (self._code, self._badge, self._kind):
+                part.setVisible(False)
             return
         self._order.setText(values.order or self.tr("No order number"))
         self._code.setText(values.patient_code)

@@ -1,31 +1,37 @@
-"""Scan: numbers, both cameras, what was rejected and why, the plan, and the buttons; the live cloud stands beside it."""
+"""Scan: numbers, the plan, both cameras, what was rejected and why, and the buttons; the live cloud stands beside it.
+
+It shows three faces: before a scan what is asked of it, while it runs how it goes, and afterwards what it gave and what comes next.
+"""
 
 from __future__ import annotations
 
 import time
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QGridLayout, QProgressBar, QWidget
+import numpy as np
 
 from app.faults import finding_words
 from app.services import Services
 from app.views import format as fmt
 from app.views.camera_preview import CameraPreview
+from app.views.chosen_view import ChosenView
 from app.views.live_surface_line import live_surface_words
 from app.views.page import Page
-from app.views.parts import BigNumber, button, label, row, seam
-from app.views.reasons import reason_text
+from app.views.parts import BigNumber, button, label, make_primary, row, seam
+from app.views.plan_bar import PlanBar
+from app.views.reject_list import RejectList
 from app.views.scan_wish import ScanWish, start_words
-from app.views.scan_words import coverage_words, step_words
+from app.views.scan_words import coverage_words, places_missing, step_words, summary_lines
 from app.views.spot_advice import show_look
 from scanner_core.acquisition.handover import Preview
 from scanner_core.acquisition.status import FinishReason, ScanState, ScanStatus
+from scanner_core.geometry.view_directions import seen_from
 
-SHOWN_REASONS = 5
 STATUS_PERIOD_S = 0.1
 """Numbers change no more often than this: nobody reads faster."""
 PREVIEW_PERIOD_S = 0.1
 """A preview is repainted no more often than this: it is for the eye, the painting is for the points."""
+_PREVIEW_HEIGHT = 84
+"""The least; looking is what the Aim page is for."""
 
 
 class ScanPage(Page):
@@ -34,67 +40,61 @@ class ScanPage(Page):
     def __init__(self, services: Services) -> None:
         super().__init__(services)
         box = self.inspector(self.tr("Scan"))
-        box.setSpacing(8)  # all of it fits into a window of 800 pixels, with the line of the live surface
+        box.setSpacing(8)
         self._points = BigNumber(self.tr("points"))
         self._rate = BigNumber(self.tr("points / s"))
-        self._left = BigNumber(self.tr("left"))
-        numbers = row(self._points, self._rate, self._left, spacing=6)
-        for column, share in enumerate((5, 3, 4)):
+        self._time = BigNumber(self.tr("min:s left"))
+        self._closure = BigNumber(self.tr("µm closure"))
+        self._closure.setToolTip(self.tr("By how much the first view lay beside itself when it was measured again at the end of the turn"))
+        numbers = row(self._points, self._rate, self._closure, self._time, spacing=6)
+        for column, share in enumerate((5, 3, 4, 4)):
             numbers.setStretch(column, share)
         box.addLayout(numbers)
-        self._bar = QProgressBar()
-        self._bar.setRange(0, 1000)
-        self._bar.setTextVisible(False)
-        self._step = label("", "muted", wrap=True)
-        box.addWidget(self._bar)
+        self.plan = PlanBar()
+        box.addWidget(self.plan)
+        self._step = label("", wrap=True)
         box.addWidget(self._step)
+        self.chosen = ChosenView()
+        box.addWidget(self.chosen)
+        self.summary = label("", "muted", wrap=True)
         self._surface = label("", "faint", wrap=True)
-        self._surface.hide()
-        box.addWidget(self._surface)
         self.coverage = label("", wrap=True)
-        self.coverage.hide()
-        box.addWidget(self.coverage)
         self.health = label("", "bad", wrap=True)
-        self.health.hide()
-        box.addWidget(self.health)
+        for part in (self.summary, self._surface, self.coverage, self.health):
+            part.hide()
+            box.addWidget(part)
         self._previews = {"left": CameraPreview(self.tr("Camera left")), "right": CameraPreview(self.tr("Camera right"))}
         self._told_s = 0.0
         self._shown_s = dict.fromkeys(self._previews, 0.0)
         for preview in self._previews.values():
+            preview.setMinimumHeight(_PREVIEW_HEIGHT)
             box.addWidget(preview, 3)
-        self._rejected_title = label(self.tr("Rejected"), "section")
-        self._rejected_total = label("", "muted")
-        box.addLayout(row(self._rejected_title, 1, self._rejected_total))
-        self._reasons = [(label("", "muted"), label("", "muted")) for _ in range(SHOWN_REASONS)]
-        reasons = QGridLayout()
-        reasons.setContentsMargins(0, 0, 0, 0)
-        reasons.setVerticalSpacing(3)
-        reasons.setColumnStretch(0, 1)
-        for line, parts in enumerate(self._reasons):
-            reasons.addWidget(parts[0], line, 0)
-            reasons.addWidget(parts[1], line, 1, Qt.AlignmentFlag.AlignRight)
-        box.addLayout(reasons)
+        self.rejects = RejectList()
+        box.addWidget(self.rejects)
         box.addStretch(1)
         box.addWidget(seam())
         self.wish = ScanWish(services.draft)
         box.addLayout(self.wish)
-        self.start = button(self.tr("Start scan"), "primary", lambda: self.intent.emit("start_scan"))
+        self._wishing = False
+        self.start = button(self.tr("Start scan"), "primary", self._start)
         self._pause = button(self.tr("Pause"), "", lambda: self.intent.emit("pause_scan"))
         self._stop = button(self.tr("Stop · laser off"), "laser", lambda: self.intent.emit("laser_off"))
-        self._next = button(self.tr("Reconstruct"), "primary", self._go_on)
-        self.missing = button(self.tr("Coverage"), "", lambda: self.intent.emit("coverage"))
+        self.next = button(self.tr("Reconstruct"), "primary", lambda: self.wanted.emit("reconstruct"))
+        self.missing = button(self.tr("Complete"), "", lambda: self.intent.emit("coverage"))
         self.missing.setToolTip(self.tr("Places that are not as certain as wanted, why, and what can be done about them (F8)"))
         self.another = button(self.tr("Another mount"), "", lambda: self.intent.emit("another_mount"))
         self.another.setToolTip(self.tr("Set the object down in another way and scan it into the same case (F9)"))
-        box.addWidget(self._next)
         box.addLayout(row(self.missing, self.another))
+        box.addWidget(self.next)
         box.addWidget(self.start)
         box.addLayout(row(self._pause, self._stop))
+        self.plan.chosen.connect(self._look_at)
+        self.chosen.again.connect(self._measure_again)
         services.acquisition.add_preview_sink(self._show_preview)
         services.acquisition.changed.connect(self._tick)
         services.acquisition.ended.connect(self._show_status)
         services.acquisition.began.connect(self._begin)
-        services.case.opened.connect(self._show_status)
+        services.case.opened.connect(self._forget)
         services.rig.changed.connect(self._show_buttons_if_seen)
         services.draft.changed.connect(lambda _: self._show_buttons_if_seen())
         services.live_surface.changed.connect(self._show_surface)
@@ -112,6 +112,12 @@ class ScanPage(Page):
     def _begin(self) -> None:
         for preview in self._previews.values():
             preview.clear()
+        self._forget()
+
+    def _forget(self) -> None:
+        """What was chosen belongs to the scan before."""
+        self._wishing = False
+        self.plan.choose(-1)
         self._show_status()
 
     def _show_preview(self, camera: str, preview: Preview) -> None:
@@ -129,24 +135,53 @@ class ScanPage(Page):
             self._show_status()
 
     def _show_status(self) -> None:
-        status = self.services.acquisition.status
-        cloud = self.services.case.cloud
+        acquisition, cloud = self.services.acquisition, self.services.case.cloud
+        status, result = acquisition.status, acquisition.result
+        ended = status is not None and status.finish_reason is not None
         if status is None:
             self._points.show_number(fmt.count(len(cloud)) if cloud is not None else fmt.NO_VALUE)
             self._rate.show_number(fmt.NO_VALUE)
-            self._left.show_number(fmt.NO_VALUE)
-            self._bar.setValue(0)
-            self._step.setText(self.tr("Starting…") if self.services.acquisition.running else self._readiness())
+            self._time.show_number(fmt.NO_VALUE)
+            self._step.setText(self.tr("Starting…") if acquisition.running else self._readiness())
         else:
             self._points.show_number(fmt.count(status.counts.measured))
             self._rate.show_number(f"{status.rate_hz:.0f}" if status.state is ScanState.SCANNING else fmt.NO_VALUE)
-            self._left.show_number(fmt.left_time(status.seconds_left))
-            self._bar.setValue(round(1000 * self._fraction(status)))
+            if status.state is not ScanState.PAUSED:  # what is left stays what it was
+                self._time.show_number(fmt.left_time(status.seconds if ended else status.seconds_left))
             self._step.setText(step_words(status))
+        self._time.show_unit(self.tr("min:s") if ended else self.tr("min:s left"))
+        self._rate.setVisible(not ended)
+        self._closure.setVisible(ended)
+        self._closure.show_number(fmt.micrometres(None if result is None else result.closure_um))
+        self._show_plan(status)
+        lines = [] if result is None or acquisition.running else summary_lines(result)
+        self.summary.setText("\n".join(lines))
+        self.summary.setVisible(bool(lines))
         self._show_health(status)
         self._show_coverage()
-        self._show_rejected(status)
+        self.rejects.setVisible(status is not None)
+        if status is not None:
+            self.rejects.show_counts(status.counts.measured, status.counts.rejected)
         self._show_buttons()
+
+    def _show_plan(self, status: ScanStatus | None) -> None:
+        acquisition = self.services.acquisition
+        planned = 0 if status is None else status.views
+        now = -1 if status is None or status.finish_reason is FinishReason.CANCELLED else status.view
+        if status is not None and status.finish_reason is FinishReason.COMPLETED:
+            now = planned
+        self.plan.show_plan(acquisition.views, planned, now)
+        self.plan.setVisible(bool(self.plan.views))
+        self._show_chosen()
+
+    def _show_chosen(self) -> None:
+        status, rig = self.services.acquisition.status, self.services.rig.snapshot
+        able = bool(self.services.acquisition.views)
+        if self.services.acquisition.running:
+            able &= status is not None and status.state in (ScanState.SCANNING, ScanState.PAUSED) and not status.closing
+        else:
+            able &= rig.connected and not rig.busy and self.services.case.store is not None
+        self.chosen.show_view(self.plan.choice, able=able)
 
     def _show_health(self, status: ScanStatus | None) -> None:
         """The newest warning, and how many more there are; all of them on the pointer."""
@@ -165,30 +200,6 @@ class ScanPage(Page):
         self.coverage.setText(words)
         self.coverage.setVisible(bool(words))
 
-    def _fraction(self, status: ScanStatus) -> float:
-        """By points while they are counted against a wish, by trigger ids otherwise."""
-        if status.finish_reason is not None:
-            return 1.0 if status.finish_reason is FinishReason.COMPLETED else min(1.0, status.counts.measured / self.services.draft.values.points)
-        if status.state is ScanState.PREPARING:
-            return 0.0
-        if status.seconds_left is not None:
-            return status.seconds / max(status.seconds + status.seconds_left, 1e-9)
-        return 0.0
-
-    def _show_rejected(self, status: ScanStatus | None) -> None:
-        rejected = {} if status is None else status.counts.rejected
-        total = sum(rejected.values())
-        self._rejected_total.setText(fmt.count(total) if total else self.tr("none"))
-        ranked = sorted(rejected.items(), key=lambda entry: -entry[1])
-        if len(ranked) > SHOWN_REASONS:
-            rest = sum(number for _, number in ranked[SHOWN_REASONS - 1 :])
-            ranked = [*ranked[: SHOWN_REASONS - 1], ("", rest)]
-        for line, parts in enumerate(self._reasons):
-            name, number = ranked[line] if line < len(ranked) else ("", 0)
-            parts[0].setText(reason_text(name) if name else self.tr("other") if number else "")
-            parts[1].setText(fmt.count(number) if number else "")
-        self._rejected_title.setToolTip("\n".join(f"{reason_text(name)}: {fmt.count(number)}" for name, number in rejected.items()))
-
     def _readiness(self) -> str:
         rig = self.services.rig.snapshot
         if not rig.connected:
@@ -203,27 +214,47 @@ class ScanPage(Page):
         acquisition, rig = self.services.acquisition, self.services.rig.snapshot
         running = acquisition.running
         done = not running and self.services.case.cloud is not None
-        self._next.setVisible(done)
-        self.missing.setVisible(done)
-        self.another.setVisible(done)
+        for made in (self.next, self.missing, self.another):
+            made.setVisible(done)
+        lacking = done and acquisition.result is not None and places_missing(acquisition.result)
+        make_primary(self.missing, lacking)
+        make_primary(self.next, not lacking)
+        for preview in self._previews.values():
+            preview.setVisible(running)
         for made in (self._pause, self._stop):  # the rail has the stop on every page
-            made.setVisible(not done)
+            made.setVisible(running)
+        asking = not running and (self._wishing or not done)
+        self.wish.show_fields(asking)
         self.start.setVisible(not running)
-        self.start.setText(start_words(self.services.draft.values, again=done))
-        self._set_role(self.start, "" if done else "primary")
-        self.start.setEnabled(rig.connected and not rig.busy and rig.calibration is not None)
-        if self.services.acquisition.status is None and not running:
+        self.start.setText(start_words(self.services.draft.values, again=done) if asking else self.tr("Scan again…"))
+        make_primary(self.start, not done)
+        self.start.setEnabled(not asking or (rig.connected and not rig.busy and rig.calibration is not None))
+        if acquisition.status is None and not running:
             self._step.setText(self._readiness())
-        self._pause.setEnabled(running)
-        self._pause.setText(self.tr("Resume") if acquisition.paused else self.tr("Pause"))
-        self._stop.setEnabled(running or rig.connected)
-        self.wish.let_edit(not running)
+        resting = acquisition.paused or (acquisition.status is not None and acquisition.status.pausing)
+        self._pause.setText(self.tr("Resume") if resting else self.tr("Pause"))
+        make_primary(self._pause, acquisition.paused)
+        self._show_chosen()
 
-    def _set_role(self, widget: QWidget, role: str) -> None:
-        if widget.property("role") != role:
-            widget.setProperty("role", role)
-            widget.style().unpolish(widget)
-            widget.style().polish(widget)
+    def _start(self) -> None:
+        """After a scan, first let see what is asked of another one."""
+        if self.services.case.cloud is not None and not self._wishing:
+            self._wishing = True
+            self._show_buttons()
+        else:
+            self.intent.emit("start_scan")
 
-    def _go_on(self) -> None:
-        self.wanted.emit("reconstruct")
+    # -------------------------------------------------------------------------------- one view
+    def _look_at(self, number: int) -> None:
+        """Tell of it; when nothing is measured, have the 3D view show its points from where the cameras saw them."""
+        self._show_chosen()
+        cloud, view = self.services.case.cloud, self.plan.choice
+        if view is None or cloud is None or cloud.views is None or self.services.acquisition.running:
+            return
+        points = cloud.points[cloud.views == number]
+        if len(points):
+            self.flight.emit(points, seen_from(np.array([view.table_deg]))[0])
+
+    def _measure_again(self, number: int) -> None:
+        self.services.acquisition.measure_again(number)
+        self._show_status()

@@ -44,10 +44,10 @@ class ScanWish(QGridLayout):
         draft.changed.connect(self._show)
         self._show()
 
-    def let_edit(self, on: bool) -> None:
-        """Whether the fields may be changed."""
-        for field in self.fields.values():
-            field.setEnabled(on)
+    def show_fields(self, on: bool) -> None:
+        """Whether the fields are shown: while a scan runs they say nothing about it."""
+        for part in (*self.fields.values(), *self._captions.values()):
+            part.setVisible(on)
 
     def _show(self, _name: str = "") -> None:
         values = self._draft.values

@@ -33,7 +33,7 @@ class SceneLink(QObject):
         services.acquisition.began.connect(self._begin_scan)
         services.acquisition.changed.connect(self._show_scan)
         services.acquisition.ended.connect(self._end_scan)
-        services.acquisition.add_point_sink(lambda points, towards: self.call(lambda scene: scene.append_points(points, towards)))
+        services.acquisition.add_point_sink(lambda points: self.call(lambda scene: scene.append_points(points)))
         services.case.opened.connect(self.show_case)
         services.case.meshed.connect(self._show_mesh)
         services.reconstruction.began.connect(self._begin_reconstruction)

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import time
+from typing import Any
+
 import numpy as np
 import pyvista as pv
 from numpy.typing import NDArray
@@ -9,20 +12,24 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QWidget
 
-from app.theme import look
+from app.theme import is_dark, look
 from app.views.aside import Aside
 from app.views.cloud_actor import CloudActor
+from app.views.cloud_points import CloudPoints, Floats
 from app.views.comparison_camera import ComparisonCamera
 from app.views.holed_actor import HoledActor
 from app.views.holed_surface import HoledSurface
 from app.views.interactor import InteractorView
 from app.views.mesh_actor import MeshActor
 from app.views.parts import label
+from app.views.point_colour import PointColour
 from app.views.surface import Surface
+from scanner_core.acquisition.live_points import LivePoints
 from scanner_core.geometry.point_cloud import PointCloud
-from scanner_core.geometry.view_directions import outward, seen_from
 
 GRID_MM = 10.0
+AXES = {True: ("#e0857a", "#7fc98f", "#7aa7e8"), False: ("#b5382b", "#23803b", "#2b5fb8")}
+"""Colours of the axes on a dark and on a light ground."""
 _REFIT = 1.15
 """The camera follows a growing cloud in steps of this factor, until a person moves it."""
 
@@ -41,6 +48,8 @@ class SceneView(InteractorView):
         self.holed = HoledActor()
         self._table: pv.Actor | None = None
         self._live = False
+        self._begun_points_s = 0.0
+        self._hidden: list[Any] = []
         self._follow = True
         self._shown = {"points": True, "surface": True}
         self.aside: Aside | None = None
@@ -49,10 +58,20 @@ class SceneView(InteractorView):
         engine = self._open()
         self._flight = ComparisonCamera(engine.camera)
         engine.add_actor(self.cloud.actor, render=False)
+        self.cloud.chunks.put_into(engine.renderer)
         for actor in (self.mesh.actor, *self.holed.actors):
             engine.add_actor(actor, render=False)
-        engine.add_axes(line_width=2, color=look.muted, x_color="#e0857a", y_color="#7fc98f", z_color="#7aa7e8", viewport=(0.0, 0.0, 0.14, 0.17))
         self.restyle()
+
+    def restyle(self) -> None:
+        """In the colours of the palette in use."""
+        super().restyle()
+        engine = self._open()
+        x, y, z = AXES[is_dark()]
+        engine.add_axes(line_width=2, color=look.muted, x_color=x, y_color=y, z_color=z, viewport=(0.0, 0.0, 0.14, 0.17))
+        self.cloud.restyle(dark=is_dark())
+        if self._table is not None:
+            self._table.prop.color = look.seam
 
     # -------------------------------------------------------------------------------- what is shown
     def show_table(self, radius_mm: float) -> None:
@@ -66,10 +85,13 @@ class SceneView(InteractorView):
             self._frame(np.array([[-radius_mm, -radius_mm, 0.0], [radius_mm, radius_mm, 1.2 * radius_mm]]) * 0.75)
         self._dirty = True
 
-    def append_points(self, points: NDArray[np.float64], towards: NDArray[np.float64]) -> None:
-        """Add points (n, 3) mm, object frame, seen from the directions `towards` (n, 3)."""
+    def append_points(self, points: LivePoints) -> None:
+        """Add points that were just measured."""
         self._open()
-        self.cloud.append(points, towards)
+        now_s = time.monotonic()
+        if not len(self.cloud):
+            self._begun_points_s = now_s
+        self.cloud.append(CloudPoints.of_scan(points, now_s - self._begun_points_s))
         self._follow_bounds(self.cloud.bounds_mm)
         self._dirty = True
 
@@ -83,7 +105,10 @@ class SceneView(InteractorView):
 
     def show_cloud(self, cloud: PointCloud) -> None:
         """All points of a case at once."""
-        self.append_points(cloud.points, outward(cloud.points) if cloud.table_deg is None else seen_from(cloud.table_deg))
+        self._open()
+        self.cloud.hold(cloud)
+        self._follow_bounds(self.cloud.bounds_mm)
+        self._dirty = True
 
     def clear(self) -> None:
         """No points, no mesh; the camera follows what comes next."""
@@ -155,18 +180,26 @@ class SceneView(InteractorView):
     def set_live(self, live: bool) -> None:
         """Whether something still moves by itself."""
         self._live = live
+        self.cloud.grow(live)
+        self._dirty = True
+
+    @property
+    def live(self) -> bool:
+        """Something moves by itself."""
+        return self._live
 
     @property
     def still(self) -> bool:
         """Nothing moves: there is time for the whole cloud."""
         return not (self._live or self._moving)
 
-    def light_live(self, normals: NDArray[np.float64], generation: int) -> None:
-        self.cloud.light_live(normals, generation)
+    def light_live(self, normals: Floats, density: Floats, generation: int) -> None:
+        """See :meth:`CloudActor.light_live`."""
+        self.cloud.light_live(normals, density, generation)
         self._dirty = True
 
-    def light_all(self, normals: NDArray[np.float64], generation: int) -> None:
-        self.cloud.show_still(normals, generation)
+    def colour_points_by(self, by: PointColour) -> None:
+        self.cloud.colour_by(by)
         self._dirty = True
 
     # -------------------------------------------------------------------------------- camera
@@ -207,9 +240,27 @@ class SceneView(InteractorView):
 
     # -------------------------------------------------------------------------------- inside
     def _prepare_picture(self) -> None:
-        self.cloud.fit_point_size(self.devicePixelRatioF())
+        self.cloud.prepare(self.devicePixelRatioF())
         if self.aside is not None:
             self.aside.fit_pixels(self.devicePixelRatioF())
+
+    def _unfinished(self) -> bool:
+        return self.still and self.cloud.chunks.pending and bool(self.cloud.actor.GetVisibility())
+
+    def _begin_whole(self) -> None:
+        self.cloud.chunks.restart()
+
+    def _begin_slice(self) -> None:
+        self._hidden = [actor for actor in self._open().renderer.GetActors() if actor.GetVisibility()]
+        for actor in self._hidden:
+            actor.SetVisibility(False)
+        self.cloud.chunks.show_next(self.cloud.by)
+
+    def _end_slice(self, seconds: float) -> None:
+        self.cloud.chunks.hide(seconds)
+        for actor in self._hidden:
+            actor.SetVisibility(True)
+        self._hidden = []
 
     def _interact(self, moving: bool) -> None:
         super()._interact(moving)

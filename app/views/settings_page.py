@@ -92,11 +92,13 @@ class SettingsPage(Page):
 
     def _add_program(self, box: QVBoxLayout) -> None:
         grid = self._section(box, self.tr("Program"))
-        where = label(fmt.short_path(str(log_folder())), "muted", selectable=True)
+        where = QLineEdit(fmt.short_path(str(log_folder())))
+        where.setMinimumHeight(32)
+        where.setReadOnly(True)
         where.setAccessibleName(self.tr("Folder of the log"))
         self.open_log = button(self.tr("Open the folder"), "", _open_log, "folder")
         note = label(self.tr("The log holds no patients and no orders. A support bundle (Help) packs it with what else helps."), "faint", wrap=True)
-        self._line(grid, self.tr("Log"), row(where, 1, self.open_log), note)
+        self._line(grid, self.tr("Log"), row(where, self.open_log), note)
 
     # -------------------------------------------------------------------------------- what they are made of
     def _section(self, box: QVBoxLayout, title: str) -> QGridLayout:

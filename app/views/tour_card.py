@@ -92,7 +92,10 @@ class TourCard(QFrame):
         target = self.step.target()
         shown = target is not None and target.isVisible()
         self._ring.setVisible(shown)
-        self.adjustSize()
+        layout = self.layout()
+        if layout is not None:
+            layout.activate()
+            self.setFixedHeight(layout.heightForWidth(_WIDTH))
         room = self._content.rect().adjusted(_GAP, _GAP, -_GAP, -_GAP)
         place = QPoint(room.right() - self.width(), room.bottom() - self.height())
         if shown and target is not None:

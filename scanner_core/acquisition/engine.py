@@ -44,6 +44,7 @@ class EvaluatedPairs:
     ----------
     observations : n, in the order of the pairs
     points : (m, 3) mm, object frame: of the measured ones
+    covariances : (m, 3, 3) mm^2, rig frame, before the scan's own residuals tell more
     residual_px : (n,) signed epipolar residual, whatever the verdict; NaN without a spot in both cameras, or where several
         pairs of candidates remained
     expected_px : (n,) its standard deviation before the scan's own residuals tell more; NaN likewise
@@ -51,8 +52,15 @@ class EvaluatedPairs:
 
     observations: list[StereoObservation]
     points: Array
+    covariances: Array
     residual_px: Array
     expected_px: Array
+
+    @property
+    def point_sigmas(self) -> Array:
+        """(m,) epipolar residual over its standard deviation, of the measured ones."""
+        measured = np.array([seen.verdict == MEASURED for seen in self.observations], np.bool_)
+        return np.asarray(self.residual_px[measured] / self.expected_px[measured], np.float64)
 
     def until(self, wanted: int) -> EvaluatedPairs:
         """The pairs up to the one that gives the last wanted point."""
@@ -60,7 +68,14 @@ class EvaluatedPairs:
         for i, seen in enumerate(self.observations):
             found += seen.verdict == MEASURED
             if found == wanted:
-                return EvaluatedPairs(self.observations[: i + 1], self.points[:wanted], self.residual_px[: i + 1], self.expected_px[: i + 1])
+                seen_pairs, found_points = slice(i + 1), slice(wanted)
+                return EvaluatedPairs(
+                    self.observations[seen_pairs],
+                    self.points[found_points],
+                    self.covariances[found_points],
+                    self.residual_px[seen_pairs],
+                    self.expected_px[seen_pairs],
+                )
         return self
 
 
@@ -84,7 +99,8 @@ class StereoEngine:
         n = len(pairs)
         verdicts = [_verdict(pair) for pair in pairs]
         chosen = [(_spot(pair.left), _spot(pair.right)) for pair in pairs]
-        residual, expected, points = np.full(n, np.nan), np.full(n, np.nan), np.empty((0, 3))
+        residual, expected = np.full(n, np.nan), np.full(n, np.nan)
+        points, covariances = np.empty((0, 3)), np.empty((0, 3, 3))
         of_pair: list[int] = []
         spots: list[tuple[Spot, Spot]] = []
         for i, pair in enumerate(pairs):
@@ -99,12 +115,13 @@ class StereoEngine:
                 i = of_pair[row]
                 verdicts[i], chosen[i] = gated.verdicts[row], spots[row]
                 residual[i], expected[i] = gated.residual_px[row], gated.expected_px[row]
-            points = gated.points[[row for row in taken.tolist() if gated.verdicts[row] == MEASURED]]
+            measured = [row for row in taken.tolist() if gated.verdicts[row] == MEASURED]
+            points, covariances = gated.points[measured], gated.covariances[measured]
         observations = [
             StereoObservation(pair.trigger_id, view, verdict, pair.time_s, table_deg, left_spot, right_spot)
             for pair, verdict, (left_spot, right_spot) in zip(pairs, verdicts, chosen, strict=True)
         ]
-        return EvaluatedPairs(observations, points, residual, expected)
+        return EvaluatedPairs(observations, points, covariances, residual, expected)
 
     def _gated(self, spots: list[tuple[Spot, Spot]], table_deg: float) -> _Gated:
         left, right = _numbers([a for a, _ in spots]), _numbers([b for _, b in spots])
@@ -121,15 +138,16 @@ class StereoEngine:
             for m, i, a in zip(matches.tolist(), inside.tolist(), above.tolist(), strict=True)
         ]
         expected = self._triangulator.epipolar_sigma(left[:, :2], right[:, :2], *sigmas)
-        return _Gated(verdicts, in_object, seen.epipolar_residual_px, expected)
+        return _Gated(verdicts, in_object, seen.covariances, seen.epipolar_residual_px, expected)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Gated:
-    """Verdict, point, residual and its expected spread of each pair of candidates."""
+    """Verdict, point, its covariance, residual and its expected spread of each pair of candidates."""
 
     verdicts: list[str]
     points: Array
+    covariances: Array
     residual_px: Array
     expected_px: Array
 

@@ -15,6 +15,7 @@ from scanner_core.acquisition.engine import EvaluatedPairs, StereoEngine
 from scanner_core.acquisition.handover import PointLog
 from scanner_core.acquisition.health import HealthMonitor
 from scanner_core.acquisition.keeping import Keeper
+from scanner_core.acquisition.live_points import LivePoints
 from scanner_core.acquisition.mark_findings import mark_findings
 from scanner_core.acquisition.mark_visitor import MarkVisitor
 from scanner_core.acquisition.plan import ScanPlan, ViewPlan
@@ -148,7 +149,7 @@ class PlanFollower:
 
     def _record(self, run: Pass, table_deg: float, seen: EvaluatedPairs) -> None:
         self.exposures += len(seen.observations)
-        run.cloud.append(seen.points, table_deg)
+        run.cloud.append(LivePoints.of_view(seen.points, table_deg, self.view, seen.point_sigmas, seen.covariances))
         run.tally.add((observation.verdict for observation in seen.observations), self._rig.clock.now_s())
         if run.progress is not None:
             run.progress.add([(observation.trigger_id, observation.verdict) for observation in seen.observations])

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from typing import Generic, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from scanner_core.acquisition.live_points import LivePoints
 from scanner_core.devices.camera import Frame
 from scanner_core.optics.spot import Spot, SpotMiss
 
@@ -50,26 +50,30 @@ class PointLog:
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._points = np.empty((4096, 3))
-        self._table_deg = np.empty(4096)
         self._count = 0
+        self._points = np.empty((4096, 3))
+        self._values = np.empty((3, 4096))  # table angle, residual, uncertainty
+        self._views = np.empty(4096, np.int32)
 
     def __len__(self) -> int:
         return self._count
 
-    def append(self, points: NDArray[np.float64], table_deg: float | NDArray[np.float64]) -> None:
-        """Add points (n, 3) mm that were measured at a table angle, or at one each (n,)."""
+    def append(self, points: LivePoints) -> None:
+        """Add points that were just measured."""
         with self._lock:
-            end = self._count + len(points)
+            start, end = self._count, self._count + len(points)
             if end > len(self._points):
-                room = max(end, 2 * len(self._points))
-                self._points = np.concatenate([self._points, np.empty((room - len(self._points), 3))])
-                self._table_deg = np.concatenate([self._table_deg, np.empty(room - len(self._table_deg))])
-            self._points[self._count : end] = points
-            self._table_deg[self._count : end] = table_deg
+                room = max(end, 2 * len(self._points)) - start
+                self._points = np.concatenate([self._points[:start], np.empty((room, 3))])
+                self._values = np.concatenate([self._values[:, :start], np.empty((3, room))], axis=1)
+                self._views = np.concatenate([self._views[:start], np.empty(room, np.int32)])
+            self._points[start:end] = points.points
+            self._values[:, start:end] = points.table_deg, points.epipolar_sigmas, points.uncertainty_um
+            self._views[start:end] = points.views
             self._count = end
 
-    def since(self, count: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Copies of the points and their table angles that came after the first `count`."""
+    def since(self, count: int) -> LivePoints:
+        """A copy of the points that came after the first `count`."""
         with self._lock:
-            return self._points[count : self._count].copy(), self._table_deg[count : self._count].copy()
+            new = slice(count, self._count)
+            return LivePoints(self._points[new].copy(), self._values[0, new].copy(), self._views[new].copy(), *self._values[1:, new].copy())

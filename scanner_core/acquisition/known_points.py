@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from scanner_core.acquisition.live_points import LivePoints
 from scanner_core.acquisition.plan import Row, ScanPlan, ViewPlan
 from scanner_core.acquisition.view_motion import MIN_POINTS
 from scanner_core.acquisition.view_watch import Closure
@@ -58,6 +59,10 @@ class KnownPoints:
 
     def __len__(self) -> int:
         return len(self.points)
+
+    def live(self, table_deg: float) -> LivePoints:
+        """Points of one view as a running scan shows them; their residuals and noise come once the scan is computed."""
+        return LivePoints.of_view(self.points, table_deg, int(self.views[0]) if len(self) else 0)
 
     def of_view(self, view: int) -> KnownPoints:
         here = self.views == view

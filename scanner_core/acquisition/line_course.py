@@ -20,6 +20,7 @@ from scanner_core.acquisition.handover import PointLog
 from scanner_core.acquisition.line_engine import LineEngine, LinePoints
 from scanner_core.acquisition.line_plan import LinePlanner
 from scanner_core.acquisition.line_sweep import LineSweep, SweptFrame
+from scanner_core.acquisition.live_points import LivePoints
 from scanner_core.acquisition.plan import PlanRequest, ScanPlan, ViewPlan
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.acquisition.status import ScanCounts, ScanState
@@ -103,7 +104,7 @@ class LineCourse:
             self._rest_while_paused()
             if self._control.cancelled.is_set():
                 return
-            view = planner.view(number, next_id, self._cloud.since(0)[0], lit_frames)
+            view = planner.view(number, next_id, self._cloud.since(0).points, lit_frames)
             next_id += view.rows[0].count
             lit_frames += self._sweep(view, self._planned(view))
         if not self.tally.measured:
@@ -167,7 +168,7 @@ class LineCourse:
         ]
         self._store.append_line(scan_id, exposed, *_places(found, ids))
         self.exposures += len(frames)
-        self._cloud.append(found.points, table_deg)
+        self._cloud.append(LivePoints.of_view(found.points, table_deg, view, covariances=found.covariances))
         verdicts = Counter(found.verdicts)
         if lost := len(frames) - len(whole):
             verdicts[DROPPED_FRAME] += lost

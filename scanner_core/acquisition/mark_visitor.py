@@ -77,7 +77,7 @@ class MarkVisitor:
     def begin(self, scan_id: int, cloud: PointLog, during: During = "scan") -> None:
         """From now on :meth:`visit` is for this scan; `cloud` shows how large the object is."""
         self._scan_id, self._during = scan_id, during
-        points, _ = cloud.since(0)
+        points = cloud.since(0).points
         if len(points):
             radius_mm = float(np.quantile(np.hypot(points[:, 0], points[:, 1]), 0.999)) + _WIDER_MM
             height_mm = _TALLER * float(np.quantile(points[:, 2], 0.999)) + _WIDER_MM

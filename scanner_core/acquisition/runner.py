@@ -39,7 +39,7 @@ from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.acquisition.scan_course import ScanCourse
 from scanner_core.acquisition.scan_result import ScanResult
 from scanner_core.acquisition.status import FinishReason, ScanCounts, ScanState, ScanStatus
-from scanner_core.acquisition.view_progress import ViewProgress
+from scanner_core.acquisition.view_state import ViewProgress
 from scanner_core.acquisition.views import RegisteredViews, register_case
 from scanner_core.case.recovery import Interruption
 from scanner_core.case.store import CaseStore

@@ -189,7 +189,7 @@ class ScanCourse:
         if self._control.cancelled.is_set():
             return True
         for view in np.unique(known.views).tolist():
-            self._cloud.append(known.of_view(view).points, plan.views[view].table_deg)
+            self._cloud.append(known.of_view(view).live(plan.views[view].table_deg))
         if self.steering is not None:
             self.steering.recall(np.bincount(known.views, minlength=len(plan.views)))
         self.tally = Tally(plan.planned, wanted, self._rig.clock.now_s(), rest.verdicts)

@@ -8,7 +8,7 @@ from scanner_core.acquisition.health import HealthReport
 from scanner_core.acquisition.mark_visits import MarksReport
 from scanner_core.acquisition.passes import SteeringResult
 from scanner_core.acquisition.status import FinishReason, ScanCounts
-from scanner_core.acquisition.view_progress import ViewProgress, ViewState
+from scanner_core.acquisition.view_state import ViewProgress, ViewState
 from scanner_core.acquisition.views import RegisteredViews
 from scanner_core.errors import ImprontaError
 

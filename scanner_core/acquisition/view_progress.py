@@ -9,46 +9,14 @@ from __future__ import annotations
 import threading
 from bisect import bisect_right
 from collections import Counter
-from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
-from enum import Enum
+from collections.abc import Collection, Iterable, Sequence
 
 from scanner_core.acquisition.finding import Finding
 from scanner_core.acquisition.plan import ScanPlan
 from scanner_core.acquisition.retry import Weak, weak_views
 from scanner_core.acquisition.view_counts import ViewCount
+from scanner_core.acquisition.view_state import ViewProgress, ViewState
 from scanner_core.case.observation import MEASURED
-
-
-class ViewState(Enum):
-    """Of a view of the plan; WEAK ones gave far fewer points than their neighbours, and the scan does not repeat them by itself."""
-
-    COMING = "coming"
-    DOING = "doing"
-    DONE = "done"
-    TO_REDO = "to_redo"
-    WEAK = "weak"
-
-
-@dataclass(frozen=True, slots=True)
-class ViewProgress:
-    """One view of the plan.
-
-    Attributes
-    ----------
-    wanted : points; 0 where the plan does not say
-    measured : points, those of its repetition included
-    rejected : by reason
-    repeated : it was measured once more, or is being
-    """
-
-    number: int
-    table_deg: float
-    state: ViewState
-    wanted: int = 0
-    measured: int = 0
-    rejected: Mapping[str, int] = field(default_factory=dict)
-    repeated: bool = False
 
 
 class PlanProgress:

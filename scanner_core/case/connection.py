@@ -71,6 +71,15 @@ def refuse_open(path: Path) -> None:
         raise CaseLockedError("E-CASE-02", path=path, details="open in this program")
 
 
+def is_open_here(path: Path) -> bool:
+    """Whether this process has the file open for writing."""
+    with looking:
+        try:
+            return identity(path) in _open_files
+        except CaseError:
+            return False
+
+
 def uri(path: PurePath) -> str:
     """An absolute path as SQLite takes it, so that no character of a name means anything; a share's server is no host."""
     place = path.as_uri()

@@ -49,17 +49,25 @@ def triangulate_observations(
     pixels = CentroidNoise(along_axes(table.left_uncertainty_px, table.left_sigma_px), along_axes(table.right_uncertainty_px, table.right_sigma_px))
     prior = NoiseModel.prior(calibration, rig.spot.floor_px)
     noise = fit_centroid_noise(triangulator, calibration, table.left_px, table.right_px, pixels, prior)
-    seen = triangulator.triangulate(table.left_px, table.right_px, *noise.centroid_sigmas(calibration, pixels))
-    points = TablePoints(seen.points, seen.covariances, table.view, table.table_deg, table.trigger_id)
+    sigmas = noise.centroid_sigmas(calibration, pixels)
+    seen = triangulator.triangulate(table.left_px, table.right_px, *sigmas)
+    expected_px = triangulator.epipolar_sigma(table.left_px, table.right_px, *sigmas)
+    in_sigmas = seen.epipolar_residual_px / expected_px
+    points = TablePoints(seen.points, seen.covariances, table.view, table.table_deg, table.trigger_id, epipolar_sigmas=in_sigmas)
     cloud, surface_mm = placed_cloud(points, rig, calibration, corrections)
     return MeasuredCloud(cloud, replace(noise, surface_um=1e3 * surface_mm))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class TablePoints:
-    """n points in the rig frame, mm, with covariances (n, 3, 3) mm^2, and the views, table angles and trigger ids (n,) that they are of.
+    """n points in the rig frame, mm.
 
-    Of a laser line also the numbers (n,) of the peaks in their frames.
+    Attributes
+    ----------
+    points, covariances : (n, 3) mm and (n, 3, 3) mm^2
+    view, table_deg, trigger_id : (n,) that they are of
+    place : (n,) of a laser line, the numbers of the peaks in their frames
+    epipolar_sigmas : (n,) epipolar residuals over their standard deviations, where there are any
     """
 
     points: NDArray[np.float64]
@@ -68,6 +76,7 @@ class TablePoints:
     table_deg: NDArray[np.float64]
     trigger_id: NDArray[np.int64]
     place: NDArray[np.int32] | None = None
+    epipolar_sigmas: NDArray[np.float64] | None = None
 
 
 def placed_cloud(
@@ -94,7 +103,8 @@ def placed_cloud(
     if systematic is not None:  # common to neighbouring points: it is no scatter, and no registration takes it out
         covariances += systematic
     places = None if seen.place is None else seen.place.copy()
-    return PointCloud(points, covariances, seen.view.copy(), seen.trigger_id.copy(), seen.table_deg.copy(), places), surface_mm
+    cloud = PointCloud(points, covariances, seen.view.copy(), seen.trigger_id.copy(), seen.table_deg.copy(), places, seen.epipolar_sigmas)
+    return cloud, surface_mm
 
 
 def finite(measured: MeasuredCloud, store: CaseStore) -> MeasuredCloud:

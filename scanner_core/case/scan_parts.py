@@ -55,6 +55,7 @@ def merged(parts: Sequence[MeasuredCloud]) -> PointCloud:
         np.concatenate([cloud.trigger_ids for cloud in clouds if cloud.trigger_ids is not None]),
         np.concatenate([cloud.table_deg for cloud in clouds if cloud.table_deg is not None]),
         _places(clouds),
+        _epipolar_sigmas(clouds),
     )
     assert whole.trigger_ids is not None
     return whole.select(np.argsort(whole.trigger_ids, kind="stable"))
@@ -65,6 +66,13 @@ def _places(clouds: Sequence[PointCloud]) -> NDArray[np.int32] | None:
     if all(cloud.places is None for cloud in clouds):
         return None
     return np.concatenate([np.zeros(len(cloud), np.int32) if cloud.places is None else cloud.places for cloud in clouds])
+
+
+def _epipolar_sigmas(clouds: Sequence[PointCloud]) -> NDArray[np.float64] | None:
+    """Of scans by spot, and no number of the points of every line beside them."""
+    if all(cloud.epipolar_sigmas is None for cloud in clouds):
+        return None
+    return np.concatenate([np.full(len(cloud), np.nan) if cloud.epipolar_sigmas is None else cloud.epipolar_sigmas for cloud in clouds])
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -21,6 +21,7 @@ class PointCloud:
     table_deg : (n,) float64, the table angle at which a point was measured; None where it tells no direction of the
         points' frame: in a cloud from a file, or of several mounts
     places : (n,) int32, of a laser line, the number of a point's peak in its frame: several points have one trigger id; or None
+    epipolar_sigmas : (n,) float64, signed epipolar residual over its standard deviation, or None
     """
 
     points: NDArray[np.float64]
@@ -29,6 +30,7 @@ class PointCloud:
     trigger_ids: NDArray[np.int64] | None = None
     table_deg: NDArray[np.float64] | None = None
     places: NDArray[np.int32] | None = None
+    epipolar_sigmas: NDArray[np.float64] | None = None
 
     def __len__(self) -> int:
         return len(self.points)
@@ -42,4 +44,5 @@ class PointCloud:
             None if self.trigger_ids is None else self.trigger_ids[which],
             None if self.table_deg is None else self.table_deg[which],
             None if self.places is None else self.places[which],
+            None if self.epipolar_sigmas is None else self.epipolar_sigmas[which],
         )

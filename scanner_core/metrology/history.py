@@ -74,6 +74,7 @@ class SphereTrend:
     size_um, dispersion_um : its radius error and its D95
     size_change_um : against the median of up to ten results before it; None when it is the first
     drifted : that change is larger than the expanded uncertainties of both allow for; None when it is the first
+    recent : up to ten results before it and itself, in their order
     """
 
     last: HistoryEntry
@@ -81,6 +82,7 @@ class SphereTrend:
     dispersion_um: float
     size_change_um: float | None
     drifted: bool | None
+    recent: tuple[HistoryEntry, ...] = ()
 
 
 def rig_sha256(rig: RigConfig) -> str:
@@ -159,13 +161,14 @@ def last_reference_sphere(path: Path) -> SphereTrend | None:
         return None
     *before, last = entries
     size = last.figures["size"]
+    recent = tuple(entries[-_COMPARED - 1 :])
     sizes = [entry.figures["size"] for entry in before[-_COMPARED:]]
     if not sizes:
-        return SphereTrend(last, size, last.figures["dispersion"], None, None)
+        return SphereTrend(last, size, last.figures["dispersion"], None, None, recent)
     change = size - float(np.median(sizes))
     typical = float(np.median([entry.uncertainties.get("size", 0.0) for entry in before[-_COMPARED:]]))
     allowed = float(np.hypot(last.uncertainties.get("size", 0.0), typical))
-    return SphereTrend(last, size, last.figures["dispersion"], change, abs(change) > allowed)
+    return SphereTrend(last, size, last.figures["dispersion"], change, abs(change) > allowed, recent)
 
 
 def _entry(line: bytes) -> HistoryEntry | None:

@@ -20,7 +20,7 @@ from scipy.spatial import cKDTree
 from scanner_core.errors import ReconstructionError
 from scanner_core.geometry.edges import row_dot
 from scanner_core.geometry.mesh import TriangleMesh
-from scanner_core.geometry.point_normals import point_normals
+from scanner_core.geometry.neighbourhood import Neighbourhood
 from scanner_core.jobs.progress import IsCancelled, OnProgress
 from scanner_core.reconstruction.association import Association, associate
 from scanner_core.reconstruction.cloud_scale import CloudScale, measure_scale
@@ -73,7 +73,7 @@ def live_surface(request: LiveSurfaceRequest, *, progress: OnProgress, cancelled
         return NoSurfaceYet(NoSurfaceReason.FEW_POINTS)
     scale = measure_scale(means, cKDTree(means), 0)
     try:
-        region = oriented_region(means, point_normals(means, facing), scale, pace, _NODES)
+        region = oriented_region(means, Neighbourhood(means).normals(facing), scale, pace, _NODES)
     except ReconstructionError:
         return NoSurfaceYet(NoSurfaceReason.NO_BODY)
     if region.handles:

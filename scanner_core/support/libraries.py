@@ -62,8 +62,8 @@ def _name(requirement: str) -> str:
 def _library(there: Distribution) -> Library:
     tags = there.metadata
     classified = [line.split(" :: ")[-1] for line in tags.get_all("Classifier") or () if line.startswith("License ::")]
-    free = (tags.get("License") or "").strip()
-    said = tags.get("License-Expression") or ("" if "\n" in free else free) or ", ".join(classified)
+    expression, free = (tags[key].strip() if key in tags else "" for key in ("License-Expression", "License"))
+    said = expression or ("" if "\n" in free else free) or ", ".join(classified)
     files = [file for file in there.files or () if _TEXTS.search(str(file)) and not str(file).endswith((".py", ".pyc"))]
     texts = []
     for file in sorted(files, key=str):

@@ -23,6 +23,7 @@ from scanner_core.acquisition.capture import CaptureThread
 from scanner_core.acquisition.control import ScanControl
 from scanner_core.acquisition.finding import Finding
 from scanner_core.acquisition.handover import LatestSlot, PointLog
+from scanner_core.acquisition.live_points import LivePoints
 from scanner_core.acquisition.mark_findings import mark_findings
 from scanner_core.acquisition.mark_visitor import MarkVisitor
 from scanner_core.acquisition.mark_visits import MarksReport, VisitPlan, visit_centres
@@ -77,7 +78,7 @@ def turn(specimen: str, views: int, seed: int, fault: BenchFault | None = None, 
         stack.callback(right.close)
         visitor = MarkVisitor(rig, config.marks, rig.calibration, store, ScanControl())
         cloud = PointLog()
-        cloud.append(body.mesh.vertices, 0.0)
+        cloud.append(LivePoints.of_view(body.mesh.vertices, 0.0, 0))
         visitor.begin(0, cloud)
         for view in range(views + 1):
             if fault is not None and view == at_view:

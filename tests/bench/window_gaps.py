@@ -16,11 +16,11 @@ import time
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from app.main import make_application
 from app.program import Program
 from scanner_core.acquisition.handover import PointLog
+from scanner_core.acquisition.live_points import LivePoints
 from tests.gui.waiting import until, wait_ms
 
 
@@ -33,8 +33,8 @@ class Ages:
         self.ages_ms: list[float] = []
         append = PointLog.append
 
-        def timed(log: PointLog, points: NDArray[np.float64], table_deg: float | NDArray[np.float64]) -> None:
-            append(log, points, table_deg)
+        def timed(log: PointLog, points: LivePoints) -> None:
+            append(log, points)
             self._born_s.extend([time.perf_counter()] * len(points))
 
         setattr(PointLog, "append", timed)  # noqa: B010 - a method, which the type checker guards

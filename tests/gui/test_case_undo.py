@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLineEdit
 
 from app.program import Program
+from app.views.home_page import HomePage
 from app.views.reconstruct_page import ReconstructPage
 from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.rig_session import open_rig
@@ -52,8 +52,11 @@ def _undo_text(program: Program) -> str:
 
 def test_the_order_of_the_open_case_is_edited_in_its_file(shared_program: Program, case: Path) -> None:
     window, services = shared_program.window, shared_program.services
+    home = window.pages["home"]
+    assert isinstance(home, HomePage)
     window.show_page("home")
-    field = window.pages["home"].findChildren(QLineEdit)[0]
+    home.edit_order()
+    field = home.open_form.number
     field.selectAll()
     QTest.keyClicks(field, "A-77")
     services.draft.edit("side", "right")
@@ -135,11 +138,14 @@ def test_form_and_case_are_undone_in_the_order_in_which_they_were_done(shared_pr
     assert (services.draft.values.views, services.draft.values.order) == (views + 2, "C-3")
 
 
-def test_a_new_case_counts_the_order_on_and_leaves_the_old_one_alone(shared_program: Program, case: Path) -> None:
+def test_a_new_order_counts_the_number_on_and_leaves_the_open_one_alone(shared_program: Program, case: Path) -> None:
+    services = shared_program.services
+    until(lambda: any(told.path == case for told in services.worklist.orders), 20, "the order in the list")
     shared_program.window.new_case()
-    values = shared_program.services.draft.values
+    values = services.new_order.values
     assert (values.order, values.patient_code) == ("A-2", "")
-    shared_program.services.draft.edit("order", "A-9")
+    services.new_order.edit("order", "A-9")
+    assert services.draft.values.order == "A-1"
     _closed(shared_program)
     assert _order(case).number == "A-1"
 

@@ -18,10 +18,12 @@ from app.controllers.acquisition import AcquisitionController
 from app.controllers.live_surface import LiveSurfaceController
 from app.theme import look
 from app.views.cloud_actor import CloudActor
+from app.views.cloud_points import CloudPoints
 from app.views.height_colours import SUPPORTED
 from app.views.holed_surface import HoledSurface
 from app.views.scene_view import SceneView
 from app.views.surface import Surface
+from scanner_core.acquisition.live_points import LivePoints
 from scanner_core.geometry.icosahedron import icosahedron
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.subdivision import subdivide_uniform
@@ -63,7 +65,7 @@ def scene(application: QApplication) -> Iterator[SceneView]:
 
 def test_a_hole_is_a_net_within_a_rim_and_the_switch_takes_it_all_away(scene: SceneView) -> None:
     mesh = ball_with_a_hole()
-    scene.append_points(mesh.vertices, mesh.vertices / 10)  # the camera follows the points
+    scene.append_points(LivePoints.of_view(mesh.vertices, 0.0, 0))  # the camera follows the points
     scene.set_points_visible(False)
     scene.show_live_surface(HoledSurface.of(mesh))
     scene.view_front()  # the hole towards the person
@@ -114,7 +116,7 @@ class Scene:
         outwards = np.random.default_rng(count).normal(size=(count, 3))
         outwards /= np.sqrt((outwards**2).sum(axis=1))[:, None]
         outwards[:, 0] = np.abs(outwards[:, 0])
-        self.cloud.append(10 * outwards, np.tile((1.0, 0.0, 0.0), (count, 1)))
+        self.cloud.append(CloudPoints.plain(10 * outwards, np.tile((1.0, 0.0, 0.0), (count, 1))))
 
 
 def test_it_follows_a_scan_says_why_not_and_survives_its_worker(application: QApplication, monkeypatch: pytest.MonkeyPatch) -> None:

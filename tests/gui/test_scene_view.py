@@ -6,16 +6,17 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from app.views.cloud_store import every
 from app.views.height_colours import SUPPORTED, UNSUPPORTED
 from app.views.interactor import SceneClosedError
 from app.views.scene_view import SceneView
 from app.views.surface import Surface
+from scanner_core.acquisition.live_points import LivePoints
 from scanner_core.geometry.icosahedron import icosahedron
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.subdivision import subdivide_uniform
@@ -37,10 +38,10 @@ def scene(application: QApplication) -> Iterator[SceneView]:
     wait_ms(10)
 
 
-def _ball(count: int, radius_mm: float = 10.0) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _ball(count: int, radius_mm: float = 10.0) -> LivePoints:
     outwards = np.random.default_rng(1).normal(size=(count, 3))
     outwards /= np.sqrt((outwards**2).sum(axis=1))[:, None]
-    return radius_mm * outwards + [0.0, 0.0, radius_mm], outwards
+    return LivePoints.of_view(radius_mm * outwards + [0.0, 0.0, radius_mm], 0.0, 0)
 
 
 def _sphere() -> TriangleMesh:
@@ -62,14 +63,14 @@ def test_points_are_in_the_picture_and_more_points_fill_more_of_it(scene: SceneV
     shares = []
     for count in (500, 20_000):
         scene.clear()
-        scene.append_points(*_ball(count))
+        scene.append_points(_ball(count))
         shares.append(int(coloured(scene.grab_picture())[:330].sum()))
     assert shares[0] > 800
     assert shares[1] > 20_000
 
 
 def test_points_are_coloured_by_height(scene: SceneView) -> None:
-    scene.append_points(*_ball(20_000))
+    scene.append_points(_ball(20_000))
     scene.view_front()
     picture = scene.grab_picture().astype(int)
     filled = coloured(picture.astype(np.uint8), 25)
@@ -83,7 +84,7 @@ def test_points_are_painted_by_the_pumps_call_alone(scene: SceneView) -> None:
     scene.paint()
     until(lambda: scene.pictures > 0, 5)
     before = scene.pictures
-    scene.append_points(*_ball(1000))
+    scene.append_points(_ball(1000))
     scene.paint()
     until(lambda: scene.pictures > before, 5)
     wait_ms(200)
@@ -117,14 +118,14 @@ def test_edges_and_uncertainty_change_the_picture(scene: SceneView) -> None:
 
 
 def test_hidden_points_are_not_drawn(scene: SceneView) -> None:
-    scene.append_points(*_ball(5000))
+    scene.append_points(_ball(5000))
     scene.set_points_visible(False)
     assert coloured(scene.grab_picture())[:330].sum() == 0
 
 
 def test_the_view_from_above_shows_a_flat_thing_and_the_one_from_the_front_does_not(scene: SceneView) -> None:
     grid = np.stack(np.meshgrid(np.linspace(-10, 10, 150), np.linspace(-10, 10, 150), [5.0]), axis=-1).reshape(-1, 3)
-    scene.append_points(grid, np.tile([0.0, 0.0, 1.0], (len(grid), 1)))
+    scene.append_points(LivePoints.of_view(grid, 0.0, 0))
     scene.view_top()
     above = coloured(scene.grab_picture(), 25)[:330].sum()
     scene.view_front()
@@ -136,14 +137,14 @@ def test_a_closed_view_says_so(scene: SceneView) -> None:
     scene.close()
     assert scene.closed
     with pytest.raises(SceneClosedError):
-        scene.append_points(*_ball(10))
+        scene.append_points(_ball(10))
     with pytest.raises(SceneClosedError):
         scene.grab_picture()
     scene.close_scene()
 
 
 def test_fewer_points_are_drawn_while_the_camera_is_dragged(scene: SceneView) -> None:
-    scene.append_points(*_ball(50_000))
+    scene.append_points(_ball(50_000))
     assert scene.cloud.drawn == 50_000
     before = scene.camera_position
     pane = scene.findChild(QOpenGLWidget)
@@ -158,3 +159,30 @@ def test_fewer_points_are_drawn_while_the_camera_is_dragged(scene: SceneView) ->
     assert scene.still
     assert scene.cloud.drawn == 50_000
     assert scene.camera_position != before
+
+
+def test_a_large_cloud_comes_in_slices_into_the_picture_that_is_there(scene: SceneView) -> None:
+    """The picture of all chunks is that of the same points at once, and no slice disturbs what was drawn before."""
+    scene.append_points(_ball(50_000))
+    scene.view_front()
+    at_once = scene.grab_picture()
+    parts = scene.cloud.parts()
+    scene.cloud.light_live(every(parts, 0, 1).towards, np.full(50_000, np.nan, np.float32), scene.cloud.generation)
+    for first in range(5):
+        points = every(parts, first, 5)
+        scene.cloud.take_chunk(points, points.towards, scene.cloud.generation, first=first == 0)
+    in_slices = scene.grab_picture()
+    assert scene.pictures > 3
+    assert (np.abs(at_once.astype(int) - in_slices).max(axis=2) > 40).mean() < 0.002
+    # what is only in the chunks appears
+    scene.cloud.actor.GetProperty().SetPointSize(1.0)
+    scene.clear()
+    scene.append_points(_ball(200))
+    few = coloured(scene.grab_picture()).sum()
+    scene.cloud.take_chunk(points, points.towards, scene.cloud.generation, first=True)
+    until(lambda: scene.paint() >= 0 and not scene.cloud.chunks.pending, 5)
+    scene.touch()
+    assert coloured(scene.grab_picture()).sum() > 4 * few
+    # and is gone at once when the cloud grows
+    scene.set_live(True)
+    assert coloured(scene.grab_picture()).sum() == few

@@ -1,4 +1,7 @@
-"""Every text goes through the translation: with a translator that brackets what it is given, nothing stands unbracketed."""
+"""Every text goes through the translation, and has room for one that is a third longer.
+
+A translator brackets what it is given and makes it 35 % longer: nothing stands unbracketed, and nothing is cut.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QTranslator
-from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QLabel, QLineEdit, QSpinBox, QWidget
+from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QApplication, QComboBox, QLabel, QLineEdit, QSizePolicy, QSpinBox, QWidget
 
 from app.program import Program
 from app.views.assistant_page import CHECK, WRITE, AssistantPage
@@ -16,7 +19,7 @@ from scanner_core.commissioning import found_devices
 from scanner_core.devices.discovery import PortAnswer, PortState, SerialPort
 from scanner_core.devices.found_camera import CameraState, FoundCamera
 from scanner_core.errors import CaseLockedError
-from tests.gui.waiting import until
+from tests.gui.waiting import until, wait_ms
 
 NAMES = {
     *("Impronta", "STL", "PLY", "OBJ", "3MF", "ear", "bench", "virtual://bench", "English", "Italiano", "Deutsch", "Ctrl+,"),
@@ -34,7 +37,8 @@ class Bracketing(QTranslator):
         return False
 
     def translate(self, context: str, text: str, disambiguation: str | None = None, n: int = -1) -> str:
-        return f"«{text}»"
+        longer = max(0, len(text) * 35 // 100 - 2)  # the brackets count
+        return f"«{text}{' mmnii' * 60:.{longer}}»"
 
 
 @pytest.fixture
@@ -91,7 +95,36 @@ def test_no_text_stands_outside_of_the_translation(bracketed: Program, monkeypat
     loose = sorted({text for text in shown if text and "«" not in text and text not in NAMES and not VALUE.search(text)})
     assert loose == []
 
-
-def test_an_error_is_translated_by_its_code(bracketed: Program) -> None:
     bracketed.window.banner.tell_fault(CaseLockedError("E-CASE-02", path="a.impronta"))
     assert bracketed.window.banner.text.startswith("«a.impronta is open")
+
+
+def _cut(page: QWidget) -> Iterator[str]:
+    """What is shown smaller than its text: buttons, and labels of one line and of several."""
+    for widget in page.findChildren(QWidget):
+        if not widget.isVisible() or not isinstance(widget, QAbstractButton | QLabel) or not widget.text():
+            continue
+        if widget.sizePolicy().horizontalPolicy() == QSizePolicy.Policy.Ignored or isinstance(widget.parent(), QAbstractItemView | QLineEdit):
+            continue
+        if isinstance(widget, QLabel) and widget.wordWrap():
+            narrow = widget.heightForWidth(widget.width()) > widget.height() + 1
+        else:
+            narrow = widget.sizeHint().width() > widget.width() + 1 or widget.sizeHint().height() > widget.height() + 1
+        if narrow:
+            yield f"{type(widget).__name__} {widget.text()!r}: {widget.size().toTuple()} of {widget.sizeHint().toTuple()}"
+
+
+def test_a_text_that_is_a_third_longer_is_not_cut(bracketed: Program) -> None:
+    window = bracketed.window
+    window.resize(1280, 800)
+    cut = [f"rail: {what}" for what in _cut(window.rail)]
+    room = 1280 - window.rail.width() - 1
+    for name, page in window.pages.items():
+        if name in {"home", "scan", "reconstruct", "export"}:
+            continue
+        window.show_page(name)
+        wait_ms(20)
+        wide = page.minimumSizeHint().width()
+        cut += [f"{name}: {what}" for what in _cut(page)]
+        cut += [f"{name}: the page is at least {wide} wide, and there are {room}"] * (wide > room)
+    assert not cut, "\n".join(cut)

@@ -17,7 +17,8 @@ from scanner_core.acquisition.runner import ScanRunner
 from scanner_core.acquisition.scan_result import ScanResult
 from scanner_core.acquisition.status import FinishReason
 from scanner_core.acquisition.view_counts import ViewCount
-from scanner_core.acquisition.view_progress import PlanProgress, ViewState
+from scanner_core.acquisition.view_progress import PlanProgress
+from scanner_core.acquisition.view_state import ViewState
 from scanner_core.case.observation import MEASURED
 from scanner_core.case.recovery import interruption
 from scanner_core.case.reopening import reopen_view

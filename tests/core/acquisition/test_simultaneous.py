@@ -156,7 +156,7 @@ def test_a_sphere_keeps_its_size_with_cameras_that_run_freely(free: bool, tmp_pa
         runner = ScanRunner(rig, PlanRequest(1, 250, body.radius_mm, body.height_mm), store)
         runner.start()
         assert runner.join(120)
-        points, _ = runner.live_cloud.since(0)
+        points = runner.live_cloud.since(0).points
     error_um = 1e3 * (fit_sphere(points).radius_mm - 11.133)
     assert abs(error_um) < 40 if free else error_um < -80
 
