@@ -67,7 +67,11 @@ def test_one_button_writes_everything_and_the_case_remembers(shared_program: Pro
     assert store is not None
     assert store.value(DELIVERY) == last.as_dict()
     page.next.click()
-    assert services.case.store is None
+    assert shared_program.window.page_id == "home"
+    services.case.close()
+    closed: list[object] = []
+    services.case.after(lambda: closed.append(True))
+    until(lambda: bool(closed), 20, "the case closed")
     with CaseStore.open(tmp_path / "ready.impronta", read_only=True) as kept:
         assert kept.value(DELIVERY) == last.as_dict()
 
