@@ -92,6 +92,7 @@ class Program(QObject):
         application.setWindowIcon(icon("mark"))
         self._translation = Translation(application, self.settings.language)
         set_theme(application, self.settings.theme)
+        application.styleHints().colorSchemeChanged.connect(self._follow_system)
         self.background = Background()
         self.pump = Pump(self)
         self.heartbeat = Heartbeat(self)
@@ -182,6 +183,11 @@ class Program(QObject):
             window = self.window
             self.again = Again(self.services.case.path, window.page_id, self.services.draft.values, window.saveGeometry())
             QTimer.singleShot(0, window.close)
+
+    def _follow_system(self) -> None:
+        """The desktop has changed between dark and light."""
+        if self.settings.theme == "system" and not self._closed:
+            set_theme(self._application, "system")
 
     # -------------------------------------------------------------------------------- start
     def _painted(self, case: Path | None, after: Again | None) -> None:

@@ -101,7 +101,7 @@ class AlignmentPanel(QWidget):
             (self.tr("Residual there"), self.tr("{n} mm rms").format(n=fine_millimetres(alignment.rms_um)), ""),
             (self.tr("Uncertainty"), uncertainty, ""),
             (self.tr("Noise of a distance"), self.tr("{n} mm").format(n=fine_millimetres(alignment.noise_um)), ""),
-            (self.tr("Size, after to before"), f"{_signed(scale)} ± {scale_u:.2f} %", ""),
+            (self.tr("Size, after to before"), f"{_signed(scale)} ± {fmt.decimal(scale_u, 2)} %", ""),
             (self.tr("With a counterpart"), self.tr("{n} %").format(n=fmt.percent(alignment.overlap)), ""),
             (self.tr("Start found by"), translated(method) if method else alignment.method, ""),
         ]
@@ -156,5 +156,4 @@ def _regions(comparison: Comparison, arch: ArchFrame | None) -> list[Region | No
 
 def _signed(percents: float) -> str:
     """+0.12, −0.12; nothing has no sign."""
-    text = f"{percents:+.2f}".replace("-", fmt.MINUS)
-    return "0.00" if text[1:] == "0.00" else text
+    return fmt.decimal(percents, 2, signed=True)

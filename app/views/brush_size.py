@@ -7,6 +7,7 @@ from collections.abc import Callable
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QSlider, QWidget
 
+from app.views import format as fmt
 from app.views.parts import label
 
 _LEAST_MM, _MOST_MM, _STEP_MM = 0.5, 6.0, 0.25
@@ -46,5 +47,5 @@ class BrushSize(QWidget):
 
     def _tell(self) -> None:
         radius_mm = self.slider.value() * _STEP_MM
-        self._words.setText(self.tr("Brush {mm:.1f} mm").format(mm=2 * radius_mm))
+        self._words.setText(self.tr("Brush {mm} mm").format(mm=fmt.decimal(2 * radius_mm, 1)))
         self._chosen(radius_mm)

@@ -59,7 +59,7 @@ def expired_text(age: CalibrationAge | None) -> str:
 def sphere_fact(sphere: SphereTrend) -> Fact:
     """The last test with the reference sphere."""
     text = _tr(QT_TRANSLATE_NOOP("calibration", "radius error {size} µm, D95 {d95} µm, {date}"))
-    size = f"{sphere.size_um:+.1f}".replace("-", fmt.MINUS)
+    size = fmt.decimal(sphere.size_um, 1, signed=True)
     words = text.format(size=size, d95=fmt.micrometres(sphere.dispersion_um), date=fmt.day(sphere.last.date))
     return _tr(QT_TRANSLATE_NOOP("calibration", "Reference sphere")), words, ""
 
@@ -71,7 +71,7 @@ def drift_text(sphere: SphereTrend | None, calibration: StereoCalibration) -> st
     text = QT_TRANSLATE_NOOP(
         "calibration", "The reference sphere measured {change} µm otherwise than in the tests before: calibrate and test it again."
     )
-    return _tr(text).format(change=f"{sphere.size_change_um:+.1f}".replace("-", fmt.MINUS))
+    return _tr(text).format(change=fmt.decimal(sphere.size_change_um, 1, signed=True))
 
 
 def calibration_facts(calibration: StereoCalibration) -> list[Fact]:
@@ -80,11 +80,11 @@ def calibration_facts(calibration: StereoCalibration) -> list[Fact]:
     facts = [(_tr(QT_TRANSLATE_NOOP("calibration", "Scale")), *_scale_text(scale))]
     if scale is not None and scale.held_out_ppm is not None:
         error_um, uncertainty_um = (1e-3 * scale.length_mm * ppm for ppm in scale.held_out_ppm)
-        measured = f"{error_um:+.1f} ± {uncertainty_um:.1f} µm".replace("-", fmt.MINUS)
+        measured = f"{fmt.decimal(error_um, 1, signed=True)} ± {fmt.decimal(uncertainty_um, 1)} µm"
         facts.append((_tr(QT_TRANSLATE_NOOP("calibration", "Length bar where it took no part")), measured, ""))
     rows = (
-        (QT_TRANSLATE_NOOP("calibration", "Turntable axis"), f"{axis.position_rms_um:.1f} µm, {axis.angle_rms_deg:.4f}°"),
-        (QT_TRANSLATE_NOOP("calibration", "Reprojection error"), f"{calibration.reprojection_rms_px:.3f} px"),
+        (QT_TRANSLATE_NOOP("calibration", "Turntable axis"), f"{fmt.decimal(axis.position_rms_um, 1)} µm, {fmt.decimal(axis.angle_rms_deg, 4)}°"),
+        (QT_TRANSLATE_NOOP("calibration", "Reprojection error"), f"{fmt.decimal(calibration.reprojection_rms_px, 3)} px"),
         (QT_TRANSLATE_NOOP("calibration", "Views of the board"), str(calibration.views)),
         (QT_TRANSLATE_NOOP("calibration", "Identity"), calibration.identity()),
     )
@@ -108,13 +108,13 @@ def finding_text(finding: Finding) -> str:
 def change_text(change: CalibrationChange) -> str:
     """What the change does to measured shapes, and whether something moved."""
     effect = _tr(QT_TRANSLATE_NOOP("calibration", "Measured shapes change by {rms} µm rms over the volume, {largest} µm at most")).format(
-        rms=f"{change.shape_rms_um:.1f}", largest=f"{change.shape_largest_um:.1f}"
+        rms=fmt.decimal(change.shape_rms_um, 1), largest=fmt.decimal(change.shape_largest_um, 1)
     )
     if change.uncertainty_um is None:
         return f"{effect}; " + _tr(QT_TRANSLATE_NOOP("calibration", "the previous one does not state its uncertainty."))
     more = QT_TRANSLATE_NOOP("calibration", "more than three standard uncertainties of {u} µm explain: something has moved.")
     no_more = QT_TRANSLATE_NOOP("calibration", "within three standard uncertainties of {u} µm each.")
-    return f"{effect}; " + _tr(more if change.significant else no_more).format(u=f"{change.uncertainty_um:.1f}")
+    return f"{effect}; " + _tr(more if change.significant else no_more).format(u=fmt.decimal(change.uncertainty_um, 1))
 
 
 def change_facts(change: CalibrationChange) -> list[Fact]:
@@ -122,11 +122,20 @@ def change_facts(change: CalibrationChange) -> list[Fact]:
     (left_f, _), (right_f, _) = change.focal_px
     left_c, right_c = change.principal_px
     rows = (
-        (QT_TRANSLATE_NOOP("calibration", "Distance between the cameras"), f"{change.baseline_um:+.0f} µm"),
-        (QT_TRANSLATE_NOOP("calibration", "Right camera against the left, turned"), f"{change.turned_deg:.4f}°"),
-        (QT_TRANSLATE_NOOP("calibration", "Turntable axis, turned"), f"{change.axis_turned_deg:.4f}°"),
-        (QT_TRANSLATE_NOOP("calibration", "Focal length, left and right"), f"{left_f:+.2f}, {right_f:+.2f} px"),
-        (QT_TRANSLATE_NOOP("calibration", "Image centre, left"), f"{left_c[0]:+.2f}, {left_c[1]:+.2f} px"),
-        (QT_TRANSLATE_NOOP("calibration", "Image centre, right"), f"{right_c[0]:+.2f}, {right_c[1]:+.2f} px"),
+        (QT_TRANSLATE_NOOP("calibration", "Distance between the cameras"), f"{fmt.decimal(change.baseline_um, 0, signed=True)} µm"),
+        (QT_TRANSLATE_NOOP("calibration", "Right camera against the left, turned"), f"{fmt.decimal(change.turned_deg, 4)}°"),
+        (QT_TRANSLATE_NOOP("calibration", "Turntable axis, turned"), f"{fmt.decimal(change.axis_turned_deg, 4)}°"),
+        (
+            QT_TRANSLATE_NOOP("calibration", "Focal length, left and right"),
+            f"{fmt.decimal(left_f, 2, signed=True)}, {fmt.decimal(right_f, 2, signed=True)} px",
+        ),
+        (
+            QT_TRANSLATE_NOOP("calibration", "Image centre, left"),
+            f"{fmt.decimal(left_c[0], 2, signed=True)}, {fmt.decimal(left_c[1], 2, signed=True)} px",
+        ),
+        (
+            QT_TRANSLATE_NOOP("calibration", "Image centre, right"),
+            f"{fmt.decimal(right_c[0], 2, signed=True)}, {fmt.decimal(right_c[1], 2, signed=True)} px",
+        ),
     )
-    return [(_tr(name), value.replace("-", fmt.MINUS), "") for name, value in rows]
+    return [(_tr(name), value, "") for name, value in rows]

@@ -10,6 +10,7 @@ from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
+from app.views import format as fmt
 from app.views.brush_size import BrushSize
 from app.views.comparison_overlay import ComparisonOverlay
 from app.views.pointed import Pointed
@@ -195,8 +196,8 @@ class ComparisonTools(QObject):
         if met.signed_um is None or met.level_um is None:
             return self.tr("no counterpart")
         if abs(met.signed_um) <= met.level_um:
-            return self.tr("within ±{mm:.2f} mm").format(mm=met.level_um / 1000)
-        return self.tr("{mm} mm").format(mm=f"{met.signed_um / 1000:+.2f}".replace("-", "−"))
+            return self.tr("within ±{mm} mm").format(mm=fmt.decimal(met.level_um / 1000, 2))
+        return self.tr("{mm} mm").format(mm=fmt.decimal(met.signed_um / 1000, 2, signed=True))
 
     def _stroke(self, place: QPointF) -> None:
         """Everything that the brush passes between two events of the mouse."""

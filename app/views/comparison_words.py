@@ -7,7 +7,8 @@ import re
 from PySide6.QtCore import QCoreApplication
 
 from app.translation import QT_TRANSLATE_NOOP
-from app.views.format import MINUS, NO_VALUE
+from app.views import format as fmt
+from app.views.format import NO_VALUE
 from scanner_core.comparison.area import Area, PartMotion
 from scanner_core.comparison.comparison import Comparison
 from scanner_core.comparison.doubt import Doubt
@@ -44,16 +45,14 @@ def millimetres(length_um: float | None, *, signed: bool = False) -> str:
     """0.42, +0.42, −0.42; a dash when nothing is known."""
     if length_um is None or length_um != length_um:
         return NO_VALUE
-    text = f"{abs(length_um) / 1000:.2f}"
-    sign = MINUS if length_um < 0 else "+" if signed else ""
-    return text if text == "0.00" else sign + text
+    return fmt.decimal(length_um / 1000, 2, signed=signed)
 
 
 def fine_millimetres(length_um: float | None) -> str:
     """0.025, 0.42: of what is small by nature, three digits below a tenth."""
     if length_um is None or length_um != length_um or length_um >= 99.5:
         return millimetres(length_um)
-    return f"{length_um / 1000:.3f}"
+    return fmt.decimal(length_um / 1000, 3)
 
 
 def value_words(signed_um: float | None) -> str:
@@ -68,7 +67,7 @@ def motion_words(motion: PartMotion) -> str:
     """Moved 1.05 ± 0.04 mm, turned 8.0 ± 0.3°; uncertainties expanded, k = 2."""
     length = float((motion.displacement_mm**2).sum() ** 0.5)
     words = translated(QT_TRANSLATE_NOOP("comparison", "moved {d} ± {u} mm, turned {a} ± {v}°"))
-    return words.format(d=f"{length:.2f}", **_uncertain(motion))
+    return words.format(d=fmt.decimal(length, 2), **_uncertain(motion))
 
 
 def area_words(area: Area) -> str:
@@ -80,9 +79,9 @@ def area_words(area: Area) -> str:
 
 def _uncertain(motion: PartMotion) -> dict[str, str]:
     return {
-        "u": f"{2e-3 * motion.displacement_uncertainty_um:.2f}",
-        "a": f"{motion.angle_deg:.1f}",
-        "v": f"{2 * motion.angle_uncertainty_deg:.1f}",
+        "u": fmt.decimal(2e-3 * motion.displacement_uncertainty_um, 2),
+        "a": fmt.decimal(motion.angle_deg, 1),
+        "v": fmt.decimal(2 * motion.angle_uncertainty_deg, 1),
     }
 
 

@@ -7,6 +7,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent, QPen, QP
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.theme import look
+from app.views import format as fmt
 from app.views.comparison_words import fine_millimetres
 from scanner_core.comparison.colour_scale import HATCH, NO_COUNTERPART, THRESHOLD_LINE, WITHIN_LEVEL, DeviationScale
 
@@ -102,7 +103,7 @@ class DeviationLegend(QWidget):
         top = _BAR_TOP + _BAR + 28
         words = (
             self.tr("within ±{mm} mm: not detectable").format(mm=fine_millimetres(scale.level_um)),
-            self.tr("±{mm:.2f} mm").format(mm=threshold / 1000),
+            self.tr("±{mm} mm").format(mm=fmt.decimal(threshold / 1000, 2)),
             self.tr("no counterpart"),
         )
         x = _SIDE

@@ -11,6 +11,7 @@ from app.controllers.emission import Emission
 from app.controllers.rig import RigController
 from app.controllers.rig_snapshot import RigSnapshot
 from app.faults import sentence_of
+from app.views import format as fmt
 from app.views.device_row import DeviceRow
 from app.views.parts import button, label, row
 from scanner_core.devices.camera import CameraReport
@@ -163,7 +164,7 @@ class DeviceList(QWidget):
 
     def _show_turntable(self, rig: RigSnapshot) -> None:
         shown, motion = self.rows["turntable"], rig.motion
-        angle = "–" if motion is None else f"{motion.table_deg:.1f}°"
+        angle = "–" if motion is None else f"{fmt.decimal(motion.table_deg, 1)}°"
         shown.show_state("idle" if motion is None else "warn" if rig.needs_homing else "good", angle)
         shown.show_device(self.tr("position unknown: find the reference") if rig.needs_homing else "")
 

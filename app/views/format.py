@@ -30,11 +30,18 @@ def left_time(seconds: float | None) -> str:
     return f"{hours}:{minutes:02d}:{left:02d}" if hours else f"{minutes}:{left:02d}"
 
 
+def decimal(number: float, places: int, *, signed: bool = False) -> str:
+    """2.50, −0.25 (2,50 where that is the custom); `signed` with a plus; what rounds to nothing has no sign."""
+    digits = f"{abs(number):.{places}f}"
+    sign = "" if not digits.strip("0.") else MINUS if number < 0 else "+" if signed else ""
+    return sign + digits.replace(".", QLocale().decimalPoint())
+
+
 def micrometres(length_um: float | None) -> str:
     """24, 7.3; a dash when nothing is known."""
     if length_um is None:
         return NO_VALUE
-    return f"{length_um:.0f}" if length_um >= 9.95 else f"{length_um:.1f}"
+    return f"{length_um:.0f}" if length_um >= 9.95 else decimal(length_um, 1)
 
 
 def percent(share: float | None) -> str:

@@ -40,7 +40,7 @@ def mount_line(outcome: MountOutcome, first_mount: int) -> str:
     if outcome.start == "picked":
         parts.append(translate("mounts", "from your points"))
     elif values["margin"] is not None:
-        parts.append(translate("mounts", "margin to the second-best pose {margin:.2f}").format(margin=values["margin"]))
+        parts.append(translate("mounts", "margin to the second-best pose {margin}").format(margin=fmt.decimal(values["margin"], 2)))
         if values["unique"]:
             parts.append(translate("mounts", "unique"))
     return ", ".join(parts)

@@ -43,7 +43,7 @@ class StatusLine(QFrame):
             self.turntable.show_state("idle", self.tr("Turntable"))
         else:
             mood = "warn" if rig.needs_homing else "good"
-            self.turntable.show_state(mood, self.tr("Turntable {angle:.1f}°").format(angle=rig.motion.table_deg))
+            self.turntable.show_state(mood, self.tr("Turntable {angle}°").format(angle=fmt.decimal(rig.motion.table_deg, 1)))
         calibration = rig.calibration
         if rig.unreadable:
             self.calibration.show_state("idle", self.tr("Calibration"))

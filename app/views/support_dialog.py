@@ -165,4 +165,6 @@ def _about(kind: str) -> str:
 
 
 def _size(size_bytes: int) -> str:
-    return f"{size_bytes} B" if size_bytes < 1000 else f"{size_bytes / 1000:.1f} kB" if size_bytes < 1_000_000 else f"{size_bytes / 1e6:.1f} MB"
+    if size_bytes < 1000:
+        return f"{size_bytes} B"
+    return f"{fmt.decimal(size_bytes / 1000, 1)} kB" if size_bytes < 1_000_000 else f"{fmt.decimal(size_bytes / 1e6, 1)} MB"

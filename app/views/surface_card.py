@@ -72,7 +72,7 @@ class SurfaceCard(QFrame):
         self._name.setText(surface.name)
         self._name.setToolTip(str(loaded.path or ""))
         low, high = surface.mesh.bounds()
-        size = " × ".join(f"{length:.1f}" for length in high - low)
+        size = " × ".join(fmt.decimal(length, 1) for length in high - low)
         facts: list[Fact] = [
             (self.tr("Triangles"), fmt.count(len(surface.mesh.triangles)), ""),
             (self.tr("Size"), self.tr("{size} mm").format(size=size), ""),

@@ -285,7 +285,7 @@
 <context>
     <name>BrushSize</name>
     <message>
-        <source>Brush {mm:.1f} mm</source>
+        <source>Brush {mm} mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -896,7 +896,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>within ±{mm:.2f} mm</source>
+        <source>within ±{mm} mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1020,7 +1020,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>±{mm:.2f} mm</source>
+        <source>±{mm} mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2831,7 +2831,7 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Turntable {angle:.1f}°</source>
+        <source>Turntable {angle}°</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4664,7 +4664,7 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>margin to the second-best pose {margin:.2f}</source>
+        <source>margin to the second-best pose {margin}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
