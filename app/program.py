@@ -25,6 +25,7 @@ from app.controllers.delivery import DeliveryController
 from app.controllers.live_surface import LiveSurfaceController
 from app.controllers.mount_picks import MountPicks
 from app.controllers.mounts import MountsController
+from app.controllers.pair_tray import PairTrayController
 from app.controllers.preferences import Preferences
 from app.controllers.readiness import ReadinessController
 from app.controllers.reconstruction import ReconstructionController
@@ -135,6 +136,7 @@ class Program(QObject):
             preferences,
             readiness,
             worklist,
+            PairTrayController(cases, worklist, acquisition, rig, self.tell, self),
             Draft(self.undo_stack, self),
             aiming,
         )

@@ -15,6 +15,7 @@ from app.controllers.delivery import DeliveryController
 from app.controllers.live_surface import LiveSurfaceController
 from app.controllers.mount_picks import MountPicks
 from app.controllers.mounts import MountsController
+from app.controllers.pair_tray import PairTrayController
 from app.controllers.preferences import Preferences
 from app.controllers.readiness import ReadinessController
 from app.controllers.reconstruction import ReconstructionController
@@ -47,6 +48,7 @@ class Services:
     preferences: Preferences
     readiness: ReadinessController
     worklist: WorklistController
+    pair_tray: PairTrayController
     new_order: Draft
     """What is entered for an order that is not made yet."""
     aiming: AimController
