@@ -45,7 +45,7 @@ HELP = QT_TRANSLATE_NOOP("actions", "&Help")
 ACTIONS: tuple[ActionInfo, ...] = (
     ActionInfo("new_case", CASE, QT_TRANSLATE_NOOP("actions", "&New case"), "Ctrl+N", "home", "new_case"),
     ActionInfo("open_case", CASE, QT_TRANSLATE_NOOP("actions", "&Open case…"), "Ctrl+O", "folder", "choose_case"),
-    ActionInfo("export", CASE, QT_TRANSLATE_NOOP("actions", "&Export…"), "Ctrl+E", "export", "show_export"),
+    ActionInfo("deliver", CASE, QT_TRANSLATE_NOOP("actions", "&Deliver…"), "Ctrl+E", "export", "show_deliver"),
     ActionInfo("quit", CASE, QT_TRANSLATE_NOOP("actions", "&Quit"), "Ctrl+Q", "", "close"),
     ActionInfo("undo", EDIT, QT_TRANSLATE_NOOP("actions", "&Undo"), "Ctrl+Z", "undo", "undo"),
     ActionInfo("redo", EDIT, QT_TRANSLATE_NOOP("actions", "&Redo"), "Ctrl+Shift+Z", "redo", "redo"),

@@ -16,14 +16,16 @@ from PySide6.QtWidgets import QApplication
 
 from app.background import Background
 from app.controllers.acquisition import AcquisitionController
+from app.controllers.aiming import AimController
 from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
 from app.controllers.coverage import CoverageController
-from app.controllers.export import ExportController
+from app.controllers.delivery import DeliveryController
 from app.controllers.live_surface import LiveSurfaceController
 from app.controllers.mount_picks import MountPicks
 from app.controllers.mounts import MountsController
+from app.controllers.pair_tray import PairTrayController
 from app.controllers.preferences import Preferences
 from app.controllers.readiness import ReadinessController
 from app.controllers.reconstruction import ReconstructionController
@@ -104,7 +106,7 @@ class Program(QObject):
         cases = CaseController(self.background, self.settings, draft, self.tell, self, settings_file=self._settings_file)
         acquisition = AcquisitionController(self.background, rig, cases, self.tell, self)
         reconstruction = ReconstructionController(self.background, cases, self.tell, self)
-        export = ExportController(self.background, self.settings, cases, self.tell, self)
+        delivery = DeliveryController(self.background, preferences, draft, cases, self.tell, self)
         comparing = Comparing(self.background, self.settings, self.compare_stack, cases, self.tell, self)
         recovery = RecoveryController(self.background, self.settings, cases, acquisition, self.tell, self)
         assistant = AssistantController(self.background, rig, self.tell, self)
@@ -114,6 +116,7 @@ class Program(QObject):
         picks = MountPicks(self.compare_stack, mounts, self)
         worklist = WorklistController(self.background, self.settings, cases, self._cache_folder(), self.tell, self)
         readiness = ReadinessController(self.background, rig, self.settings, self)
+        aiming = AimController(self.background, rig, self.compare_stack, self._settings_file.parent / "materials", self.tell, self)
         self.services = Services(
             self.settings,
             draft,
@@ -122,7 +125,7 @@ class Program(QObject):
             cases,
             acquisition,
             reconstruction,
-            export,
+            delivery,
             comparing,
             recovery,
             assistant,
@@ -133,7 +136,9 @@ class Program(QObject):
             preferences,
             readiness,
             worklist,
+            PairTrayController(cases, worklist, acquisition, rig, self.tell, self),
             Draft(self.undo_stack, self),
+            aiming,
         )
         draft.load(first_order(self.settings.last_order) if after is None else after.order)
         live.allow(self.settings.live_surface)
@@ -244,6 +249,7 @@ class Program(QObject):
             ("comparison", services.comparing.shutdown),
             ("coverage", services.coverage.shutdown),
             ("mounts", services.mounts.shutdown),
+            ("delivery", services.delivery.shutdown),
             ("case", lambda: services.case.shutdown(_DEADLINE_S)),
             ("shading", lambda: self._shading.close(_DEADLINE_S)),
             ("background", self._end_background),

@@ -6,14 +6,16 @@ from dataclasses import dataclass
 
 from app.background import Background
 from app.controllers.acquisition import AcquisitionController
+from app.controllers.aiming import AimController
 from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
 from app.controllers.coverage import CoverageController
-from app.controllers.export import ExportController
+from app.controllers.delivery import DeliveryController
 from app.controllers.live_surface import LiveSurfaceController
 from app.controllers.mount_picks import MountPicks
 from app.controllers.mounts import MountsController
+from app.controllers.pair_tray import PairTrayController
 from app.controllers.preferences import Preferences
 from app.controllers.readiness import ReadinessController
 from app.controllers.reconstruction import ReconstructionController
@@ -35,7 +37,7 @@ class Services:
     case: CaseController
     acquisition: AcquisitionController
     reconstruction: ReconstructionController
-    export: ExportController
+    delivery: DeliveryController
     comparing: Comparing
     recovery: RecoveryController
     assistant: AssistantController
@@ -46,5 +48,7 @@ class Services:
     preferences: Preferences
     readiness: ReadinessController
     worklist: WorklistController
+    pair_tray: PairTrayController
     new_order: Draft
     """What is entered for an order that is not made yet."""
+    aiming: AimController
