@@ -21,7 +21,7 @@ from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
 from app.controllers.coverage import CoverageController
-from app.controllers.export import ExportController
+from app.controllers.delivery import DeliveryController
 from app.controllers.live_surface import LiveSurfaceController
 from app.controllers.mount_picks import MountPicks
 from app.controllers.mounts import MountsController
@@ -106,7 +106,7 @@ class Program(QObject):
         cases = CaseController(self.background, self.settings, draft, self.tell, self, settings_file=self._settings_file)
         acquisition = AcquisitionController(self.background, rig, cases, self.tell, self)
         reconstruction = ReconstructionController(self.background, cases, self.tell, self)
-        export = ExportController(self.background, self.settings, cases, self.tell, self)
+        delivery = DeliveryController(self.background, preferences, draft, cases, self.tell, self)
         comparing = Comparing(self.background, self.settings, self.compare_stack, cases, self.tell, self)
         recovery = RecoveryController(self.background, self.settings, cases, acquisition, self.tell, self)
         assistant = AssistantController(self.background, rig, self.tell, self)
@@ -125,7 +125,7 @@ class Program(QObject):
             cases,
             acquisition,
             reconstruction,
-            export,
+            delivery,
             comparing,
             recovery,
             assistant,
@@ -249,6 +249,7 @@ class Program(QObject):
             ("comparison", services.comparing.shutdown),
             ("coverage", services.coverage.shutdown),
             ("mounts", services.mounts.shutdown),
+            ("delivery", services.delivery.shutdown),
             ("case", lambda: services.case.shutdown(_DEADLINE_S)),
             ("shading", lambda: self._shading.close(_DEADLINE_S)),
             ("background", self._end_background),

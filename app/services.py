@@ -11,7 +11,7 @@ from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
 from app.controllers.coverage import CoverageController
-from app.controllers.export import ExportController
+from app.controllers.delivery import DeliveryController
 from app.controllers.live_surface import LiveSurfaceController
 from app.controllers.mount_picks import MountPicks
 from app.controllers.mounts import MountsController
@@ -37,7 +37,7 @@ class Services:
     case: CaseController
     acquisition: AcquisitionController
     reconstruction: ReconstructionController
-    export: ExportController
+    delivery: DeliveryController
     comparing: Comparing
     recovery: RecoveryController
     assistant: AssistantController

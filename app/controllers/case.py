@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from scanner_core.devices.rig import RigConfig
 
 RECENT = 12
+_BESIDE = ("order", "accepted_places")
+"""Keys of edits that change neither the points nor the surface."""
 _TYPING_MS = 700
 """An edit of the order is written when nothing was typed for so long."""
 _IN_THE_CASE = {"order": "number", "kind": "type"}
@@ -280,7 +282,7 @@ class CaseController(QObject):
             done = step(store)
             if done is None:
                 return None
-            if done.key == "order":
+            if done.key in _BESIDE:
                 return read_values(store, before), None
             content = read_content(store, before)
             return content.values, content
