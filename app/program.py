@@ -21,12 +21,13 @@ from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
 from app.controllers.coverage import CoverageController
+from app.controllers.delivery import DeliveryController
 from app.controllers.editing import EditingController
-from app.controllers.export import ExportController
 from app.controllers.live_surface import LiveSurfaceController
 from app.controllers.measurements import Measurements
 from app.controllers.mount_picks import MountPicks
 from app.controllers.mounts import MountsController
+from app.controllers.pair_tray import PairTrayController
 from app.controllers.preferences import Preferences
 from app.controllers.readiness import ReadinessController
 from app.controllers.reconstruction import ReconstructionController
@@ -107,7 +108,7 @@ class Program(QObject):
         cases = CaseController(self.background, self.settings, draft, self.tell, self, settings_file=self._settings_file)
         acquisition = AcquisitionController(self.background, rig, cases, self.tell, self)
         reconstruction = ReconstructionController(self.background, cases, self.tell, self)
-        export = ExportController(self.background, self.settings, cases, self.tell, self)
+        delivery = DeliveryController(self.background, preferences, draft, cases, self.tell, self)
         comparing = Comparing(self.background, self.settings, self.compare_stack, cases, self.tell, self)
         recovery = RecoveryController(self.background, self.settings, cases, acquisition, self.tell, self)
         assistant = AssistantController(self.background, rig, self.tell, self)
@@ -127,7 +128,7 @@ class Program(QObject):
             cases,
             acquisition,
             reconstruction,
-            export,
+            delivery,
             comparing,
             recovery,
             assistant,
@@ -138,6 +139,7 @@ class Program(QObject):
             preferences,
             readiness,
             worklist,
+            PairTrayController(cases, worklist, acquisition, rig, self.tell, self),
             Draft(self.undo_stack, self),
             aiming,
             editing,
@@ -252,6 +254,7 @@ class Program(QObject):
             ("comparison", services.comparing.shutdown),
             ("coverage", services.coverage.shutdown),
             ("mounts", services.mounts.shutdown),
+            ("delivery", services.delivery.shutdown),
             ("editing", services.editing.shutdown),
             ("measurements", services.measurements.cancel),
             ("case", lambda: services.case.shutdown(_DEADLINE_S)),

@@ -30,6 +30,8 @@ if TYPE_CHECKING:
     from scanner_core.devices.rig import RigConfig
 
 RECENT = 12
+_BESIDE = ("order", "accepted_places", "measurements")
+"""Keys of edits that change neither the points nor the surface."""
 _TYPING_MS = 700
 """An edit of the order is written when nothing was typed for so long."""
 _IN_THE_CASE = {"order": "number", "kind": "type"}
@@ -319,7 +321,7 @@ class CaseController(QObject):
             done = step(store)
             if done is None:
                 return None
-            if done.key in ("order", "measurements"):
+            if done.key in _BESIDE:
                 return read_values(store, before), None
             if done.key == "processing" and now is not None and (cut := recut_points(now, done.value)) is not None:
                 return read_values(store, before), cut

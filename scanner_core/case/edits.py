@@ -12,6 +12,7 @@ the audit trail.
 ``comparison``      id of the comparison that the case shows, 0 for none
 ``mask:NAME``       id of the mask of that name, 0 for none
 ``discarded_scans``  ids of scans that a person does not want
+``accepted_places``  places that a person accepts as they are (:mod:`scanner_core.coverage.accepted`)
 ``measurements``    what a person has measured, a list
 ==================  ================================================================
 """
@@ -28,7 +29,8 @@ from scanner_core.case.decoding import damaged, text
 from scanner_core.case.records import AuditLine, CaseEdit, Order
 from scanner_core.wall_clock import stamp
 
-ORDER, PROCESSING, DISCARDED, MEASUREMENTS = "order", "processing", "discarded_scans", "measurements"
+ORDER, PROCESSING, DISCARDED, ACCEPTED = "order", "processing", "discarded_scans", "accepted_places"
+MEASUREMENTS = "measurements"
 
 
 class EditJournal(CaseDatabase):
