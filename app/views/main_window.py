@@ -162,8 +162,8 @@ class MainWindow(QMainWindow):
         self.services.case.open(path)
         self.show_page("reconstruct")
 
-    def show_export(self) -> None:
-        self.show_page("export")
+    def show_deliver(self) -> None:
+        self.show_page("deliver")
 
     def set_up_rig(self) -> None:
         self.show_page("assistant")

@@ -37,6 +37,7 @@ class SceneLink(QObject):
         actions["show_uncertainty"].setChecked(self.colouring.surface is SurfaceColour.UNCERTAINTY)
         self._told_s = 0.0
         self._follows = False
+        self._late = False
         services.acquisition.began.connect(self._begin_scan)
         services.acquisition.changed.connect(self._show_scan)
         services.acquisition.ended.connect(self._end_scan)
@@ -97,7 +98,12 @@ class SceneLink(QObject):
 
     # -------------------------------------------------------------------------------- what is shown
     def show_case(self) -> None:
-        """Everything of the open case, after it was opened or closed."""
+        """Everything of the open case, after it was opened or closed; later where something else is shown in its place."""
+        self._late = self.scene is not None and self.scene.aside is not None and self._page().aside() is not None
+        if self._late:
+            self._show_facts()
+            self.shown.emit()
+            return
         scene, case = self.scene, self._services.case
         if scene is not None:
             config = self._services.rig.snapshot.config
@@ -112,6 +118,11 @@ class SceneLink(QObject):
     def show_aside(self) -> None:
         """What the page shows in the place of the case."""
         self.call(lambda scene: scene.show_aside(self._page().aside()))
+        if self.scene is not None and self._late and self.scene.aside is None:
+            self.show_case()
+        self.call(self._page().meet_scene)
+        if not self._services.acquisition.running:
+            self._show_facts()
         self._show_legend()
 
     def _show_mesh(self) -> None:
@@ -120,14 +131,20 @@ class SceneLink(QObject):
         if surface is not None:
             self._actions["show_points"].setChecked(False)
         self.call(lambda scene: scene.show_mesh(surface))
-        if surface is not None:
-            self._stage.show_facts(self.tr("{n} triangles").format(n=fmt.count(len(surface.mesh.triangles))))
+        self._show_facts()
+        self._show_legend()
+        self.shown.emit()
+
+    def _show_facts(self) -> None:
+        case = self._services.case
+        if facts := self._page().facts():
+            self._stage.show_facts(facts)
+        elif case.surface is not None:
+            self._stage.show_facts(self.tr("{n} triangles").format(n=fmt.count(len(case.surface.mesh.triangles))))
         elif case.cloud is not None:
             self._stage.show_facts(self.tr("{n} points").format(n=fmt.count(len(case.cloud))))
         else:
             self._stage.show_facts("")
-        self._show_legend()
-        self.shown.emit()
 
     def _show_legend(self) -> None:
         self._stage.legend.show_scene(self.scene, points=self._actions["show_points"].isChecked())
