@@ -52,7 +52,7 @@ ACTIONS: tuple[ActionInfo, ...] = (
     ActionInfo("start_scan", SCAN, QT_TRANSLATE_NOOP("actions", "&Start scan"), "F5", "play", "start_scan"),
     ActionInfo("pause_scan", SCAN, QT_TRANSLATE_NOOP("actions", "&Pause or resume"), "F6", "pause", "pause_scan"),
     ActionInfo("laser_off", SCAN, QT_TRANSLATE_NOOP("actions", "Stop and &laser off"), "Esc", "laser", "laser_off"),
-    ActionInfo("coverage", SCAN, QT_TRANSLATE_NOOP("actions", "&Coverage"), "F8", "", "show_coverage"),
+    ActionInfo("coverage", SCAN, QT_TRANSLATE_NOOP("actions", "&Complete"), "F8", "", "show_coverage"),
     ActionInfo("fill", SCAN, QT_TRANSLATE_NOOP("actions", "&Fill now"), "Shift+F5", "", "fill"),
     ActionInfo("another_mount", SCAN, QT_TRANSLATE_NOOP("actions", "Another &mount"), "F9", "", "show_mounts"),
     ActionInfo("scan_mount", SCAN, QT_TRANSLATE_NOOP("actions", "Scan &this mount"), "Shift+F9", "", "scan_mount"),
@@ -68,6 +68,7 @@ ACTIONS: tuple[ActionInfo, ...] = (
     ActionInfo("help", HELP, QT_TRANSLATE_NOOP("actions", "&Help on this page"), "F1", "", "show_help"),
     ActionInfo("shortcuts", HELP, QT_TRANSLATE_NOOP("actions", "&Keyboard shortcuts"), "?", "", "show_shortcuts"),
     ActionInfo("tour", HELP, QT_TRANSLATE_NOOP("actions", "&Tour"), "", "", "show_tour"),
+    ActionInfo("next_colour", VIEW, QT_TRANSLATE_NOOP("actions", "&Colours: the next"), "K", "", "next_colour"),
     ActionInfo("support", HELP, QT_TRANSLATE_NOOP("actions", "&Support bundle…"), "", "", "show_support"),
     ActionInfo("about", HELP, QT_TRANSLATE_NOOP("actions", "&About Impronta"), "", "mark", "show_about"),
 )
