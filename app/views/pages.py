@@ -10,6 +10,7 @@ from app.views.assistant_page import AssistantPage
 from app.views.compare_page import ComparePage
 from app.views.coverage_page import CoveragePage
 from app.views.deliver_page import DeliverPage
+from app.views.edit_page import EditPage
 from app.views.home_page import HomePage
 from app.views.mounts_page import MountsPage
 from app.views.page import MakePage
@@ -43,6 +44,7 @@ PAGES: tuple[PageInfo, ...] = (
     PageInfo("rig", QT_TRANSLATE_NOOP("pages", "Rig"), "rig", RigPage),
     PageInfo("aim", QT_TRANSLATE_NOOP("pages", "Aim"), "aim", AimPage),
     PageInfo("scan", QT_TRANSLATE_NOOP("pages", "Scan"), "scan", ScanPage, stage=QT_TRANSLATE_NOOP("pages", "Live point cloud")),
+    PageInfo("edit", QT_TRANSLATE_NOOP("pages", "Edit"), "edit", EditPage, stage=QT_TRANSLATE_NOOP("pages", "Points to be reconstructed")),
     PageInfo("reconstruct", QT_TRANSLATE_NOOP("pages", "Reconstruct"), "reconstruct", ReconstructPage, stage=QT_TRANSLATE_NOOP("pages", "Surface")),
     PageInfo("deliver", QT_TRANSLATE_NOOP("pages", "Deliver"), "export", DeliverPage, stage=QT_TRANSLATE_NOOP("pages", "What is delivered")),
     PageInfo("compare", QT_TRANSLATE_NOOP("pages", "Compare"), "compare", ComparePage),
