@@ -82,7 +82,7 @@ class _PhaseLine(QWidget):
         if (active, time) == self._shown:
             return
         self._shown = (active, time)
-        name, colour = ("play", "accent") if active else ("check", "accent") if time else ("note", "faint")
+        name, colour = ("play", "accent") if active else ("check", "accent") if time else ("pending", "faint")
         self._mark.show_sign(name, colour)
         self._title.setStyleSheet("font-weight: 600;" if active else "")
         self._time.setText(time)
