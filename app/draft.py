@@ -175,9 +175,9 @@ def orders_of(values: DraftValues) -> tuple[DraftValues, ...]:
 
 
 def first_order(last: str) -> DraftValues:
-    """What the form opens with: the first number of the year on the first start, then the one after the last."""
+    """What the form opens with: the first number of the year on the first start, then the one after the last; the side is never guessed."""
     stem = last.rstrip("0123456789")
     digits = last[len(stem) :]
     if not digits:
-        return DraftValues(order=f"{wall_clock.today().year}-0001")
-    return DraftValues(order=f"{stem}{int(digits) + 1:0{len(digits)}d}")
+        return DraftValues(order=f"{wall_clock.today().year}-0001", side="")
+    return DraftValues(order=f"{stem}{int(digits) + 1:0{len(digits)}d}", side="")

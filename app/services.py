@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from app.background import Background
 from app.controllers.acquisition import AcquisitionController
+from app.controllers.aiming import AimController
 from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
@@ -14,6 +15,7 @@ from app.controllers.export import ExportController
 from app.controllers.live_surface import LiveSurfaceController
 from app.controllers.mount_picks import MountPicks
 from app.controllers.mounts import MountsController
+from app.controllers.pair_tray import PairTrayController
 from app.controllers.preferences import Preferences
 from app.controllers.readiness import ReadinessController
 from app.controllers.reconstruction import ReconstructionController
@@ -46,5 +48,7 @@ class Services:
     preferences: Preferences
     readiness: ReadinessController
     worklist: WorklistController
+    pair_tray: PairTrayController
     new_order: Draft
     """What is entered for an order that is not made yet."""
+    aiming: AimController

@@ -142,3 +142,38 @@ def test_what_an_edit_changes_in_the_order_is_shown(desk: Desk) -> None:
     desk.case.change(lambda store: store.edit("order", {"number": "A-3", "side": "right", "type": "ear"}, "Change"), reread=True, then=done.append)
     until(lambda: done, 20, "the edit")
     assert (desk.draft.values.order, desk.draft.values.side) == ("A-3", "right")
+
+
+def test_a_scan_goes_into_the_order_that_was_made_for_it_and_the_next_one_into_another(desk: Desk) -> None:
+    used: list[Path] = []
+    store = desk.open(desk.first)
+    desk.case.for_scan(lambda store: used.append(store.path))
+    until(lambda: used, 20, "the case")
+    assert used == [desk.first]
+    number = store.begin_scan("scan", "rig", "c", "calibration", {"views": [], "sweep_speed_deg_s": 10.0})
+    desk.case.for_scan(lambda store: used.append(store.path))
+    until(lambda: len(used) > 1, 20, "another one")
+    assert used[1] not in (desk.first, desk.second)
+    desk.open(desk.first)
+    until(lambda: desk.case.store is not None, 20, "the first one again")
+    again = desk.case.store
+    assert again is not None
+    again.edit("discarded_scans", [number], "Discard")  # then it is as good as new
+    desk.case.for_scan(lambda store: used.append(store.path))
+    until(lambda: len(used) > 2, 20, "it is used")
+    assert used[2] == desk.first
+    assert desk.told == []
+
+
+def test_a_pair_is_made_at_once_and_the_first_is_open(desk: Desk) -> None:
+    made: list[Path] = []
+    for name, value in (("order", "P-1"), ("side", "both"), ("kind", "ear")):
+        desk.draft.put(name, value)
+    desk.case.create(lambda store: made.append(store.path))
+    until(lambda: made, 20, "the case")
+    assert desk.draft.values.side == "left"
+    others = [path for path in made[0].parent.glob("P-1_*.impronta") if path != made[0]]
+    assert len(others) == 1
+    with CaseStore.open(others[0], read_only=True) as store:
+        assert store.order().side == "right"
+    assert desk.told == []
