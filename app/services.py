@@ -11,8 +11,10 @@ from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
 from app.controllers.coverage import CoverageController
-from app.controllers.export import ExportController
+from app.controllers.delivery import DeliveryController
+from app.controllers.editing import EditingController
 from app.controllers.live_surface import LiveSurfaceController
+from app.controllers.measurements import Measurements
 from app.controllers.mount_picks import MountPicks
 from app.controllers.mounts import MountsController
 from app.controllers.pair_tray import PairTrayController
@@ -37,7 +39,7 @@ class Services:
     case: CaseController
     acquisition: AcquisitionController
     reconstruction: ReconstructionController
-    export: ExportController
+    delivery: DeliveryController
     comparing: Comparing
     recovery: RecoveryController
     assistant: AssistantController
@@ -52,3 +54,5 @@ class Services:
     new_order: Draft
     """What is entered for an order that is not made yet."""
     aiming: AimController
+    editing: EditingController
+    measurements: Measurements

@@ -162,8 +162,8 @@ class MainWindow(QMainWindow):
         self.services.case.open(path)
         self.show_page("reconstruct")
 
-    def show_export(self) -> None:
-        self.show_page("export")
+    def show_deliver(self) -> None:
+        self.show_page("deliver")
 
     def set_up_rig(self) -> None:
         self.show_page("assistant")
@@ -252,6 +252,9 @@ class MainWindow(QMainWindow):
 
     def show_uncertainty(self, on: bool) -> None:
         self._link.show_uncertainty(on)
+
+    def next_colour(self) -> None:
+        self._link.next_colour()
 
     def show_support(self) -> None:
         if self._support is None:

@@ -16,9 +16,7 @@ class ScanTray(QCheckBox):
         self.setProperty("role", "deliberate")
         self.setText(self.tr("Both ears on the pair tray"))
         self.setToolTip(
-            self.tr(
-                "The left ear on seat L, the right one on seat R, the tray's arrow at the table's zero: one run measures both, then each gets its own order"
-            )
+            self.tr("The left ear on seat L, the right one on seat R, the arrow at the table's zero: one run measures both for their orders")
         )
         self._asking = False
         self.toggled.connect(tray.want)
