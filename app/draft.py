@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, replace
 
 from PySide6.QtCore import QCoreApplication, QObject, Signal
@@ -42,6 +42,11 @@ class DraftValues:
     until_um : scan on where the surface is less certain than this, with `points` as the most; 0 = spread them evenly
     triangles : at most so many, 0 = as many as the points carry
     tolerance_um : wanted tolerance, 0 = none; it goes before the number of triangles
+    detail : doublings of the triangles that the points carry, where neither of the two above is given
+    smoothing, pass_band_percent : rounds of the filter of phase three, and what it leaves, of the highest spatial frequency
+    support_percent : density of the points, of that among themselves, from which on the surface counts as measured
+    open_base : leave away what no point supports
+    seed : of the reconstruction's random choices
     """
 
     order: str = ""
@@ -53,6 +58,12 @@ class DraftValues:
     until_um: int = 0
     triangles: int = 0
     tolerance_um: int = 0
+    detail: int = 0
+    smoothing: int = 3
+    pass_band_percent: int = 10
+    support_percent: int = 45
+    open_base: bool = False
+    seed: int = 0
 
 
 ORDER_FIELDS = ("order", "patient_code", "side", "kind")
@@ -87,6 +98,13 @@ class Draft(QObject):
         else:
             self._stack.push(_Edit(self, name, old, value, self._sealed))
 
+    def edit_all(self, values: Mapping[str, object], words: str) -> None:
+        """Several edits as one step, called `words` in the window's language."""
+        self._stack.beginMacro(words)
+        for name, value in values.items():
+            self.edit(name, value)
+        self._stack.endMacro()
+
     def seal(self) -> None:
         """What is typed from now on is a step of its own, also in the field of the last one."""
         self._sealed += 1
@@ -114,6 +132,12 @@ EDIT_TEXTS = {
     "until_um": QT_TRANSLATE_NOOP("draft", "Change wanted uncertainty"),
     "triangles": QT_TRANSLATE_NOOP("draft", "Change number of triangles"),
     "tolerance_um": QT_TRANSLATE_NOOP("draft", "Change tolerance"),
+    "detail": QT_TRANSLATE_NOOP("draft", "Change detail"),
+    "smoothing": QT_TRANSLATE_NOOP("draft", "Change smoothing"),
+    "pass_band_percent": QT_TRANSLATE_NOOP("draft", "Change pass-band"),
+    "support_percent": QT_TRANSLATE_NOOP("draft", "Change support threshold"),
+    "open_base": QT_TRANSLATE_NOOP("draft", "Change open or closed base"),
+    "seed": QT_TRANSLATE_NOOP("draft", "Change seed"),
 }
 
 
@@ -151,9 +175,9 @@ def orders_of(values: DraftValues) -> tuple[DraftValues, ...]:
 
 
 def first_order(last: str) -> DraftValues:
-    """What the form opens with: the first number of the year on the first start, then the one after the last."""
+    """What the form opens with: the first number of the year on the first start, then the one after the last; the side is never guessed."""
     stem = last.rstrip("0123456789")
     digits = last[len(stem) :]
     if not digits:
-        return DraftValues(order=f"{wall_clock.today().year}-0001")
-    return DraftValues(order=f"{stem}{int(digits) + 1:0{len(digits)}d}")
+        return DraftValues(order=f"{wall_clock.today().year}-0001", side="")
+    return DraftValues(order=f"{stem}{int(digits) + 1:0{len(digits)}d}", side="")

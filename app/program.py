@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.background import Background
 from app.controllers.acquisition import AcquisitionController
+from app.controllers.aiming import AimController
 from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
@@ -114,6 +115,7 @@ class Program(QObject):
         picks = MountPicks(self.compare_stack, mounts, self)
         worklist = WorklistController(self.background, self.settings, cases, self._cache_folder(), self.tell, self)
         readiness = ReadinessController(self.background, rig, self.settings, self)
+        aiming = AimController(self.background, rig, self.compare_stack, self._settings_file.parent / "materials", self.tell, self)
         self.services = Services(
             self.settings,
             draft,
@@ -134,6 +136,7 @@ class Program(QObject):
             readiness,
             worklist,
             Draft(self.undo_stack, self),
+            aiming,
         )
         draft.load(first_order(self.settings.last_order) if after is None else after.order)
         live.allow(self.settings.live_surface)

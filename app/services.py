@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from app.background import Background
 from app.controllers.acquisition import AcquisitionController
+from app.controllers.aiming import AimController
 from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
@@ -48,3 +49,4 @@ class Services:
     worklist: WorklistController
     new_order: Draft
     """What is entered for an order that is not made yet."""
+    aiming: AimController

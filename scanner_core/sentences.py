@@ -153,6 +153,11 @@ SENTENCES: dict[str, Sentence] = {
         "Nothing was moved; see that the controller has power and that the cable carries data, then check 'port' and 'baud' in the rig file.",
     ),
     # ------------------------------------------------------------------------------------------ rig, calibration, plan
+    "E-AIM-01": Sentence(
+        "What was set while aiming cannot be read ({path}: {reason}).",
+        "The rig file's own settings are used; set exposure and sizes on the Aim page again.",
+    ),
+    "E-AIM-02": Sentence("The material {path} cannot be used: {reason}.", "It is left out of the list; correct the file or remove it."),
     "E-RIG-01": Sentence("The rig file {path} cannot be used: {reason}.", "Nothing was moved; correct the file or take one of the presets."),
     "E-RIG-02": Sentence(
         "The specimen is {size_mm} mm large, but both cameras see a volume of {volume_mm} mm.",

@@ -52,6 +52,8 @@ class RigController(QObject):
     changed = Signal()
     mended = Signal(object)
     """A fault that was told has passed: the rig is open again."""
+    darkened = Signal()
+    """A person has switched the laser off: whoever wanted it lit no longer does."""
 
     def __init__(
         self,
@@ -123,6 +125,13 @@ class RigController(QObject):
         """Have the idle open rig looked at every so many seconds, in place of the pictures that nobody judges; None: as before."""
         self._look, self._device.period_s = look, period_s
 
+    def reconfigure(self, config: RigConfig) -> None:
+        """In the device thread: what the open rig measures with from now on; the rig file stays."""
+        wanted = self._devices.wanted
+        if wanted is not None:
+            self._devices.wanted = replace(wanted, config=config)
+        self._background.post(lambda: self._news(replace(self.snapshot, config=config)))
+
     def aim(self, on: bool) -> None:
         """A person aims, and has lit the laser."""
         if self.snapshot.aiming != on:
@@ -142,6 +151,7 @@ class RigController(QObject):
 
     def laser_off(self) -> None:
         """Laser off and motion stopped, at once, whatever the device thread is waiting for."""
+        self.darkened.emit()
         rig = self._devices.rig
         if rig is not None:
             self._background.run("laser-off", rig.motion.stop, lambda _: self._device.call(self._recover), self._tell)

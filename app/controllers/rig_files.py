@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,6 +11,7 @@ from app.controllers.rig_snapshot import PRESETS
 from scanner_core.errors import ImprontaError
 
 if TYPE_CHECKING:
+    from scanner_core.devices.aim_settings import AimSettings
     from scanner_core.devices.rig import RigConfig
     from scanner_core.metrology.history import SphereTrend
     from scanner_core.optics.calibration import StereoCalibration
@@ -26,6 +28,9 @@ class RigFiles:
     def __init__(self, folder: Path, known: list[str], tell: Tell) -> None:
         """`known` are the paths of own rig files, the last one opened first; the list is kept up to date in place."""
         self._folder, self.known, self._tell = folder, known, tell
+        self._filed: dict[str, RigConfig] = {}
+        self._aimed: dict[str, AimSettings] = {}
+        self._writing = threading.Lock()
 
     def remember(self, name: str) -> None:
         """In the GUI thread: an own rig file goes to the front of the list."""
@@ -37,13 +42,64 @@ class RigFiles:
         self.known[:] = [other for other in self.known if other != name]
 
     def read(self, name: str) -> RigConfig:
-        """A preset as it was calibrated here, or else as it was shipped; or a rig file.
+        """A preset as it was calibrated here, or else as it was shipped; or a rig file; with what was set for it while aiming.
 
         Raises
         ------
         UsageError
             E-RIG-01.
         """
+        from scanner_core.devices.aim_settings import read_aim
+
+        config = self._filed[name] = self._read(name)
+        self._aimed.pop(name, None)
+        try:
+            settings = read_aim(self._aim_path(name))
+        except ImprontaError as fault:
+            self._tell(fault)
+            return config
+        if settings is None:
+            return config
+        self._aimed[name] = settings
+        return settings.applied(config)
+
+    def aimed(self, name: str) -> AimSettings | None:
+        """What is set for a rig while aiming; of one that was read what its file says, None for one that was not."""
+        filed = self._filed.get(name)
+        return self._aimed.get(name) or (None if filed is None else self._own(filed))
+
+    def filed(self, name: str) -> RigConfig | None:
+        """A rig that was read, as its own file has it."""
+        return self._filed.get(name)
+
+    def hold_aim(self, name: str, settings: AimSettings) -> None:
+        """Until the program ends; :meth:`keep_aim` writes it."""
+        self._aimed[name] = settings
+
+    def keep_aim(self, name: str) -> None:
+        """Write what is held, the newest of it however many calls come at once, for the next start.
+
+        Raises
+        ------
+        StorageError
+        """
+        from scanner_core.devices.aim_settings import write_aim
+
+        with self._writing:
+            write_aim(self._aimed[name], self._aim_path(name))
+
+    def _aim_path(self, name: str) -> Path:
+        from scanner_core.devices.aim_settings import aim_path
+
+        return aim_path(self._folder / f"{name}.toml" if name in PRESETS else Path(name))
+
+    @staticmethod
+    def _own(config: RigConfig) -> AimSettings:
+        from scanner_core.devices.aim_settings import AimSettings
+
+        return AimSettings.of(config)
+
+    def _read(self, name: str) -> RigConfig:
         from scanner_core.devices.rig import load_preset, load_rig
 
         if name not in PRESETS:
@@ -67,7 +123,8 @@ class RigFiles:
         from scanner_core.files import replaced_when_whole, storage_error
 
         if name in PRESETS:
-            path, text = self._folder / f"{name}.toml", dump_rig(config)
+            filed = self._filed.get(name)
+            path, text = self._folder / f"{name}.toml", dump_rig(config if filed is None else self._own(filed).applied(config))
             try:
                 path.parent.mkdir(parents=True, exist_ok=True)
             except OSError as fault:

@@ -12,8 +12,6 @@ def activity_words(services: Services) -> str:
     translate = QCoreApplication.translate
     if services.acquisition.running:
         return translate("activity", "Scanning")
-    if services.reconstruction.running:
-        return translate("activity", "Reconstructing")
     if services.coverage.running:
         return translate("activity", "Looking for what is missing")
     if services.mounts.running:

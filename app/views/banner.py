@@ -23,6 +23,8 @@ class Banner(QFrame):
         self._what = label(wrap=True, selectable=True)
         self._what.setStyleSheet("font-weight: 600;")
         self._do = label("", "muted", wrap=True, selectable=True)
+        self.offer = button("", "", self._take_offer)
+        self._offered: Callable[[], object] = self.dismiss
         self._toggle = QPushButton(self.tr("Details"))
         self._toggle.setCheckable(True)
         self._toggle.toggled.connect(self._unfold)
@@ -38,7 +40,7 @@ class Banner(QFrame):
         words.setSpacing(1)
         words.addWidget(self._what)
         words.addWidget(self._do)
-        line = row(self._mark, words, self._support, self._copy, self._toggle, close, spacing=12)
+        line = row(self._mark, words, self.offer, self._support, self._copy, self._toggle, close, spacing=12)
         line.setStretch(1, 1)
         line.setAlignment(self._mark, Qt.AlignmentFlag.AlignVCenter)
         self._details = QPlainTextEdit()
@@ -65,9 +67,13 @@ class Banner(QFrame):
         if self._fault is fault:
             self.dismiss()
 
-    def tell_note(self, what: str, do: str = "") -> None:
-        """Something worth knowing that is no fault."""
+    def tell_note(self, what: str, do: str = "", offer: str = "", take: Callable[[], object] | None = None) -> None:
+        """Something worth knowing that is no fault; `offer` is what the button says that does `take`."""
         self._show("note", what, do, "")
+        if take is not None:
+            self._offered = take
+            self.offer.setText(offer)
+            self.offer.show()
 
     @property
     def text(self) -> str:
@@ -85,12 +91,14 @@ class Banner(QFrame):
         self._details.hide()
         self._copy.hide()
         self._support.hide()
+        self.offer.hide()
         self.hide()
 
     def _show(self, mood: str, what: str, do: str, details: str) -> None:
         if not self.isHidden() and self._details.toPlainText():
             self._before = [self._details.toPlainText(), *self._before][:5]
         self._fault = None
+        self.offer.hide()
         self.setProperty("mood", mood)
         self.style().unpolish(self)
         self.style().polish(self)
@@ -104,6 +112,11 @@ class Banner(QFrame):
         if not everything:
             self._toggle.setChecked(False)
         self.show()
+
+    def _take_offer(self) -> None:
+        take = self._offered
+        self.dismiss()
+        take()
 
     def _unfold(self, on: bool) -> None:
         self._details.setVisible(on)

@@ -15,7 +15,7 @@ from app.views.home_start import HomeStart
 from app.views.interrupted_strip import InterruptedStrip
 from app.views.order_form import OrderForm
 from app.views.order_list import OrderList
-from app.views.order_words import kind_word, page_of, side_word
+from app.views.order_words import kind_word, next_step, page_of, side_word
 from app.views.page import Page
 from app.views.parts import button, label, row, scrolled, seam
 from app.views.removed_strip import RemovedStrip
@@ -90,7 +90,7 @@ class HomePage(Page):
         self.list.selected.connect(self._show_selected)
         self.empty = label("", "muted", wrap=True)
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._open = button(self.tr("Open"), "", lambda: self._with_selected(self.open_order))
+        self._open = button("", "", lambda: self._with_selected(self.open_order))
         self._open.setToolTip(self.tr("Enter, or a double click"))
         self._remove_button = button(self.tr("Remove"), "", lambda: self._with_selected(self._remove))
         self._remove_button.setToolTip(self.tr("Del; the file is moved, never deleted"))
@@ -221,15 +221,16 @@ class HomePage(Page):
             self.hint.setText(self.tr("Enter opens {order}.").format(order=what))
         elif typed:
             self.hint.setText(self.tr("Enter makes a new order {number}.").format(number=typed))
-        elif count == 1:
-            self.hint.setText(self.tr("1 order; Enter opens the one that is selected."))
+        elif count < 2:
+            self.hint.setText(self.tr("Enter opens the order of that number, or begins a new one."))
         else:
             self.hint.setText(self.tr("{n} orders, the newest first. Arrow down goes into the list.").format(n=count))
 
     def _show_selected(self) -> None:
-        there = self.list.current is not None
-        self._open.setEnabled(there)
-        self._remove_button.setEnabled(there)
+        told = self.list.current
+        self._open.setText(next_step(told))
+        self._open.setEnabled(told is not None)
+        self._remove_button.setEnabled(told is not None)
 
     def _with_selected(self, call: object) -> None:
         told = self.list.current

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from app.controllers.readiness import Readiness
 from app.services import Services
-from app.theme import Sign
+from app.theme import Sign, icon
 from app.views.accuracy_card import AccuracyCard
 from app.views.order_words import kind_word
 from app.views.parts import SideBadge, button, label, make_primary, row, seam
@@ -39,6 +39,7 @@ class HomeStart(QWidget):
         self.demo.setToolTip(self.tr("An ear on the virtual rig: nothing has to be connected, and nothing is overwritten"))
         for made in (self.pair, self.single, self.dental, self.demo):
             made.setMinimumHeight(40)
+            made.setIconSize(QSize(18, 18))
         self._number = label("", "")
         self._number.setStyleSheet("font-weight: 600;")
         self._badge, self._kind = SideBadge(), label("", "muted")
@@ -62,8 +63,11 @@ class HomeStart(QWidget):
         box.setContentsMargins(0, 0, 0, 0)
         box.setSpacing(8)
         box.addWidget(self._case)
+        self._new = QVBoxLayout()
+        self._new.setSpacing(8)
         for made in (self.pair, self.single, self.dental, self.demo):
-            box.addWidget(made)
+            self._new.addWidget(made)
+        box.addLayout(self._new)
         box.addSpacing(12)
         box.addWidget(seam())
         box.addSpacing(8)
@@ -82,8 +86,11 @@ class HomeStart(QWidget):
     def show_worklist(self) -> None:
         """Which button comes first: a demo while there is nothing at all."""
         first = self._services.worklist.known and not self._services.worklist.orders
-        make_primary(self.demo, first)
-        make_primary(self.pair, not first)
+        for made, name, primary in ((self.demo, "play", first), (self.pair, "ear", not first)):
+            make_primary(made, primary)
+            made.setIcon(icon(name, "on_accent" if primary else "text"))
+        if self._new.indexOf(self.demo) != (0 if first else 3):
+            self._new.insertWidget(0 if first else 3, self.demo)
 
     def show_rig(self) -> None:
         """Rig, open order, and what keeps a demo from being tried."""

@@ -24,6 +24,7 @@ from app.views.page import Page
 from app.views.pages import ASIDE, FOOT, PAGES
 from app.views.parts import seam
 from app.views.rail import Rail
+from app.views.reconstruction_words import reconstruction_words
 from app.views.scene_link import SceneLink
 from app.views.stage import Stage
 from app.views.status_line import StatusLine
@@ -84,7 +85,7 @@ class MainWindow(QMainWindow):
         upper.addWidget(self.rail)
         upper.addWidget(seam(upright=True))
         upper.addLayout(right, 1)
-        self.status_line = StatusLine()
+        self.status_line = StatusLine(self._open_reconstructed)
         self.laser = LaserLamps(services, self.rail, self.status_line)
         whole = QWidget()
         box = QVBoxLayout(whole)
@@ -173,7 +174,7 @@ class MainWindow(QMainWindow):
         self._undo.redo()
 
     def start_scan(self) -> None:
-        if self.services.acquisition.running or self.services.reconstruction.running:
+        if self.services.acquisition.running:
             return
         self.banner.dismiss()
         self.services.acquisition.start(self._request())
@@ -278,7 +279,15 @@ class MainWindow(QMainWindow):
 
     def _tell_meshed(self, path: Path) -> None:
         what = self.tr("The surface of {case} is done.").format(case=path.stem)
-        self.banner.tell_note(what, self.tr("It is kept in its case; open that to see it."))
+        self.banner.tell_note(what, self.tr("It is kept in its case."), self.tr("Open it"), lambda: self.open_case(path))
+
+    def _open_reconstructed(self) -> None:
+        """The order whose points are being reconstructed."""
+        wanted = self.services.reconstruction.wanted
+        if wanted is None or wanted.path in (None, self.services.case.path):
+            self.show_page("reconstruct")
+        elif wanted.path is not None:
+            self.open_case(wanted.path)
 
     def _do(self, action_id: str) -> None:
         self.actions_by_id[action_id].trigger()
@@ -345,6 +354,7 @@ class MainWindow(QMainWindow):
 
     def _show_activity(self) -> None:
         self.status_line.show_activity(activity_words(self.services))
+        self.status_line.show_reconstruction(reconstruction_words(self.services.reconstruction))
 
     def _show_rig(self) -> None:
         self.status_line.show_rig(self.services.rig.snapshot)

@@ -27,8 +27,9 @@ class OrderModel(QAbstractListModel):
     def __init__(self, worklist: WorklistController, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._worklist = worklist
-        self._filter = ""
         self._lines: list[CaseGlance] = []
+        self._orders: tuple[CaseGlance, ...] = ()
+        self._texts: list[str] = []
         self._running: Path | None = None
         self._images: OrderedDict[Path, tuple[bytes, QImage]] = OrderedDict()
         worklist.pictured.connect(self._pictured)
@@ -36,10 +37,11 @@ class OrderModel(QAbstractListModel):
     # -------------------------------------------------------------------------------- what is shown
     def show(self, typed: str, running: Path | None) -> None:
         """The orders in which all words of `typed` occur; `running` is the case that is being scanned."""
-        self._filter = typed
+        if self._orders is not self._worklist.orders:
+            self._orders = self._worklist.orders
+            self._texts = [order_sentence(told, aged=False).casefold() for told in self._orders]
         words = typed.casefold().split()
-        orders = self._worklist.orders
-        lines = [told for told in orders if all(word in order_sentence(told).casefold() for word in words)] if words else list(orders)
+        lines = [told for told, text in zip(self._orders, self._texts, strict=True) if all(word in text for word in words)]
         if lines != self._lines:
             self.beginResetModel()
             self._lines, self._running = lines, running

@@ -32,6 +32,21 @@ _PAGES = {
 }
 
 
+_NEXT = {
+    OrderState.NEW: QT_TRANSLATE_NOOP("worklist", "Scan it"),
+    OrderState.INTERRUPTED: QT_TRANSLATE_NOOP("worklist", "Go on with it"),
+    OrderState.SCANNED: QT_TRANSLATE_NOOP("worklist", "Reconstruct it"),
+    OrderState.RECONSTRUCTED: QT_TRANSLATE_NOOP("worklist", "Deliver it"),
+}
+_OPEN = QT_TRANSLATE_NOOP("worklist", "Open it")
+
+
+def next_step(told: CaseGlance | None) -> str:
+    """What opening an order leads to."""
+    state = None if told is None or told.trouble is not None else told.state
+    return QCoreApplication.translate("worklist", _OPEN if state is None else _NEXT.get(state, _OPEN))
+
+
 def state_of(told: CaseGlance, *, running: bool = False) -> tuple[str, str, str]:
     """Word, drawing and colour."""
     key = told.trouble or told.state or OrderState.NEW
@@ -53,7 +68,7 @@ def page_of(told: CaseGlance) -> str:
     return _PAGES[told.state or OrderState.NEW]
 
 
-def order_sentence(told: CaseGlance, *, running: bool = False) -> str:
-    """Everything that a line of the list shows, for those who hear it."""
+def order_sentence(told: CaseGlance, *, running: bool = False, aged: bool = True) -> str:
+    """Everything that a line of the list shows, for those who hear it; without its age what is searched."""
     parts = (told.order.number, side_word(told.order.side), kind_word(told.order.type), told.order.patient_code)
-    return ", ".join(part for part in (*parts, state_of(told, running=running)[0], fmt.ago(told.changed)) if part)
+    return ", ".join(part for part in (*parts, state_of(told, running=running)[0], fmt.ago(told.changed) if aged else "") if part)

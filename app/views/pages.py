@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from app.translation import QT_TRANSLATE_NOOP
+from app.views.aim_page import AimPage
 from app.views.assistant_page import AssistantPage
 from app.views.compare_page import ComparePage
 from app.views.coverage_page import CoveragePage
@@ -40,6 +41,7 @@ class PageInfo:
 PAGES: tuple[PageInfo, ...] = (
     PageInfo("home", QT_TRANSLATE_NOOP("pages", "Home"), "home", HomePage),
     PageInfo("rig", QT_TRANSLATE_NOOP("pages", "Rig"), "rig", RigPage),
+    PageInfo("aim", QT_TRANSLATE_NOOP("pages", "Aim"), "aim", AimPage),
     PageInfo("scan", QT_TRANSLATE_NOOP("pages", "Scan"), "scan", ScanPage, stage=QT_TRANSLATE_NOOP("pages", "Live point cloud")),
     PageInfo("reconstruct", QT_TRANSLATE_NOOP("pages", "Reconstruct"), "reconstruct", ReconstructPage, stage=QT_TRANSLATE_NOOP("pages", "Surface")),
     PageInfo("export", QT_TRANSLATE_NOOP("pages", "Export"), "export", ExportPage, stage=QT_TRANSLATE_NOOP("pages", "What is exported")),

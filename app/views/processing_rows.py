@@ -57,7 +57,7 @@ class ProcessingRows(QWidget):
     def _show_able(self) -> None:
         services = self._services
         free = services.case.store is not None and services.case.cloud is not None and not services.case.computing
-        free = free and not services.acquisition.running and not services.reconstruction.running
+        free = free and not services.acquisition.running and not services.reconstruction.mine
         for field in (self.peak, self.epipolar):
             field.setEnabled(free)
         self.calibration.setEnabled(free and (services.rig.snapshot.calibration is not None or self.calibration.currentIndex() == 1))

@@ -32,3 +32,24 @@ def reason_text(name: str) -> str:
     """The words for a reason; an unknown one as it is called in the files."""
     text = _REASONS.get(name)
     return QCoreApplication.translate("reasons", text) if text else name.replace("_", " ")
+
+
+_AT_SPOT = {
+    "too_dim": QT_TRANSLATE_NOOP("spot", "too dim"),
+    "too_small": QT_TRANSLATE_NOOP("spot", "too small: {area} px"),
+    "too_large": QT_TRANSLATE_NOOP("spot", "too large: {area} px"),
+    "elongated": QT_TRANSLATE_NOOP("spot", "drawn out"),
+    "saturated": QT_TRANSLATE_NOOP("spot", "overexposed"),
+    "cut_by_edge": QT_TRANSLATE_NOOP("spot", "cut by the edge"),
+    "ambiguous": QT_TRANSLATE_NOOP("spot", "one of several"),
+    "outshone": QT_TRANSLATE_NOOP("spot", "reflection: much dimmer"),
+    "epipolar": QT_TRANSLATE_NOOP("spot", "not seen by the other camera"),
+    "outside_volume": QT_TRANSLATE_NOOP("spot", "outside the volume"),
+    "table": QT_TRANSLATE_NOOP("spot", "on the table"),
+}
+
+
+def candidate_text(reason: str, area_px: int) -> str:
+    """Why a bright place is no spot to measure with, short enough to stand beside it."""
+    text = _AT_SPOT.get(reason)
+    return QCoreApplication.translate("spot", text).format(area=area_px) if text else reason_text(reason)

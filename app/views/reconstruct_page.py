@@ -1,24 +1,22 @@
-"""Reconstruct: what is wanted, the three phases with their progress, and the numbers of the result."""
+"""Reconstruct: what is wanted, the balloon with its phases and distances while it is at it, and what came of it."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QCoreApplication, Qt
-from PySide6.QtWidgets import QGridLayout, QProgressBar, QVBoxLayout, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QGridLayout, QVBoxLayout, QWidget
 
-from app.controllers.reconstruction import PHASES
 from app.services import Services
-from app.theme import Sign
-from app.translation import QT_TRANSLATE_NOOP
 from app.views import format as fmt
+from app.views.distance_chart import DistanceChart
 from app.views.page import Page
-from app.views.parts import BigNumber, button, label, number_field, row, seam
+from app.views.parts import BigNumber, button, give_role, label, make_primary, scrolled, seam
 from app.views.processing_rows import ProcessingRows
-
-PHASE_WORDS = {
-    "inflate": (QT_TRANSLATE_NOOP("phases", "Inflate"), QT_TRANSLATE_NOOP("phases", "grows to the points")),
-    "refine": (QT_TRANSLATE_NOOP("phases", "Refine"), QT_TRANSLATE_NOOP("phases", "where the error is")),
-    "smooth": (QT_TRANSLATE_NOOP("phases", "Smooth"), QT_TRANSLATE_NOOP("phases", "without shrinking")),
-}
+from app.views.reconstruction_phases import ReconstructionPhases
+from app.views.reconstruction_waiting import ReconstructionWaiting
+from app.views.reconstruction_wishes import ReconstructionWishes
+from app.views.reconstruction_words import other_warnings, verdict
+from scanner_core.geometry.distance_histogram import CLASSES
+from scanner_core.reconstruction.forecast import Carried, carried_after, carried_by
 
 
 class ReconstructPage(Page):
@@ -26,191 +24,206 @@ class ReconstructPage(Page):
 
     def __init__(self, services: Services) -> None:
         super().__init__(services)
+        job = services.reconstruction
         box = self.inspector(self.tr("Reconstruct"))
+        self.verdict = label("", wrap=True)
         self._error = BigNumber(self.tr("µm expected error"))
         self._supported = BigNumber(self.tr("% supported"))
         self._triangles = BigNumber(self.tr("triangles"))
-        box.addWidget(self._error)
-        box.addLayout(row(self._triangles, self._supported, spacing=6))
-        box.addWidget(seam())
-        self._phases = {name: _PhaseLine(name) for name in PHASES}
-        for line in self._phases.values():
-            box.addWidget(line)
-        self._bar = QProgressBar()
-        self._bar.setRange(0, 1000)
-        self._bar.setTextVisible(False)
-        self._step = label("", "muted", wrap=True)
-        box.addWidget(self._bar)
-        box.addWidget(self._step)
-        box.addWidget(seam())
-        self._told = QWidget()
-        told = QVBoxLayout(self._told)
-        told.setContentsMargins(0, 0, 0, 0)
-        self._facts = QGridLayout()
-        self._facts.setColumnStretch(0, 1)
-        self._facts.setVerticalSpacing(5)
-        told.addLayout(self._facts)
-        self._warnings = label("", "bad", wrap=True)
-        told.addWidget(self._warnings)
-        box.addWidget(self._told)
-        box.addStretch(1)
-        box.addWidget(seam())
+        self._volume = BigNumber(self.tr("mm³ volume"))
+        self._numbers = QWidget()
+        numbers = QGridLayout(self._numbers)
+        numbers.setContentsMargins(0, 0, 0, 0)
+        for place, number in enumerate((self._error, self._supported, self._triangles, self._volume)):
+            numbers.addWidget(number, place // 2, place % 2)
+        self._phases = ReconstructionPhases(job)
+        self._chart_title = label(self.tr("Distance of the points from the surface"), "section", wrap=True)
+        self._chart = DistanceChart()
+        self._told = _Facts()
+        self.wishes = ReconstructionWishes(services.draft)
+        self.again = button(self.tr("Other settings…"), "link", self._unfold_wishes)
         self.processing = ProcessingRows(services)
-        self.anew = button(self.tr("Compute the points anew…"), "link", self._unfold)
-        box.addWidget(self.anew)
-        box.addWidget(self.processing)
+        self.anew = button(self.tr("Compute the points anew…"), "link", lambda: self.processing.setVisible(self.processing.isHidden()))
         self.processing.hide()
-        draft = services.draft
-        self._wanted = number_field(0, 2_000_000, 1000, lambda value: draft.edit("triangles", value), special=self.tr("automatic"))
-        self._tolerance = number_field(0, 1000, 5, lambda value: draft.edit("tolerance_um", value), suffix=" µm", special=self.tr("not set"))
-        self._tolerance.setToolTip(self.tr("When it is set, the surface gets as many triangles as this tolerance needs."))
-        wishes = QGridLayout()
-        wishes.setColumnStretch(0, 1)
-        for line_number, (name, field) in enumerate(((self.tr("Triangles, at most"), self._wanted), (self.tr("Tolerance"), self._tolerance))):
-            caption = label(name, "muted")
-            caption.setBuddy(field)
-            field.setFixedWidth(140)
-            wishes.addWidget(caption, line_number, 0)
-            wishes.addWidget(field, line_number, 1)
-        box.addLayout(wishes)
-        self._start = button(self.tr("Reconstruct"), "primary", lambda: self.intent.emit("reconstruct"))
-        self._cancel = button(self.tr("Cancel"), "", services.reconstruction.cancel)
-        self._next = button(self.tr("Export"), "primary", lambda: self.wanted.emit("export"))
+        middle = QWidget()
+        inside = QVBoxLayout(middle)
+        inside.setContentsMargins(0, 0, 6, 0)
+        inside.setSpacing(9)
+        for part in (self.verdict, self._numbers, self._phases, self._chart_title, self._chart, self._told):
+            inside.addWidget(part)
+        inside.addWidget(self.again, alignment=Qt.AlignmentFlag.AlignLeft)
+        inside.addWidget(self.wishes)
+        inside.addWidget(self.anew, alignment=Qt.AlignmentFlag.AlignLeft)
+        inside.addWidget(self.processing)
+        inside.addStretch(1)
+        box.addWidget(scrolled(middle), 1)
+        self.waiting = ReconstructionWaiting(job)
+        self._next = button(self.tr("Deliver"), "primary", lambda: self.wanted.emit("export"))
         self.missing = button(self.tr("Coverage"), "", lambda: self.intent.emit("coverage"))
         self.missing.setToolTip(self.tr("Places that are not as certain as wanted, why, and what can be done about them (F8)"))
-        box.addWidget(self._next)
-        box.addWidget(self.missing)
-        box.addWidget(self._start)
-        box.addWidget(self._cancel)
-        services.reconstruction.changed.connect(self._show)
-        services.reconstruction.began.connect(self._show)
-        services.reconstruction.ended.connect(self._show)
-        services.reconstruction.ended.connect(self.processing.show_choice)
-        services.case.opened.connect(self._show)
-        services.case.meshed.connect(self._show)
-        services.acquisition.ended.connect(self._show)
-        services.acquisition.ended.connect(self.processing.show_choice)
-        draft.changed.connect(self._show_field)
-        for name in ("triangles", "tolerance_um"):
-            self._show_field(name)
+        self._start = button(self.tr("Reconstruct"), "primary", lambda: self.intent.emit("reconstruct"))
+        self.enough = button(self.tr("Stop here and keep"), "", job.end_early)
+        self.enough.setToolTip(self.tr("Finishes the surface as it is now: whole and closed, but coarser than the points allow."))
+        self._cancel = button(self.tr("Cancel"), "", job.cancel)
+        box.addWidget(seam())
+        for part in (self.waiting, self._next, self.missing, self._start, self.enough, self._cancel):
+            box.addWidget(part)
+        for told in (services.case.opened, services.case.meshed):
+            told.connect(self._fold)
+        self._carried: tuple[object, object, Carried | None] = (None, None, None)
+        for told in (job.changed, job.began, job.ended, services.case.opened, services.case.meshed, services.acquisition.ended):
+            told.connect(self._show)
+        for told in (job.ended, services.acquisition.ended):
+            told.connect(self.processing.show_choice)
+        services.draft.changed.connect(lambda _: self._show_start())
+        self._fold()
         self._show()
 
     def entered(self) -> None:
         self._show()
 
-    def _unfold(self) -> None:
-        """The place of the facts, which are those of the points as they were."""
-        folded = self.processing.isHidden()
-        self.processing.setVisible(folded)
-        self._told.setVisible(not folded)
+    def tick(self) -> None:
+        """The time of a phase goes on between two messages."""
+        if self.isVisible() and self.services.reconstruction.mine:
+            self._phases.show_job()
 
-    def _show_field(self, name: str) -> None:
-        values = self.services.draft.values
-        if name == "triangles":
-            self._wanted.setValue(values.triangles)
-        elif name == "tolerance_um":
-            self._tolerance.setValue(values.tolerance_um)
+    # -------------------------------------------------------------------------------- inside
+    def _fold(self) -> None:
+        """Another case or surface: what was unfolded for the last one is not of this one."""
+        self.processing.hide()
+        self.wishes.setVisible(not self.services.case.report)
+
+    def _unfold_wishes(self) -> None:
+        self.wishes.setVisible(self.wishes.isHidden())
+        self._show()
 
     def _show(self) -> None:
         job, case = self.services.reconstruction, self.services.case
-        report = {} if job.running else case.report
-        self._error.show_number(fmt.micrometres(_number(report, "expected_error_rms_um")))
-        self._supported.show_number(fmt.percent(_number(report, "supported_area_fraction")))
-        shown = job.shown_triangles if job.running else _number(report, "triangles")
-        self._triangles.show_number(fmt.NO_VALUE if shown is None else fmt.count(int(shown)))
-        seconds = job.phase_seconds if job.running or job.phase_seconds else {}
-        if not job.running and report:
-            seconds = {str(phase["name"]): _number(phase, "seconds") or 0.0 for phase in _list(report, "phases")}
-        now = job.progress.phase if job.running and job.progress is not None else ""
-        for name, line in self._phases.items():
-            line.show_phase(active=name == now, seconds=seconds.get(name))
-        self._bar.setVisible(job.running)
-        self._bar.setValue(0 if job.progress is None else round(1000 * job.progress.fraction))
-        self._step.setText(self._sentence())
-        self._show_facts(report)
-        self._show_buttons(bool(report))
+        mine, report = job.mine, case.report
+        done = bool(report) and not mine
+        if not report and not mine:
+            self.wishes.show()
+        wishing = not mine and not self.wishes.isHidden()
+        words, role = ("", "") if mine else verdict(report) if done else (self._ready_words(), "muted")
+        self.verdict.setText(words)
+        self.verdict.setVisible(not mine)
+        give_role(self.verdict, role)
+        self._show_numbers(report, done, mine)
+        self._phases.setVisible(mine)
+        if mine:
+            self._phases.show_job()
+        self._show_chart(report, done and not wishing, mine)
+        self._told.setVisible(done and not wishing)
+        self._told.show_report(report)
+        self.again.setVisible(done)
+        self.again.setText(self.tr("Back to the result") if wishing else self.tr("Other settings…"))
+        self.wishes.setVisible(wishing)
+        self.wishes.show_carried(self._known())
+        self.anew.setVisible(not mine and case.cloud is not None)
+        if mine:
+            self.processing.hide()
+        self.waiting.show_queue()
+        self._show_buttons(done, mine)
 
-    def _sentence(self) -> str:
-        job, case = self.services.reconstruction, self.services.case
-        if job.cancelling:
-            return self.tr("Cancelling…")
-        if job.running:
-            left = None if job.progress is None else job.progress.seconds_left
-            return self.tr("Starting…") if job.progress is None else self.tr("{left} left").format(left=fmt.left_time(left))
+    def _ready_words(self) -> str:
+        case, job = self.services.case, self.services.reconstruction
+        if job.waits:
+            return self.tr("These points wait for their turn.")
         if case.surface is not None:
             return self.tr("The surface is kept in the case.")
         if case.cloud is not None:
             return self.tr("{points} points are ready.").format(points=fmt.count(len(case.cloud)))
-        return self.tr("Scan an object or open a case first.")
+        return self.tr("Scan first, or open a case with points.")
 
-    def _show_facts(self, report: dict[str, object]) -> None:
-        while self._facts.count():
-            item = self._facts.takeAt(0)
-            part = item.widget() if item is not None else None
-            if part is not None:
-                part.hide()
-                part.deleteLater()
-        if not report:
-            self._warnings.setText("")
-            self._warnings.hide()
-            return
-        crossing = _number(report, "self_intersections")
-        facts: list[tuple[str, str, str]] = [
-            (self.tr("Closed"), self.tr("yes") if report.get("closed") else self.tr("no"), "good" if report.get("closed") else "bad"),
-            (self.tr("Self-intersections"), self.tr("none") if not crossing else fmt.count(int(crossing)), "good" if not crossing else "bad"),
-            (self.tr("Points to surface"), self.tr("{n} µm rms").format(n=fmt.micrometres(_number(report, "residual_rms_um"))), ""),
-            (self.tr("Noise of the points"), self.tr("{n} µm").format(n=fmt.micrometres(_number(report, "noise_sigma_um"))), ""),
-            (self.tr("Outliers rejected"), fmt.count(int(_number(report, "outliers_rejected") or 0)), ""),
-            (self.tr("Time"), self.tr("{n:.1f} s").format(n=_number(report, "seconds") or 0.0), ""),
-        ]
-        for line, (name, value, role) in enumerate(facts):
-            self._facts.addWidget(label(name, "muted"), line, 0)
-            self._facts.addWidget(label(value, role), line, 1, Qt.AlignmentFlag.AlignRight)
-        warnings = [str(warning) for warning in _list(report, "warnings")]
-        self._warnings.setText("\n".join(warnings))
-        self._warnings.setVisible(bool(warnings))
+    def _show_numbers(self, report: dict[str, object], done: bool, mine: bool) -> None:
+        job = self.services.reconstruction
+        self._numbers.setVisible(done or mine)
+        for number in (self._error, self._supported, self._volume):
+            number.setVisible(done)
+        self._error.show_number(fmt.micrometres(_number(report, "expected_error_rms_um")))
+        self._supported.show_number(fmt.percent(_number(report, "supported_area_fraction")))
+        volume = _number(report, "volume_mm3")
+        self._volume.show_number(fmt.NO_VALUE if not volume else fmt.count(round(volume)))
+        shown = job.shown_triangles if mine else _number(report, "triangles")
+        self._triangles.show_number(fmt.NO_VALUE if shown is None else fmt.count(int(shown)))
 
-    def _show_buttons(self, done: bool) -> None:
-        job, case = self.services.reconstruction, self.services.case
-        self._cancel.setVisible(job.running)
+    def _show_chart(self, report: dict[str, object], done: bool, mine: bool) -> None:
+        live, kept = self.services.reconstruction.distances, _distances(report)
+        self._chart_title.setVisible(mine or (done and kept is not None))
+        self._chart.setVisible(mine or (done and kept is not None))
+        if mine:
+            self._chart.show_distances(*((live.counts, live.median_um, live.p95_um) if live is not None else ((), 0.0, 0.0)))
+        elif kept is not None:
+            self._chart.show_distances(*kept)
+
+    def _known(self) -> Carried | None:
+        """What the points of the case give; looked at again only when they or the surface are others."""
+        case = self.services.case
+        cloud, provenance = case.cloud, case.provenance
+        if self._carried[0] is not cloud or self._carried[1] is not provenance:
+            parameters = provenance.get("parameters")
+            after = carried_after(case.report, parameters) if isinstance(parameters, dict) else None
+            self._carried = (cloud, provenance, after if after is not None or cloud is None else carried_by(cloud))
+        return self._carried[2]
+
+    def _show_buttons(self, done: bool, mine: bool) -> None:
+        job = self.services.reconstruction
+        self._cancel.setVisible(mine)
         self._cancel.setEnabled(not job.cancelling)
-        self._start.setVisible(not job.running)
-        self._start.setEnabled(case.cloud is not None and not self.services.acquisition.running)
-        self._start.setText(self.tr("Reconstruct again") if done else self.tr("Reconstruct"))
-        self._next.setVisible(done and not job.running)
-        self.missing.setVisible(done and not job.running)
-        role = "" if done else "primary"
-        if self._start.property("role") != role:
-            self._start.setProperty("role", role)
-            self._start.style().unpolish(self._start)
-            self._start.style().polish(self._start)
-        for field in (self._wanted, self._tolerance):
-            field.setEnabled(not job.running)
+        self.enough.setVisible(mine)
+        self.enough.setEnabled(not job.cancelling and not job.ending_early)
+        self._next.setVisible(done)
+        self.missing.setVisible(done)
+        self._show_start()
+
+    def _show_start(self) -> None:
+        job, case = self.services.reconstruction, self.services.case
+        done = bool(case.report)
+        self._start.setVisible(not job.mine)
+        full = job.running and job.queue.full and not job.waits
+        self._start.setEnabled(case.cloud is not None and not self.services.acquisition.running and not full and not job.waits)
+        self._start.setToolTip(self.tr("As many orders wait as can be kept in mind. Take one out, or wait for the next to begin.") if full else "")
+        words = self.tr("Reconstruct again") if done else self.tr("Reconstruct")
+        if job.running:
+            words = self.tr("It waits") if job.waits else self.tr("Reconstruct next")
+        self._start.setText(words)
+        make_primary(self._start, not done and not job.waits)
 
 
-class _PhaseLine(QWidget):
-    """A phase: a mark, its name, what it does, and its time."""
+class _Facts(QWidget):
+    """What else a report tells, a line each."""
 
-    def __init__(self, name: str) -> None:
+    def __init__(self) -> None:
         super().__init__()
-        title, what = (QCoreApplication.translate("phases", word) for word in PHASE_WORDS[name])
-        self._mark = Sign(15)
-        self._title = label(title)
-        self._time = label("", "muted")
-        line = row(self._mark, self._title, label(what, "faint"), 1, self._time, spacing=6)
-        line.setContentsMargins(0, 0, 0, 0)
-        self.setLayout(line)
-        self._shown: tuple[bool, float | None] | None = None
-        self.show_phase(active=False, seconds=None)
+        self._grid = QGridLayout()
+        self._grid.setColumnStretch(0, 1)
+        self._grid.setVerticalSpacing(5)
+        self._warnings = label("", "bad", wrap=True)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.addLayout(self._grid)
+        box.addWidget(self._warnings)
+        self._names = (self.tr("Closed"), self.tr("Points to surface"), self.tr("Noise of the points"), self.tr("Outliers rejected"), self.tr("Time"))
+        self._values = [label("") for _ in self._names]
+        for line, (name, value) in enumerate(zip(self._names, self._values, strict=True)):
+            self._grid.addWidget(label(name, "muted"), line, 0)
+            self._grid.addWidget(value, line, 1, Qt.AlignmentFlag.AlignRight)
 
-    def show_phase(self, *, active: bool, seconds: float | None) -> None:
-        if (active, seconds) == self._shown:
-            return
-        self._shown = (active, seconds)
-        name, colour = ("play", "accent") if active else ("check", "accent") if seconds is not None else ("note", "faint")
-        self._mark.show_sign(name, colour)
-        self._title.setStyleSheet("font-weight: 600;" if active else "")
-        self._time.setText("" if seconds is None else f"{seconds:.1f} s")
+    def show_report(self, report: dict[str, object]) -> None:
+        closed = bool(report.get("closed"))
+        give_role(self._values[0], "good" if closed else "bad")
+        said = (
+            self.tr("yes") if closed else self.tr("no"),
+            self.tr("{n} µm rms").format(n=fmt.micrometres(_number(report, "residual_rms_um"))),
+            self.tr("{n} µm").format(n=fmt.micrometres(_number(report, "noise_sigma_um"))),
+            fmt.count(int(_number(report, "outliers_rejected") or 0)),
+            self.tr("{n:.1f} s").format(n=_number(report, "seconds") or 0.0),
+        )
+        for value, words in zip(self._values, said, strict=True):
+            value.setText(words)
+        warnings = other_warnings(report)
+        self._warnings.setText(warnings)
+        self._warnings.setVisible(bool(warnings))
 
 
 def _number(report: dict[str, object], key: str) -> float | None:
@@ -218,6 +231,12 @@ def _number(report: dict[str, object], key: str) -> float | None:
     return float(value) if isinstance(value, int | float) else None
 
 
-def _list(report: dict[str, object], key: str) -> list[dict[str, object]]:
-    value = report.get(key)
-    return value if isinstance(value, list) else []
+def _distances(report: dict[str, object]) -> tuple[tuple[int, ...], float, float] | None:
+    """Of the finished surface, where the case keeps them."""
+    kept = report.get("distances")
+    if not isinstance(kept, dict):
+        return None
+    counts, median_um, p95_um = kept.get("counts"), _number(kept, "median_um"), _number(kept, "p95_um")
+    if not isinstance(counts, list) or len(counts) != CLASSES or median_um is None or p95_um is None:
+        return None
+    return tuple(int(count) for count in counts), median_um, p95_um

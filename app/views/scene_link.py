@@ -30,12 +30,15 @@ class SceneLink(QObject):
         self._services, self._stage, self._actions, self._page = services, stage, actions, page
         self.scene: SceneView | None = None
         self._told_s = 0.0
+        self._follows = False
         services.acquisition.began.connect(self._begin_scan)
         services.acquisition.changed.connect(self._show_scan)
         services.acquisition.ended.connect(self._end_scan)
         services.acquisition.add_point_sink(lambda points: self.call(lambda scene: scene.append_points(points)))
         services.case.opened.connect(self.show_case)
         services.case.meshed.connect(self._show_mesh)
+        for told in (services.reconstruction.began, services.case.opened, services.acquisition.began, services.acquisition.ended):
+            told.connect(self._follow_reconstruction)
         services.reconstruction.began.connect(self._begin_reconstruction)
         services.reconstruction.grown.connect(lambda surface: self.call(lambda scene: scene.show_mesh(surface)))
         services.reconstruction.ended.connect(self._end_reconstruction)
@@ -134,14 +137,21 @@ class SceneLink(QObject):
             self.call(lambda scene: scene.replace_cloud(cloud))
         self.shown.emit()
 
+    def _follow_reconstruction(self) -> None:
+        """Whether the points of the open case are being reconstructed: only then the balloon is what is looked at."""
+        job = self._services.reconstruction
+        self.call(lambda scene: scene.set_live(job.mine or self._services.acquisition.running))
+        if job.mine != self._follows:
+            self._follows = job.mine
+            self.call(lambda scene: scene.set_points_quiet(job.mine))
+
     def _begin_reconstruction(self) -> None:
-        self.call(lambda scene: scene.show_mesh(None))
-        self.call(lambda scene: scene.set_live(True))
-        self.call(lambda scene: scene.set_points_quiet(True))
-        self._actions["show_points"].setChecked(True)
+        if self._services.reconstruction.mine:
+            self.call(lambda scene: scene.show_mesh(None))
+            self._actions["show_points"].setChecked(True)
 
     def _end_reconstruction(self) -> None:
-        self.call(lambda scene: scene.set_live(False))
-        self.call(lambda scene: scene.set_points_quiet(False))
-        if self._services.case.surface is None:
-            self.call(lambda scene: scene.show_mesh(None))
+        job, case = self._services.reconstruction, self._services.case
+        self._follow_reconstruction()
+        if job.wanted is not None and job.wanted.path == case.path and not job.succeeded:  # else the finished one comes in a moment
+            self.call(lambda scene: scene.show_mesh(case.surface))

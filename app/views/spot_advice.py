@@ -8,7 +8,7 @@ from PySide6.QtCore import QCoreApplication
 
 from app.translation import QT_TRANSLATE_NOOP
 from app.views.reasons import reason_text
-from scanner_core.optics.spot import MissReason, SpotMiss
+from scanner_core.optics.spot import MissReason, Spot, SpotMiss
 
 if TYPE_CHECKING:
     from app.views.camera_preview import CameraPreview
@@ -30,13 +30,17 @@ def advice_text(code: str) -> str:
     return QCoreApplication.translate("spot", text) if text else ""
 
 
-def show_look(widget: CameraPreview, preview: Preview, rig: RigConfig | None) -> None:
-    """A frame with its spot and what would make it a better one, or why there is none."""
-    seen = preview.seen
+def look_words(seen: Spot | SpotMiss, rig: RigConfig | None) -> tuple[str, str]:
+    """Why there is no spot, and what would make the spot that is there a better one; one of them, or neither, is empty."""
     if isinstance(seen, SpotMiss):
         none = QCoreApplication.translate("spot", _NO_SPOT)
-        widget.show_preview(preview, miss=none if seen.reason is MissReason.NO_SPOT else reason_text(seen.reason.value))
-        return
+        return (none if seen.reason is MissReason.NO_SPOT else reason_text(seen.reason.value)), ""
     from scanner_core.optics.spot_quality import judge_spot  # brings OpenCV: not before the window stands
 
-    widget.show_preview(preview, advice="" if rig is None else advice_text(judge_spot(seen, rig.spot).code))
+    return "", "" if rig is None else advice_text(judge_spot(seen, rig.spot).code)
+
+
+def show_look(widget: CameraPreview, preview: Preview, rig: RigConfig | None) -> None:
+    """A frame with its spot and what would make it a better one, or why there is none."""
+    miss, advice = look_words(preview.seen, rig)
+    widget.show_preview(preview, miss, advice)

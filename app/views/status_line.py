@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtWidgets import QFrame, QHBoxLayout
@@ -10,13 +11,14 @@ from app.controllers.device_failure import CONTROLLER, LEFT, RIGHT
 from app.controllers.rig_snapshot import RigSnapshot
 from app.views import format as fmt
 from app.views.calibration_words import age_of, age_text, expired_text
-from app.views.parts import Lamp, label, seam
+from app.views.parts import Lamp, button, label, seam
 
 
 class StatusLine(QFrame):
     """Lamps with words, a seam between them."""
 
-    def __init__(self) -> None:
+    def __init__(self, open_reconstructed: Callable[[], object] = lambda: None) -> None:
+        """`open_reconstructed` leads to the order that is being reconstructed."""
         super().__init__()
         self.setProperty("role", "status")
         self.cameras = Lamp()
@@ -24,6 +26,9 @@ class StatusLine(QFrame):
         self.turntable = Lamp()
         self.calibration = Lamp()
         self._activity = label("", "muted")
+        self.reconstruction = button("", "link", open_reconstructed)
+        self.reconstruction.setToolTip(self.tr("Open the order that is being reconstructed"))
+        self.reconstruction.hide()
         self._rig = label("", "muted")
         box = QHBoxLayout(self)
         box.setContentsMargins(16, 0, 16, 0)
@@ -32,6 +37,7 @@ class StatusLine(QFrame):
             box.addWidget(lamp)
             box.addWidget(seam(upright=True))
         box.addWidget(self._activity)
+        box.addWidget(self.reconstruction)
         box.addStretch(1)
         box.addWidget(self._rig)
         self.setFixedHeight(30)
@@ -75,3 +81,9 @@ class StatusLine(QFrame):
 
     def show_activity(self, text: str) -> None:
         self._activity.setText(text)
+        self._activity.setVisible(bool(text))
+
+    def show_reconstruction(self, text: str) -> None:
+        """Whose points are being reconstructed, and how long yet; empty for none."""
+        self.reconstruction.setText(text)
+        self.reconstruction.setVisible(bool(text))

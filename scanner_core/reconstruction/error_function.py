@@ -19,7 +19,7 @@ from scanner_core.geometry.proximity import Feet, closest_near
 from scanner_core.geometry.smoothing import uniform_averaging
 
 if TYPE_CHECKING:
-    from scanner_core.reconstruction.refine import Fit
+    from scanner_core.reconstruction.fit import Fit
 
 Array = NDArray[np.float64]
 

@@ -14,12 +14,13 @@ from scanner_core.jobs.progress import IsCancelled, IsEnough, OnProgress, never
 from scanner_core.reconstruction.acceptance import LEAST_POINTS, accept, check_fit, check_hollow
 from scanner_core.reconstruction.cloud_scale import CloudScale, measure_scale
 from scanner_core.reconstruction.facets import facet_sag_mm
+from scanner_core.reconstruction.fit import Fit
 from scanner_core.reconstruction.inflate import Balloon, inflate, unreached_share
 from scanner_core.reconstruction.memory import peak_memory_mb
 from scanner_core.reconstruction.observations import observations_of
 from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.parameters import ReconstructionParameters
-from scanner_core.reconstruction.refine import MOST_UNREACHED, Fit, Refinement
+from scanner_core.reconstruction.refine import MOST_UNREACHED, Refinement
 from scanner_core.reconstruction.region import enclosed_region
 from scanner_core.reconstruction.repair import repaired
 from scanner_core.reconstruction.report import Phase, Reconstruction, ReconstructionReport

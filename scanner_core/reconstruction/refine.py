@@ -10,8 +10,6 @@ Coarse levels see the points merged into cells that are small against their tria
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
@@ -25,6 +23,7 @@ from scanner_core.reconstruction.cloud_scale import CloudScale, measure_scale
 from scanner_core.reconstruction.discrete_surface import EQUILATERAL, mean_edge, vertex_areas
 from scanner_core.reconstruction.error_function import wanted_sizes
 from scanner_core.reconstruction.facets import centred_facets, facet_sag_mm, local_edges
+from scanner_core.reconstruction.fit import Fit, Level
 from scanner_core.reconstruction.observations import Observations, merged
 from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.parameters import ReconstructionParameters
@@ -32,7 +31,6 @@ from scanner_core.reconstruction.repair import unfold
 from scanner_core.reconstruction.resampling import coarsened, reduced, split_towards
 from scanner_core.reconstruction.robust import robust_weights
 from scanner_core.reconstruction.spline import Part, SmoothingSpline, grown
-from scanner_core.reconstruction.support import MEASURED
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -109,57 +107,6 @@ def tidied(mesh: TriangleMesh, where: Mask) -> TriangleMesh:
     flipped = flip_edges(smooth, table=table if smooth is mesh else None)
     even = relax(flipped, step=0.25, table=table if flipped is mesh else None)
     return TriangleMesh(np.where(where[:, None], even.vertices, flipped.vertices), flipped.triangles)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Level:
-    """The points as one level sees them."""
-
-    observations: Observations
-    scale: CloudScale
-
-
-@dataclass(slots=True, eq=False)
-class Fit:
-    """The state that refinement carries from level to level.
-
-    Attributes
-    ----------
-    mesh : the surface so far
-    robust : (n,) weights of the observations, 0 for rejected ones
-    noise_mm : sigma along the normal of a typical measurement, from the residuals
-    bandwidth_mm : (v,) of the spline
-    settled : (v,) bool, whether a wider bandwidth than the narrowest that the mesh can carry has won there
-    share : (v,) density of the points over the one that they have among themselves
-    residuals_mm : (n,) of the last solve, over the root of the observations' relative variance
-    moved_mm : (v,) size of the last step
-    homes : (n,) the vertex nearest to the foot of each observation; empty under a soft association
-    density : weight of the observations over area, which the bandwidths refer to
-    level : the points that `robust` and `residuals_mm` belong to
-    least_support : `share` from which on points bear the surface out
-    unreached : share of the observations that lie off the surface together with their neighbours, at the end
-    stopped_early : the caller wanted no better surface
-    """
-
-    mesh: TriangleMesh
-    robust: Array
-    noise_mm: float
-    bandwidth_mm: Array
-    settled: Mask
-    share: Array
-    residuals_mm: Array
-    moved_mm: Array
-    homes: NDArray[np.int64]
-    density: float
-    level: Level
-    least_support: float = MEASURED
-    unreached: float = 0.0
-    stopped_early: bool = False
-
-    @property
-    def supported(self) -> Mask:
-        """(v,) where points bear the surface out."""
-        return self.share > self.least_support
 
 
 class Refinement:
@@ -247,7 +194,7 @@ class Refinement:
 
     def _drawn_share(self, fit: Fit) -> float:
         """How far refinement is: with the root of the triangles, as measured on clouds of 5,000 to 90,000 points."""
-        return float(min(len(fit.mesh.triangles) / self._most_triangles(), 1.0)) ** 0.5
+        return float(np.sqrt(min(len(fit.mesh.triangles) / self._most_triangles(), 1.0)))
 
     # ------------------------------------------------------------------------------------------ points
 

@@ -111,9 +111,13 @@ def tour(program: Program, folder: Path, points: int) -> None:
     another_mount(program, folder)
     window.show_page("export")
     shoot(program, folder / "export.png")
+    services.case.close()
     window.show_page("home")
-    window.new_case()
+    until(lambda: services.worklist.orders and services.worklist.orders[0].mesh is not None, 20, "the order in the list")
     shoot(program, folder / "home-later.png")
+    window.new_case()
+    services.new_order.edit("side", "both")
+    shoot(program, folder / "order.png")
     refused_mount(program, folder)
     compare(program, folder)
     go_wrong(program, folder, points)
@@ -178,7 +182,7 @@ def refused_mount(program: Program, folder: Path) -> None:
     services.draft.edit("points", points)
     services.rig.choose(specimen=before)
     until(lambda: services.rig.snapshot.connected, 120, "the rig as it was")
-    window.new_case()
+    services.case.close()
 
 
 def compare(program: Program, folder: Path) -> None:

@@ -18,10 +18,12 @@ from PySide6.QtWidgets import QApplication
 from app.background import Background
 from app.controllers.case import CaseController
 from app.controllers.reconstruction import ReconstructionController
+from app.controllers.reconstruction_queue import WantedSurface
 from app.draft import Draft
 from app.settings import Settings
 from scanner_core.case.store import CaseStore, Order
 from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.jobs.progress import Cancelled
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 from tests.gui.waiting import until, wait_ms
@@ -75,10 +77,11 @@ def test_a_mesh_reaches_the_case_of_its_points_though_another_is_open(desk: Desk
     desk.case.meshed_elsewhere.connect(elsewhere.append)
     job = ReconstructionController(desk.background, desk.case, desk.told.append)
     desk.open(desk.first)
-    job._path, job._source, job.running = desk.case.path, {"scans": [2]}, True
+    wanted = WantedSurface(desk.case.path, PointCloud(TETRAHEDRON.vertices), {"scans": [2]}, desk.draft.values)
+    job.wanted, job.running = wanted, True
     store = desk.open(desk.second)
-    report = SimpleNamespace(as_dict=lambda: {"triangles": 4})
-    job._done(cast(Any, SimpleNamespace(mesh=TETRAHEDRON, report=report)), ReconstructionParameters())
+    report = SimpleNamespace(as_dict=lambda: {"triangles": 4, "stopped_early": True})
+    job._done(cast(Any, SimpleNamespace(mesh=TETRAHEDRON, report=report)), wanted, ReconstructionParameters())
     until(lambda: elsewhere, 20, "the news")
     assert elsewhere == [desk.first]
     assert store.mesh_count() == 0
@@ -87,7 +90,8 @@ def test_a_mesh_reaches_the_case_of_its_points_though_another_is_open(desk: Desk
         assert kept.mesh_count() == 1
         provenance = kept.mesh()[1]
     assert provenance["scans"] == [2]
-    assert provenance["report"] == {"triangles": 4}
+    assert provenance["report"] == {"triangles": 4, "stopped_early": True}
+    assert provenance["stopped_early"] is True
     assert desk.told == []
 
 
@@ -138,3 +142,38 @@ def test_what_an_edit_changes_in_the_order_is_shown(desk: Desk) -> None:
     desk.case.change(lambda store: store.edit("order", {"number": "A-3", "side": "right", "type": "ear"}, "Change"), reread=True, then=done.append)
     until(lambda: done, 20, "the edit")
     assert (desk.draft.values.order, desk.draft.values.side) == ("A-3", "right")
+
+
+def test_a_scan_goes_into_the_order_that_was_made_for_it_and_the_next_one_into_another(desk: Desk) -> None:
+    used: list[Path] = []
+    store = desk.open(desk.first)
+    desk.case.for_scan(lambda store: used.append(store.path))
+    until(lambda: used, 20, "the case")
+    assert used == [desk.first]
+    number = store.begin_scan("scan", "rig", "c", "calibration", {"views": [], "sweep_speed_deg_s": 10.0})
+    desk.case.for_scan(lambda store: used.append(store.path))
+    until(lambda: len(used) > 1, 20, "another one")
+    assert used[1] not in (desk.first, desk.second)
+    desk.open(desk.first)
+    until(lambda: desk.case.store is not None, 20, "the first one again")
+    again = desk.case.store
+    assert again is not None
+    again.edit("discarded_scans", [number], "Discard")  # then it is as good as new
+    desk.case.for_scan(lambda store: used.append(store.path))
+    until(lambda: len(used) > 2, 20, "it is used")
+    assert used[2] == desk.first
+    assert desk.told == []
+
+
+def test_a_pair_is_made_at_once_and_the_first_is_open(desk: Desk) -> None:
+    made: list[Path] = []
+    for name, value in (("order", "P-1"), ("side", "both"), ("kind", "ear")):
+        desk.draft.put(name, value)
+    desk.case.create(lambda store: made.append(store.path))
+    until(lambda: made, 20, "the case")
+    assert desk.draft.values.side == "left"
+    others = [path for path in made[0].parent.glob("P-1_*.impronta") if path != made[0]]
+    assert len(others) == 1
+    with CaseStore.open(others[0], read_only=True) as store:
+        assert store.order().side == "right"
+    assert desk.told == []

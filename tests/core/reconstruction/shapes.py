@@ -14,11 +14,12 @@ from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.subdivision import subdivide_uniform
 from scanner_core.jobs.progress import Progress
 from scanner_core.reconstruction.cloud_scale import measure_scale
+from scanner_core.reconstruction.fit import Fit
 from scanner_core.reconstruction.observations import observations_of
 from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.reconstruction.pipeline import Reconstruction, reconstruct
-from scanner_core.reconstruction.refine import Fit, Refinement
+from scanner_core.reconstruction.refine import Refinement
 from scanner_core.reconstruction.spline import SmoothingSpline
 
 Array = NDArray[np.float64]

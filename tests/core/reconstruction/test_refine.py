@@ -7,8 +7,9 @@ from scanner_core.geometry.checks import check_mesh
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.proximity import closest_points
 from scanner_core.reconstruction.error_function import Criterion
+from scanner_core.reconstruction.fit import Fit
 from scanner_core.reconstruction.parameters import ReconstructionParameters
-from scanner_core.reconstruction.refine import Fit, tidied
+from scanner_core.reconstruction.refine import tidied
 from tests.core.reconstruction.shapes import fitted, knobbed, on_sphere, ridged, sampled, sphere
 
 TRIANGLES = 10_000
