@@ -53,6 +53,196 @@
     </message>
 </context>
 <context>
+    <name>AccuracyCard</name>
+    <message>
+        <source>95 % of the measured points lie within this width around the sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrated on {date}; {rms} µm rms at corners of the board that were left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter of the reference sphere as measured, less what its certificate says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How accurate is it?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It measures otherwise than in the tests before: calibrate, and test it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No reference sphere was measured with this rig yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the sphere on the table and run:
+{command}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference sphere, {date} ({age})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The Rig page says what is wrong with the rig file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig was calibrated since.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The test is {n} days old.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This rig is not calibrated. The Rig page does that in a few minutes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>µm D95</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>µm size deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>AimPage</name>
+    <message>
+        <source>Aim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Automatic exposure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beam down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beam left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beam right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beam up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finds exposure and gain for the object: the beam visits some places of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on to the scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep as…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep what is set now as a material of your own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laser off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laser on. It goes dark on Esc, when this page is left, or in {seconds} s if nothing is touched.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Live: light the laser</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of learning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size of a spot, pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps of {n} degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table counter-clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off. Goggles on, nobody looks into the beam: then light it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig is not free; the Rig page says why.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The spot is lit while this page is shown, and goes dark on Esc or when nobody touches anything for a while</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two seconds of live pictures while the beam moves a little: sizes of spots that both cameras agree on</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>AimPicture</name>
+    <message>
+        <source>Click: bring the spot there. Arrow keys: move the beam. Page Up and Page Down: turn the table. Wheel: zoom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{camera}: {count} bright places, no spot accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{camera}: {count} bright places, spot accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>AlignmentPanel</name>
     <message>
         <source>Erase</source>
@@ -646,6 +836,17 @@
     </message>
 </context>
 <context>
+    <name>ChosenView</name>
+    <message>
+        <source>Measure this view once more: after the last one while the scan runs, else at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo this view</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>CompareFoot</name>
     <message>
         <source>Align on the painted region</source>
@@ -1192,6 +1393,29 @@
     </message>
 </context>
 <context>
+    <name>DistanceChart</name>
+    <message>
+        <source>95 % {length}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of the points from the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half of the points are nearer to the surface than the first mark, 95 of 100 nearer than the second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half of the points are within {median} of the surface, 95 of 100 within {p95}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>half {length}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>DropTarget</name>
     <message>
         <source>Choose a file…</source>
@@ -1348,6 +1572,37 @@
     </message>
     <message>
         <source>This file exists:</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FileNameLine</name>
+    <message>
+        <source>Both files would have one name: put {side} into the template.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the file names…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In braces: {fields}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Template of the file names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The patient code may stand in file names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no field {unknown}; the fields are {fields}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{field} is left out: no patient in file names unless that is switched on below.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1587,43 +1842,43 @@
 <context>
     <name>HomePage</name>
     <message>
-        <source> points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> views</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A scan is running.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Change</source>
+        <source>A scan is running: the order can wait in the list.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Changes of the order are kept in this case.</source>
+        <source>Del; the file is moved, never deleted</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How accurate is it?</source>
+        <source>Enter makes a new order {number}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Measured on {date} at corners of the board that were not used to calibrate. The laser spot adds its own noise: every surface states the error that is expected of it.</source>
+        <source>Enter opens the order of that number, or begins a new one.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>New case</source>
+        <source>Enter opens {order}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No cases yet. Every scan makes one.</source>
+        <source>Enter, or a double click</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>On the table</source>
+        <source>Looking…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No order has that in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No orders yet. They stand here as soon as they are entered.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1631,31 +1886,58 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open case</source>
+        <source>Remove</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Opening the rig…</source>
+        <source>This order is being scanned.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Order number</source>
+        <source>Wait for its end or stop it first (Esc).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Patient code</source>
+        <source>{n} orders, the newest first. Arrow down goes into the list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>HomeStart</name>
+    <message>
+        <source>A scan is running.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ready.</source>
+        <source>An ear on the virtual rig: nothing has to be connected, and nothing is overwritten</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ready. The scan makes a new case.</source>
+        <source>Change</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Recent cases</source>
+        <source>Change the order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left and right: two cases with one order number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New dental model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New ear impression</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New ear pair</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open now</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1663,51 +1945,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Scan plan</source>
+        <source>Try a demo order</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Side</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Start scan</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The Rig page calibrates it in a few minutes.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The Rig page says what is wrong with the rig file.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The order goes with every file that leaves this program.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The rig has to be calibrated first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a code, not the name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>as on the order form</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not calibrated</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>µm rms error of the calibration</source>
+        <source>{rig}, virtual; on the table: {specimen}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1874,11 +2116,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It is kept in its case; open that to see it.</source>
+        <source>It is kept in its case.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Open a case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1962,6 +2208,100 @@
     </message>
 </context>
 <context>
+    <name>OrderForm</name>
+    <message>
+        <source>Back to the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Enter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every change is kept in the case, and can be undone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep it in the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make both orders, scan the first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the order and scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patient code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The order has no number yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which jaw is it?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which side is it?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a code, not the name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as on the order form</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>OrderList</name>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Orders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove from the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>PickPage</name>
     <message>
         <source>All mounts lie together; there is nothing to pick.</source>
@@ -2031,6 +2371,49 @@
     <name>PlaceList</name>
     <message>
         <source>Places that are not as certain as wanted</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PlanBar</name>
+    <message>
+        <source>Plan: {done} of {count} views are done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View {number} at {angle:.0f}°: {state}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>being measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>far fewer points than its neighbours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to come</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>will be measured once more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{points} of {wanted} points, {rejected} rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{points} points, {rejected} rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{told}; measured twice</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2107,6 +2490,10 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>No order open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Stop · laser off</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2145,15 +2532,15 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>As many orders wait as can be kept in mind. Take one out, or wait for the next to begin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cancelling…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Closed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2165,23 +2552,27 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Export</source>
+        <source>Deliver</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Noise of the points</source>
+        <source>Distance of the points from the surface</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Outliers rejected</source>
+        <source>Finishes the surface as it is now: whole and closed, but coarser than the points allow.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It waits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other settings…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Places that are not as certain as wanted, why, and what can be done about them (F8)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Points to surface</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2193,15 +2584,15 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Scan an object or open a case first.</source>
+        <source>Reconstruct next</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Self-intersections</source>
+        <source>Scan first, or open a case with points.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Starting…</source>
+        <source>Stop here and keep</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2209,59 +2600,15 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Time</source>
+        <source>These points wait for their turn.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tolerance</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Triangles, at most</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>When it is set, the surface gets as many triangles as this tolerance needs.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>automatic</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not set</source>
+        <source>mm³ volume</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>triangles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{left} left</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{n:.1f} s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{n} µm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{n} µm rms</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2274,6 +2621,90 @@ After: {after}</source>
     </message>
 </context>
 <context>
+    <name>ReconstructionPhases</name>
+    <message>
+        <source>Cancelling…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finishing what there is…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking at the points…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of the reconstruction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{left} left</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ReconstructionWaiting</name>
+    <message>
+        <source>Waiting</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ReconstructionWishes</name>
+    <message>
+        <source>Detail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expert…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide expert settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The middle is the default: as many triangles as the points carry. Each step halves or doubles them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as the points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coarse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fine</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RejectList</name>
+    <message>
+        <source>Rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count}  ·  {share} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Remarks</name>
     <message>
         <source>1 remark</source>
@@ -2281,6 +2712,17 @@ After: {after}</source>
     </message>
     <message>
         <source>{n} remarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RemovedStrip</name>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order} was removed; its file is kept.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2381,6 +2823,10 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>By how much the first view lay beside itself when it was measured again at the end of the turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Camera left</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2389,19 +2835,19 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Closing the turn: the first view is measured again and compared.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Coarse pass: view {view} of {views}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Complete: {views} views</source>
+        <source>Complete</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Computing where more points are needed…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Coverage</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2410,6 +2856,10 @@ After: {after}</source>
     </message>
     <message>
         <source>Finding the object, view {view} of {views}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured once more, because they were weak: {views}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2425,7 +2875,11 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Paused in view {view} of {views}; the laser is dark</source>
+        <source>Paused in view {view} of {views}. The laser is dark, beam and table rest, all points so far are kept; it goes on with the next row.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pausing: the row that is being swept is finished first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2449,10 +2903,6 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rejected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Resume</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2462,6 +2912,10 @@ After: {after}</source>
     </message>
     <message>
         <source>Scan again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan again…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2489,6 +2943,10 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Still far fewer points than their neighbours: {views}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Stop · laser off</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2505,11 +2963,23 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The scan is complete.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>View {view} of {views}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>View {view} once more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the turn closes is not known: too few points of the first view were seen again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2521,7 +2991,11 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>left</source>
+        <source>min:s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>min:s left</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2530,14 +3004,6 @@ After: {after}</source>
     </message>
     <message>
         <source>no further view fits into this scan</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>other</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2562,6 +3028,10 @@ After: {after}</source>
     </message>
     <message>
         <source>{share} % within {wanted} µm so far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>µm closure</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2674,15 +3144,7 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Off: a file that leaves the house tells the order, the side and the day, and no patient.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Open the folder</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Privacy</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2718,10 +3180,6 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The patient&apos;s code may stand in file names</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The window changes its language when the scan or the reconstruction has ended and the program starts again.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2731,6 +3189,10 @@ After: {after}</source>
     </message>
     <message>
         <source>Theme</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without it a file that leaves the house tells the order, the side and the day, and no patient.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2770,6 +3232,36 @@ After: {after}</source>
     </message>
     <message>
         <source>What it does</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SizeHistogram</name>
+    <message>
+        <source>Drag a limit, or choose it with up and down and move it with left and right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Live shows how large spots are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size of a spot: {low} to {high} pixels, {chosen}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest size chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smallest size chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Sparkline</name>
+    <message>
+        <source>Size deviation of the last tests in µm: {values}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2820,6 +3312,10 @@ After: {after}</source>
     </message>
     <message>
         <source>Not calibrated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the order that is being reconstructed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3116,6 +3612,17 @@ After: {after}</source>
     </message>
 </context>
 <context>
+    <name>WedgeField</name>
+    <message>
+        <source>Order number, by barcode or keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan or type an order number</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>WindowHelp</name>
     <message>
         <source>At the end stands a file for the next machine, with its checks in plain words.</source>
@@ -3237,6 +3744,138 @@ After: {after}</source>
     <name>_Entry</name>
     <message>
         <source>{n} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>_ExpertFields</name>
+    <message>
+        <source>As many triangles as it takes that 95 of 100 facets keep this tolerance; goes before the number of triangles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the defaults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Density of the points, of that which they have among themselves, from which on the surface counts as measured. Default 45 %.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes before the slider.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave open what was not scanned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of every random choice: the same points and seed give the same surface. Default 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pass-band</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rounds of Taubin&apos;s filter in the last phase. Default 3; many of them inflate the surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smoothing rounds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Support from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangles, at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waves longer than this share of the highest spatial frequency stay. Default 10 %.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without it the surface is closed, as printing needs it; what is bridged is marked as not scanned.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by detail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>_Facts</name>
+    <message>
+        <source>Closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Noise of the points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outliers rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points to surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n:.1f} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} µm rms</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>_Line</name>
+    <message>
+        <source>{order}: do not reconstruct</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order}: one place forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>_PhaseLine</name>
+    <message>
+        <source>{n:.1f} s</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3398,15 +4037,102 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Reconstructing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Scanning</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Setting up a rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>aim</name>
+    <message>
+        <source>As it was set on the Aim page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the rig file says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Automatic exposure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both cameras saw too few spots to learn from: bring the spot to a place that both see.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both cameras see the spot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bringing the spot there…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change limits of the spot&apos;s size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the exposure…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Learn the spot&apos;s size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Learned from {spots} spots; {strays} reflections were seen beside them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Learning: the beam moves a little…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Live lights the laser and shows what the cameras make of its spot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for the object…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moving…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No point here: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The background is too bright: switch off the lamp or close the lid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig is not calibrated: each camera is judged alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too bright even at the shortest exposure: close the apertures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too dark even at the longest exposure: look at the laser and the lens caps, or open the apertures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{left} and {right}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{material}: {exposure} ms, {gain} dB, spots of {low} to {high} pixels</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4283,7 +5009,15 @@ After: {after}</source>
 <context>
     <name>draft</name>
     <message>
+        <source>Back to the defaults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change detail</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4299,7 +5033,27 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Change open or closed base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change pass-band</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change seed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Change side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change smoothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change support threshold</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4423,11 +5177,39 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>1 hour ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 minute ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>just now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>today</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>yesterday</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} days ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{n} days old</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} hours ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} minutes ago</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4650,6 +5432,117 @@ After: {after}</source>
     </message>
 </context>
 <context>
+    <name>materials</name>
+    <message>
+        <source>A clipped top hides where the peak is, and on gloss it is seldom in the middle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A dim halo without its spot must not be taken for one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A higher threshold keeps the foot of the halo, which is no part of the beam, out of the spot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A little light spreads inside of the plaster and comes out around the spot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alginate or another wet, glossy impression under a thin coat of white powder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alginate, scan-sprayed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dry plaster does not mirror; what is less bright by four is light from a neighbouring wall.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ear impression silicone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Glare flattens the top of a spot on a wet place: fewer clipped pixels are borne than on a matt surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Glossy plastic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light goes in and comes out around: the peak is lower than on silicone that scatters as much.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Matt, light silicone that has set; coloured ones may need more light.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirrored light is drawn out along the surface: spots that are longer than three times their width are doubtful here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirrored spots are nearly as bright as true ones: the frame alone decides nothing, the other camera does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plaster</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plaster scatters back about 0.8 of the light where silicone scatters 0.5: the same peak comes in 0.65 of the time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Printed models, varnish, enamel; spray it where you can.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set silicone hardly mirrors: four times as bright tells the spot from the few reflections.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skin-like</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The halo of the light that comes out around the spot is wider than the spot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The part that is mirrored is lost to both cameras or blinds one: between plaster and silicone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The powder is as white as plaster where the coat covers; a little more light for where it is thin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig&apos;s own exposure is made for a matt, light surface that scatters back about half of the light, as silicone does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walls of the canal are seen at up to 80 degrees: their spots are drawn out, and still good.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Translucent and reddish: skin, wax, flesh-coloured silicone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the coat is thin the wet surface mirrors: only what is clearly the brightest is taken, the rest is left to the other camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>White gypsum, as dental models and casts are made of.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>mounts</name>
     <message>
         <source>Mount {n}</source>
@@ -4690,6 +5583,10 @@ After: {after}</source>
 </context>
 <context>
     <name>pages</name>
+    <message>
+        <source>Aim</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message>
         <source>Another mount</source>
         <translation type="unfinished"></translation>
@@ -5000,6 +5897,140 @@ After: {after}</source>
     </message>
     <message>
         <source>spot too small</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>reconstruction</name>
+    <message>
+        <source>About {triangles} triangles, expected error about {n} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About {triangles} triangles, expected error about {n} µm: rounder, but no more certain.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About {triangles} triangles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As many triangles as a tolerance of {n} µm needs (set under Expert).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed and whole: points support all of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed and whole; {share} % of the points did not belong to it and were left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed; {share} % of it was not scanned and is only bridged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept early: closed and whole, but coarser than the points allow.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left open where nothing was scanned, as it was asked for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No order number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points carry the number of triangles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order} · {side}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order}: being finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order}: reconstructing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order}: reconstructing, {left} left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order}: reconstructing, {left} left, {count} waiting</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>reject_advice</name>
+    <message>
+        <source>Check the trigger cable of the cameras (Rig).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Focus the lenses on the object (Aim).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lengthen the exposure (Aim), or dust the object with a matt white powder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the object to the middle of the table.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal at the edges of the object, where the beam passes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal at the edges; if there are many, defocus the lenses a little (Aim).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal in small numbers; if there are many, check the calibration (Rig).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal on steep flanks; another mount turns them towards the laser.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal: the beam met a mark of the table&apos;s rim.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal: the beam met the table beside the object.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures come damaged: plug each camera into a USB port of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures get lost: plug each camera into a USB port of its own, and close other programs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shorten the exposure (Aim), or dust shiny places with a matt powder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Something mirrors the laser: dust it with matt powder, or cover what shines beside the object.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch off lamps, keep the sun away, close the lid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The object stands in the camera&apos;s way: another mount shows what is hidden.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5643,6 +6674,10 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>It is left out of the list; correct the file or remove it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>It is not used; take more views with the board filling the volume.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6271,6 +7306,10 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The material {path} cannot be used: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The mesh of {path} does not say how certain it is.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6392,6 +7431,10 @@ After: {after}</source>
     </message>
     <message>
         <source>The rig file {path} cannot be used: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig file&apos;s own settings are used; set exposure and sizes on the Aim page again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6559,6 +7602,10 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>What was set while aiming cannot be read ({path}: {reason}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Whether the table lost steps cannot be judged on this object: {reason}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6658,7 +7705,39 @@ After: {after}</source>
 <context>
     <name>spot</name>
     <message>
+        <source>cut by the edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawn out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>no spot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not seen by the other camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of several</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outside the volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>overexposed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reflection: much dimmer</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6675,6 +7754,18 @@ After: {after}</source>
     </message>
     <message>
         <source>spot too wide: focus the lens</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too dim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too large: {area} px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too small: {area} px</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6734,6 +7825,69 @@ After: {after}</source>
     </message>
     <message>
         <source>Without folders, recent cases and orders.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>worklist</name>
+    <message>
+        <source>Being scanned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deliver it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delivered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Made by a newer version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open in another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstruct it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstructed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scanned</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
