@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from datetime import datetime
 
 from scanner_core.acquisition.mark_visits import MarksReport, case_marks
+from scanner_core.case.glance import DELIVERY
 from scanner_core.case.points import case_calibration, case_rig
 from scanner_core.case.processing import chosen_processing
 from scanner_core.case.records import MountPose, Order, ScanRecord
@@ -58,6 +59,7 @@ class CaseFacts:
     removed : of them, how many a person took out
     current : the surface was made of the points as they are now; None where that is not known
     accepted : places that a person accepted as they are
+    delivered : the newest delivery of it, as the case remembers it; empty where there was none
     """
 
     order: Order
@@ -77,6 +79,7 @@ class CaseFacts:
     removed: int
     current: bool | None
     accepted: int
+    delivered: dict[str, object]
 
     @property
     def scanned(self) -> str:
@@ -115,6 +118,7 @@ def read_facts(store: CaseStore) -> CaseFacts:
         removed=removed if isinstance(removed, int) else 0,
         current=_is_current(store, provenance),
         accepted=_accepted(store),
+        delivered=_table(store.value(DELIVERY)),
     )
 
 

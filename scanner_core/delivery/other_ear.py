@@ -13,7 +13,8 @@ from scanner_core.errors import ImprontaError
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.jobs.progress import Cancelled, IsCancelled, OnProgress
 
-EAR = "ear"
+EAR, _ARCH = "ear", "arch"
+JAWS = ("upper", "lower")
 _MOST = 400
 """Cases of a folder that are looked into, the newest first: of one order they were made within days."""
 
@@ -59,6 +60,8 @@ def check_side(
     order: Order, mesh: TriangleMesh, other: OtherEar | None, *, progress: OnProgress = lambda _: None, cancelled: IsCancelled = lambda: False
 ) -> Check:
     """Whether a surface is what its label says, as far as the other ear can tell; `Cancelled`."""
+    if order.type.startswith(_ARCH) and order.side not in JAWS:
+        return Check("side", CheckVerdict.WARN, "side.jaw")
     if order.type != EAR:
         return Check("side", CheckVerdict.OPEN, "side.open")
     if order.side not in ("left", "right"):
