@@ -458,6 +458,33 @@
     </message>
 </context>
 <context>
+    <name>BaseShape</name>
+    <message>
+        <source> mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilt along x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilt along y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is below the plane goes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>BoardWatchView</name>
     <message>
         <source>Camera left</source>
@@ -734,7 +761,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>σ {x:.2f} × {y:.2f} px · peak {peak} %</source>
+        <source>σ {x} × {y} px · peak {peak} %</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -781,6 +808,13 @@
     </message>
     <message>
         <source>Pictures of: {check}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CheckList</name>
+    <message>
+        <source>Checks</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1134,7 +1168,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Accept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Complete</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1142,7 +1184,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Coverage</source>
+        <source>Do not accept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1155,6 +1197,10 @@
     </message>
     <message>
         <source>Find out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave the chosen place as it is: the case keeps that, the certificate tells it (A; again to take it back)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1178,6 +1224,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Reconstruct</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Scan an object or open a case first.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1198,7 +1248,194 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{n} places, {mm2:.0f} mm² together</source>
+        <source>{n} open, {mm2:.0f} mm² together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{open}; {n} accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CropShape</name>
+    <message>
+        <source> mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is inside the box stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z to</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>DeliverPage</name>
+    <message>
+        <source>All {passed} checks passed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed, and free of self-intersections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deliver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deliver anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deliver it although it is not ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deliver once more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delivered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit the profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Failed: {failed}. Remarks: {remarks}. Passed: {passed}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How it was measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In {folder}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No surface yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open an order or begin one, then scan and reconstruct it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Orders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstruct</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstruct first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remarks: {remarks}. Passed: {passed}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace the existing files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The certificate says so, in words and in its JSON.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The check was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no surface to deliver yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These files exist already. With {rev} in the name every delivery gets its own number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether it mirrors the other ear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written to {folder}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{counted}
+Delivered before, on {day}: {name}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{place}, with {others}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{written}, with {others}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1447,69 +1684,49 @@
     </message>
 </context>
 <context>
-    <name>ExportPage</name>
+    <name>EditPage</name>
     <message>
-        <source>Choose a folder</source>
+        <source>Edit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Export</source>
+        <source>Go on to the surface</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Folder</source>
+        <source>Leave them in</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Folder for exported files</source>
+        <source>Measure</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Format</source>
+        <source>Points</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>In braces: {fields}</source>
+        <source>Reading the points…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Name</source>
+        <source>Reconstruct</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Reconstruct first: there is no surface yet.</source>
+        <source>Scan an object or open a case first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Replace the existing file</source>
+        <source>Take out {n} points</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Scan first: there are no points yet.</source>
+        <source>The surface was made when other points were taken out. Reconstruct it again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Show in its folder</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Template of the name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This file exists already. With {rev} in the name every export gets its own number.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Written: {name}, {size:.1f} MB</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{n} points, millimetres</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{n} triangles, {size} mm</source>
+        <source>{n} points</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2062,11 +2279,75 @@
 <context>
     <name>Legend</name>
     <message>
-        <source>not scanned</source>
+        <source>Age</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>scanned</source>
+        <source>Colours: {name}, {low} to {high}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Density, points/mm²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Epipolar residual, σ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty, µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Support by points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the colours mean; click to choose  (K: the next one)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>filled in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>newest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>oldest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} and more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} s ago</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2112,7 +2393,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Both ears are measured: {left} points on the left one, {right} on the right one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Cases (*.impronta)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each is an order of its own now; both stand in the worklist.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2133,6 +2422,129 @@
     </message>
     <message>
         <source>Wait for its end or stop it first (Esc).</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>MeasurePanel</name>
+    <message>
+        <source> mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Across x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Across y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Canal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click a place, or move the plane.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click the second place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click two places on the surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click two points. Sections, canal and volume are measured on the surface: reconstruct it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the highest point, or click the tip of the canal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep this section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure the canal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure the volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No canal was found there. Click the tip of the canal on the surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove measurement {n}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan an object or open a case first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface is not closed, so it encloses no volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the closed surface encloses.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm perimeter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm² area</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2302,6 +2714,29 @@
     </message>
 </context>
 <context>
+    <name>OutlierShape</name>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many times the usual distance to its neighbours a point may lie off them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking at every point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points that are far from their neighbours, off their surface, or in a small group of their own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>PickPage</name>
     <message>
         <source>All mounts lie together; there is nothing to pick.</source>
@@ -2368,6 +2803,13 @@
     </message>
 </context>
 <context>
+    <name>PlaceEntry</name>
+    <message>
+        <source>✓ Accepted as it is: {why}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>PlaceList</name>
     <message>
         <source>Places that are not as certain as wanted</source>
@@ -2414,6 +2856,73 @@
     </message>
     <message>
         <source>{told}; measured twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PointsPanel</name>
+    <message>
+        <source>Also what lies behind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring all back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring points back instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut the base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Many at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Otherwise only what is in front, as it is seen, is taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outliers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show what was taken out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take out what is left, and bring back what was taken out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of {n} points taken out</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2467,6 +2976,77 @@
     </message>
     <message>
         <source>of the rig now</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ProfilePanel</name>
+    <message>
+        <source>Certificate beside it (PDF and JSON)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy as my own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every change counts at once; Ctrl+Z takes it back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder for exported files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In braces: {fields}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured points beside it (XYZ)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This profile belongs to the program. Copy it to change it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without its base (open surface)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3032,6 +3612,17 @@ After: {after}</source>
     </message>
     <message>
         <source>µm closure</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ScanTray</name>
+    <message>
+        <source>Both ears on the pair tray</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The left ear on seat L, the right one on seat R, the arrow at the table&apos;s zero: one run measures both for their orders</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3849,7 +4440,7 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{n:.1f} s</source>
+        <source>{n} s</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3875,7 +4466,7 @@ After: {after}</source>
 <context>
     <name>_PhaseLine</name>
     <message>
-        <source>{n:.1f} s</source>
+        <source>{n} s</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3890,7 +4481,15 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Coverage</source>
+        <source>&amp;Colours: the next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Complete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Deliver…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3899,10 +4498,6 @@ After: {after}</source>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4918,11 +5513,11 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tilt the object by about {deg:.0f}°.</source>
+        <source>Tilt the object by about {deg}°.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Turn the object over, or tilt it by about {deg:.0f}°.</source>
+        <source>Turn the object over, or tilt it by about {deg}°.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4942,7 +5537,7 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>faces the laser at {deg:.0f}°</source>
+        <source>faces the laser at {deg}°</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4998,22 +5593,125 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{mm2:.1f} mm²</source>
+        <source>{mm2} mm²</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{mm:.0f} mm up</source>
+        <source>{mm} mm up</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>delivery</name>
+    <message>
+        <source>3MF, carries its unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Archive (PLY with uncertainty, and points)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As it was scanned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Canal tip up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dental model (STL, occlusal plane XY)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ear shell laboratory (STL)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Modelling (OBJ)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Occlusal plane XY, +Z to occlusal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PLY, with uncertainty and support</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Printing (3MF)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready, with remarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a dental arch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an ear impression</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not checked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>remark</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>draft</name>
     <message>
+        <source>Accept a place as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Back to the defaults</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring points back</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5081,6 +5779,10 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Do not accept a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Ear impression</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5101,11 +5803,27 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Other</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Remove a measurement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Split the pair tray</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take points out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5129,33 +5847,6 @@ After: {after}</source>
     </message>
     <message>
         <source>Laser: no rig</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>export</name>
-    <message>
-        <source>Modelling programs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Printing and milling; binary, millimetres</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Printing; carries its unit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The registered measured points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>With uncertainty and support of every vertex</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5232,10 +5923,6 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose what receives it, look at the name, and write. The name never holds the patient&apos;s.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Cut the base off, then brush or lasso what is left over. Every step can be taken back with Ctrl+Z; no point is ever deleted.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5265,10 +5952,6 @@ After: {after}</source>
     </message>
     <message>
         <source>Lengths are in millimetres between measured points, areas in square millimetres within the section.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lengths in the file are millimetres. The revision counts up, so that no file is overwritten.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5349,10 +6032,6 @@ After: {after}</source>
     </message>
     <message>
         <source>The surface is checked and leaves the program as a file for the next machine, with a certificate beside it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The surface is checked and leaves the program as a file for the next machine.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5543,6 +6222,69 @@ After: {after}</source>
     </message>
 </context>
 <context>
+    <name>measure</name>
+    <message>
+        <source>Canal length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most ±{mm3} mm³; surface {mm2} mm²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from end to end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from the tip to where it opens</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its uncertainty is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>perimeter {mm} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>perimeter {mm} mm; the section is open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface {mm2} mm²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{mm2} mm²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{mm3} mm³</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{mm} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>± {um} µm, standard uncertainty of both places</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>mounts</name>
     <message>
         <source>Mount {n}</source>
@@ -5596,11 +6338,15 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Coverage</source>
+        <source>Complete</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Export</source>
+        <source>Deliver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5612,11 +6358,19 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Missing places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Mounts</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pick three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points to be reconstructed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5644,7 +6398,7 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What is exported</source>
+        <source>What is delivered</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5687,6 +6441,10 @@ After: {after}</source>
     </message>
     <message>
         <source>another pattern of file names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of the export profiles</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
