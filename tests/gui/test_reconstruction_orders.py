@@ -22,7 +22,6 @@ from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.reconstruction.report import Reconstruction
 from tests.gui.waiting import until
 
-
 SEEN_ALL_ROUND: dict[str, object] = {"processing": {"mounts": [1, 2]}}
 """What the points come from: nothing is filled down to the table."""
 
