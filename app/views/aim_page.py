@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QButtonGroup, QComboBox, QHBoxLayout, QLineEdit, Q
 
 from app.controllers.aim_snapshot import AimJob
 from app.services import Services
+from app.views import format as fmt
 from app.views.aim_picture import AimPicture
 from app.views.aim_words import as_filed_words, exposed_words, learned_words, pair_words, used_words
 from app.views.material_words import material_reasons, material_title
@@ -133,10 +134,11 @@ class AimPage(Page):
         steps = []
         group = QButtonGroup(self)
         for step in STEPS_DEG:
-            made = button(f"{step:g}°", "choice", partial(self._step, step))
+            n = fmt.decimal(step, 0 if step >= 1 else 1)
+            made = button(f"{n}°", "choice", partial(self._step, step))
             made.setCheckable(True)
             made.setChecked(step == self.step_deg)
-            made.setAccessibleName(self.tr("Steps of {n} degrees").format(n=f"{step:g}"))
+            made.setAccessibleName(self.tr("Steps of {n} degrees").format(n=n))
             group.addButton(made)
             steps.append(made)
         head = row(label(self.tr("By hand"), "section"), 1, *steps, spacing=4)
