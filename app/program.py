@@ -21,10 +21,13 @@ from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
 from app.controllers.coverage import CoverageController
-from app.controllers.export import ExportController
+from app.controllers.delivery import DeliveryController
+from app.controllers.editing import EditingController
 from app.controllers.live_surface import LiveSurfaceController
+from app.controllers.measurements import Measurements
 from app.controllers.mount_picks import MountPicks
 from app.controllers.mounts import MountsController
+from app.controllers.pair_tray import PairTrayController
 from app.controllers.preferences import Preferences
 from app.controllers.readiness import ReadinessController
 from app.controllers.reconstruction import ReconstructionController
@@ -105,7 +108,7 @@ class Program(QObject):
         cases = CaseController(self.background, self.settings, draft, self.tell, self, settings_file=self._settings_file)
         acquisition = AcquisitionController(self.background, rig, cases, self.tell, self)
         reconstruction = ReconstructionController(self.background, cases, self.tell, self)
-        export = ExportController(self.background, self.settings, cases, self.tell, self)
+        delivery = DeliveryController(self.background, preferences, draft, cases, self.tell, self)
         comparing = Comparing(self.background, self.settings, self.compare_stack, cases, self.tell, self)
         recovery = RecoveryController(self.background, self.settings, cases, acquisition, self.tell, self)
         assistant = AssistantController(self.background, rig, self.tell, self)
@@ -116,6 +119,7 @@ class Program(QObject):
         worklist = WorklistController(self.background, self.settings, cases, self._cache_folder(), self.tell, self)
         readiness = ReadinessController(self.background, rig, self.settings, self)
         aiming = AimController(self.background, rig, self.compare_stack, self._settings_file.parent / "materials", self.tell, self)
+        editing = EditingController(self.background, cases, acquisition, self.tell, self)
         self.services = Services(
             self.settings,
             draft,
@@ -124,7 +128,7 @@ class Program(QObject):
             cases,
             acquisition,
             reconstruction,
-            export,
+            delivery,
             comparing,
             recovery,
             assistant,
@@ -135,8 +139,11 @@ class Program(QObject):
             preferences,
             readiness,
             worklist,
+            PairTrayController(cases, worklist, acquisition, rig, self.tell, self),
             Draft(self.undo_stack, self),
             aiming,
+            editing,
+            Measurements(self.background, cases, self.tell, self),
         )
         draft.load(first_order(self.settings.last_order) if after is None else after.order)
         live.allow(self.settings.live_surface)
@@ -150,7 +157,7 @@ class Program(QObject):
         install_hooks(self._show)
         self._shading = Shading(self.background)
         pages = [page.tick for page in self.window.pages.values()]
-        drains = (self.background.drain, acquisition.drain, reconstruction.drain, comparing.drain, coverage.drain, mounts.drain)
+        drains = (self.background.drain, acquisition.drain, reconstruction.drain, comparing.drain, coverage.drain, mounts.drain, editing.drain)
         for source in (*drains, live.tick, self._shading.tick, *pages):
             self.pump.add_source(source)
         for painter in (self.window.paint_scene, *(page.paint_scene for page in self.window.pages.values())):
@@ -247,6 +254,9 @@ class Program(QObject):
             ("comparison", services.comparing.shutdown),
             ("coverage", services.coverage.shutdown),
             ("mounts", services.mounts.shutdown),
+            ("delivery", services.delivery.shutdown),
+            ("editing", services.editing.shutdown),
+            ("measurements", services.measurements.cancel),
             ("case", lambda: services.case.shutdown(_DEADLINE_S)),
             ("shading", lambda: self._shading.close(_DEADLINE_S)),
             ("background", self._end_background),

@@ -11,10 +11,13 @@ from app.controllers.assistant import AssistantController
 from app.controllers.case import CaseController
 from app.controllers.comparing import Comparing
 from app.controllers.coverage import CoverageController
-from app.controllers.export import ExportController
+from app.controllers.delivery import DeliveryController
+from app.controllers.editing import EditingController
 from app.controllers.live_surface import LiveSurfaceController
+from app.controllers.measurements import Measurements
 from app.controllers.mount_picks import MountPicks
 from app.controllers.mounts import MountsController
+from app.controllers.pair_tray import PairTrayController
 from app.controllers.preferences import Preferences
 from app.controllers.readiness import ReadinessController
 from app.controllers.reconstruction import ReconstructionController
@@ -36,7 +39,7 @@ class Services:
     case: CaseController
     acquisition: AcquisitionController
     reconstruction: ReconstructionController
-    export: ExportController
+    delivery: DeliveryController
     comparing: Comparing
     recovery: RecoveryController
     assistant: AssistantController
@@ -47,6 +50,9 @@ class Services:
     preferences: Preferences
     readiness: ReadinessController
     worklist: WorklistController
+    pair_tray: PairTrayController
     new_order: Draft
     """What is entered for an order that is not made yet."""
     aiming: AimController
+    editing: EditingController
+    measurements: Measurements

@@ -53,8 +53,15 @@ class Settings:
     live_surface: bool = True
     retry: bool = True
     """Weak places are measured again at the end of a view."""
+    export_profiles: list[str] = field(default_factory=list)
+    """A person's own, one JSON text each."""
+    export_choice: list[str] = field(default_factory=list)
+    """By type of the order the profile that was chosen last, as "ear=Ear shell laboratory (STL)"."""
     recent_cases: list[str] = field(default_factory=list)
     last_order: str = ""
+    point_colour: str = "height"
+    surface_colour: str = "support"
+    """By what the 3D view is coloured."""
     window: list[int] = field(default_factory=list)
     """Width and height of the window."""
 

@@ -13,7 +13,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from app.background import Background
 from app.controllers.case_content import CaseContent, read_content, read_values
 from app.controllers.case_files import DEMO, create_cases
-from app.controllers.computing import compute_anew
+from app.controllers.computing import CutPoints, compute_anew, cut_points, recut_points
 from app.controllers.device_thread import DeviceThread
 from app.draft import EDIT_TEXTS, ORDER_FIELDS, Draft, DraftValues, orders_of
 from app.settings import Settings, save_settings
@@ -23,10 +23,15 @@ from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.jobs.progress import Cancelled
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from scanner_core.case.store import CaseEdit, CaseStore
     from scanner_core.devices.rig import RigConfig
 
 RECENT = 12
+_BESIDE = ("order", "accepted_places", "measurements")
+"""Keys of edits that change neither the points nor the surface."""
 _TYPING_MS = 700
 """An edit of the order is written when nothing was typed for so long."""
 _IN_THE_CASE = {"order": "number", "kind": "type"}
@@ -64,6 +69,8 @@ class CaseController(QObject):
         self._settings_file = settings_file
         self.store: CaseStore | None = None
         self.cloud: PointCloud | None = None
+        self.taken_out: PointCloud | None = None
+        """Points that a person took out."""
         self.surface: Surface | None = None
         self.source: dict[str, object] = {}
         """What the points were computed from: scans, calibration, processing; empty where that is not known."""
@@ -85,6 +92,15 @@ class CaseController(QObject):
     @property
     def path(self) -> Path | None:
         return None if self.store is None else self.store.path
+
+    @property
+    def outdated(self) -> bool:
+        """The mesh was made when other points were taken out than now."""
+        made_of = self.provenance.get("processing")
+        now = self.source.get("processing")
+        if self.surface is None or not isinstance(made_of, dict) or not isinstance(now, dict):
+            return False
+        return made_of.get("removed") != now.get("removed")
 
     @property
     def report(self) -> dict[str, object]:
@@ -171,7 +187,7 @@ class CaseController(QObject):
         self._write_order()
         self._turn += 1
         self.opening, self.store, self._draft.keep_order = False, None, None
-        self.cloud, self.source, self.surface, self.provenance, self.processing = None, {}, None, {}, {}
+        self.cloud, self.source, self.surface, self.provenance, self.processing, self.taken_out = None, {}, None, {}, {}, None
         self._thread.call(self._let_go)
         self._show_words((None, None))
         self.opened.emit()
@@ -183,7 +199,7 @@ class CaseController(QObject):
 
     def take_cloud(self, cloud: PointCloud | None, source: dict[str, object]) -> None:
         """The registered points of a scan that has ended, and what they were computed from."""
-        self.cloud, self.source = cloud, source
+        self.cloud, self.source, self.taken_out = cloud, source, None
 
     def keep_mesh(self, mesh: TriangleMesh, provenance: dict[str, object], path: Path | None) -> None:
         """Put a mesh into the case of its points, also when that is no longer the open one; `meshed` or `meshed_elsewhere` when it is there."""
@@ -251,6 +267,31 @@ class CaseController(QObject):
         self.change(partial(compute_anew, rig=rig, gates=gates), reread=True)
         self._thread.call(partial(self._background.post, self._computed))
 
+    def take_out(self, out: NDArray[np.bool_], words: str, then: Callable[[], None], failed: Callable[[], None]) -> None:
+        """Leave those of all points, in the order of their trigger ids, out that a mask tells; `then` before the others are told, or `failed`."""
+        store, now = self.store, self._points()
+        if store is None or now is None:
+            return
+
+        def done(cut: CutPoints) -> None:
+            if store is self.store:
+                self._take_cut(cut)
+                then()
+                self.opened.emit()
+                self._step()
+
+        def refused(fault: Exception) -> None:
+            self._tell(fault)
+            failed()
+
+        self._do(partial(cut_points, store, now, out, words), done, refused)
+
+    def _points(self) -> CutPoints | None:
+        return None if self.cloud is None else CutPoints(self.cloud, self.taken_out, self.source, self.processing)
+
+    def _take_cut(self, cut: CutPoints) -> None:
+        self.cloud, self.taken_out, self.source, self.processing = cut.cloud, cut.taken_out, cut.source, cut.processing
+
     def _computed(self) -> None:
         """Whatever came of it: what is shown is the case's choice."""
         self.computing = False
@@ -272,39 +313,43 @@ class CaseController(QObject):
 
     def _go(self, step: Callable[[CaseStore], CaseEdit | None]) -> None:
         self._write_order()
-        store, before = self.store, self._draft.values
+        store, before, now = self.store, self._draft.values, self._points()
         if store is None:
             return
 
-        def work() -> tuple[DraftValues, CaseContent | None] | None:
+        def work() -> tuple[DraftValues, CaseContent | CutPoints | None] | None:
             done = step(store)
             if done is None:
                 return None
-            if done.key == "order":
+            if done.key in _BESIDE:
                 return read_values(store, before), None
+            if done.key == "processing" and now is not None and (cut := recut_points(now, done.value)) is not None:
+                return read_values(store, before), cut
             content = read_content(store, before)
             return content.values, content
 
-        def show(got: tuple[DraftValues, CaseContent | None] | None) -> None:
+        def show(got: tuple[DraftValues, CaseContent | CutPoints | None] | None) -> None:
             if got is not None and store is self.store:
                 self._show(got[0], before, got[1])
 
         self._do(work, show)
         self._ask_words()
 
-    def _show(self, values: DraftValues, before: DraftValues, content: CaseContent | None) -> None:
+    def _show(self, values: DraftValues, before: DraftValues, content: CaseContent | CutPoints | None) -> None:
         """What the open case shows from now on; a field in which something was typed since `before` stays."""
         for name in ORDER_FIELDS:
             value, now = getattr(values, name), getattr(self._draft.values, name)
             if value != now and now == getattr(before, name):
                 self._draft.put(name, value)
-        if content is not None:
+        if isinstance(content, CutPoints):
+            self._take_cut(content)
+        elif content is not None:
             self._put(content)
         self.opened.emit()
 
     def _put(self, content: CaseContent) -> None:
         self.cloud, self.source, self.surface = content.cloud, content.source, content.surface
-        self.provenance, self.processing = content.provenance, content.processing
+        self.provenance, self.processing, self.taken_out = content.provenance, content.processing, content.taken_out
 
     def _edit_order(self, name: str) -> None:
         """A field of the order was edited while the case is open."""

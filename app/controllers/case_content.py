@@ -25,6 +25,7 @@ class CaseContent:
     source : what the points were computed from, for the provenance of a mesh of them
     provenance : of the mesh
     processing : how the points are computed, as the case keeps it; empty for as scanned
+    taken_out : points that a person took out, None for none
     """
 
     values: DraftValues
@@ -33,6 +34,7 @@ class CaseContent:
     surface: Surface | None
     provenance: dict[str, object]
     processing: dict[str, object]
+    taken_out: PointCloud | None = None
 
 
 def read_content(store: CaseStore, before: DraftValues) -> CaseContent:
@@ -52,8 +54,8 @@ def read_content(store: CaseStore, before: DraftValues) -> CaseContent:
     surface = None if mesh is None else Surface.of(mesh, growing=False)
     choice = store.value("processing")
     processed = kept(lambda: process_case(store, chosen_processing(store)))
-    cloud, source = (None, {}) if processed is None else (processed.cloud, processed.provenance())
-    return CaseContent(read_values(store, before), cloud, source, surface, provenance, choice if isinstance(choice, dict) else {})
+    cloud, source, taken_out = (None, {}, None) if processed is None else (processed.cloud, processed.provenance(), processed.taken_out)
+    return CaseContent(read_values(store, before), cloud, source, surface, provenance, choice if isinstance(choice, dict) else {}, taken_out)
 
 
 def read_values(store: CaseStore, before: DraftValues) -> DraftValues:

@@ -12,7 +12,7 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 from app.settings import Settings, save_settings
 from app.translation import QT_TRANSLATE_NOOP
 
-STEPS: Final[Mapping[str, str]] = {
+STEPS: Final[dict[str, str]] = {
     "theme": QT_TRANSLATE_NOOP("preferences", "change of the theme"),
     "language": QT_TRANSLATE_NOOP("preferences", "change of the language"),
     "scale_percent": QT_TRANSLATE_NOOP("preferences", "change of the size"),
@@ -24,6 +24,8 @@ STEPS: Final[Mapping[str, str]] = {
     "retry": QT_TRANSLATE_NOOP("preferences", "measuring weak places again"),
 }
 """The settings that the page offers, and what undoing a change of one is called."""
+ELSEWHERE: Final[dict[str, str]] = {"export_profiles": QT_TRANSLATE_NOOP("preferences", "change of the export profiles")}
+"""The same of what is set on other pages; a reset leaves it."""
 SCALES: Final = (100, 125, 150, 175, 200)
 
 
@@ -38,9 +40,9 @@ class Preferences(QObject):
         self._file, self._stack = file, stack
 
     def edit(self, name: str, value: object) -> None:
-        """A key of ``STEPS`` gets another value."""
+        """A key of ``STEPS`` or ``ELSEWHERE`` gets another value."""
         if getattr(self.settings, name) != value:
-            self._stack.push(_Change(QCoreApplication.translate("preferences", STEPS[name]), {name: value}, self.settings, self._put))
+            self._stack.push(_Change(QCoreApplication.translate("preferences", (STEPS | ELSEWHERE)[name]), {name: value}, self.settings, self._put))
 
     def reset(self) -> None:
         """All of ``STEPS`` as on the first day; one undo brings them back."""

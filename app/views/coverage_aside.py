@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.palettes import DARK
-from app.views.coverage_words import REASON_COLOURS
+from app.views.coverage_words import ACCEPTED_COLOUR, REASON_COLOURS
 from app.views.height_colours import rgb
 from app.views.line_actor import LineActor, outlines
 from app.views.mesh_actor import MeshActor
@@ -47,10 +47,13 @@ class CoverageAside:
         for line in self._rim:
             line.set_pixel_ratio(ratio)
 
-    def colour(self, *, by_uncertainty: bool) -> None:
-        """By the standard uncertainty, or by the reason."""
+    def colour(self, *, by_uncertainty: bool, accepted: Sequence[int] = ()) -> None:
+        """By the standard uncertainty, or by the reason; places that are `accepted`, by number, in a colour of their own."""
         table = np.array([rgb(REASON_COLOURS[reason]) for reason in REASONS], np.uint8)
-        self._mesh.paint_vertices(None if by_uncertainty else table[self._report.reasons])
+        painted = table[self._report.reasons]
+        for number in accepted:
+            painted[self._report.members[number]] = rgb(ACCEPTED_COLOUR)
+        self._mesh.paint_vertices(None if by_uncertainty else painted)
         self._mesh.show_uncertainty(by_uncertainty)
 
     def mark(self, vertices: NDArray[np.int64] | None) -> None:

@@ -1,4 +1,4 @@
-"""Coverage: which places are not as certain as wanted, why, and what can be done about each of them."""
+"""Complete: which places are not as certain as wanted, why, and what can be done about each of them; which may stay as they are."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class CoveragePage(Page):
         super().__init__(services)
         self._coverage = services.coverage
         self._aside: CoverageAside | None = None
-        box = self.inspector(self.tr("Coverage"))
+        box = self.inspector(self.tr("Complete"))
         self._reached = BigNumber(self.tr("% of what can be seen"))
         self._all = BigNumber(self.tr("% of all"))
         numbers = row(self._reached, self._all, spacing=6)
@@ -65,9 +65,11 @@ class CoveragePage(Page):
         box.addLayout(row(self.by_reason, self.by_uncertainty))
         self.places = PlaceList()
         self.places.wanted.connect(self._fly)
+        self.places.accepted.connect(self._coverage.accept)
+        self.places.filled.connect(lambda: self.intent.emit("fill"))
         box.addWidget(self.places, 1)
-        self._rest = label("", "faint")
-        box.addWidget(self._rest)
+        self.counts = label("", "faint", wrap=True)
+        box.addWidget(self.counts)
         box.addWidget(seam())
         self.advice = label("", "muted", wrap=True)
         box.addWidget(self.advice)
@@ -76,9 +78,16 @@ class CoveragePage(Page):
         self.fill = button(self.tr("Fill now"), "", lambda: self.intent.emit("fill"))
         self.fill.setToolTip(self.tr("Leave the object as it stands: the scan goes on where points are missing, until it is as wanted (Shift+F5)"))
         self.remount = button(self.tr("Scan another mount"), "", lambda: self.intent.emit("another_mount"))
-        for made in (self.ask, self.cancel, self.fill, self.remount):
-            box.addWidget(made)
+        self.accept = button(self.tr("Accept"), "", lambda: self._coverage.accept(self.places.chosen))
+        self.accept.setToolTip(self.tr("Leave the chosen place as it is: the case keeps that, the certificate tells it (A; again to take it back)"))
+        self.next = button(self.tr("Reconstruct"), "", lambda: self.wanted.emit("reconstruct"))
+        box.addWidget(self.ask)
+        box.addWidget(self.cancel)
+        box.addLayout(row(self.fill, self.accept))
+        box.addWidget(self.remount)
+        box.addWidget(self.next)
         services.coverage.changed.connect(self._show_answer)
+        services.coverage.pictures.drawn.connect(self._show_picture)
         services.rig.changed.connect(self._show_buttons)
         services.draft.changed.connect(self._follow_wish)
         self._show_answer()
@@ -98,7 +107,7 @@ class CoveragePage(Page):
             from app.views.coverage_aside import CoverageAside
 
             self._aside = CoverageAside(surface, found.report)
-            self._aside.colour(by_uncertainty=self.by_uncertainty.isChecked())
+            self._colour_aside()
         return self._aside
 
     # -------------------------------------------------------------------------------- asking
@@ -124,16 +133,37 @@ class CoveragePage(Page):
         self._step.setText(self._sentence())
         self._step.setVisible(bool(self._step.text()))
         places = () if report is None else report.places
-        self.places.show_places(places)
+        self.places.show_places(places, self._coverage.is_accepted)
+        for number in self._coverage.pictures.pictures:
+            self._show_picture(number)
         self.places.setVisible(bool(places))
-        count = len(places)
-        self._rest.setText(self.tr("{n} places, {mm2:.0f} mm² together").format(n=count, mm2=sum(place.area_mm2 for place in places)))
-        self._rest.setVisible(count > 1)
+        self.counts.setText(self._count_words())
+        self.counts.setVisible(bool(places))
+        self._colour_aside()
         advice = None if found is None else found.remount
         self.advice.setText("" if advice is None else remount_words(advice))
-        self.advice.setVisible(advice is not None)
+        self.remount.setToolTip(self.advice.text())
         self._show_buttons()
         self.aside_changed.emit()
+
+    @property
+    def _accepted(self) -> list[int]:
+        """Numbers of the places that a person accepts."""
+        found = self._coverage.found
+        return [] if found is None else [number for number in range(len(found.report.places)) if self._coverage.is_accepted(number)]
+
+    def _count_words(self) -> str:
+        """How many places are open, how large they are, and how many are accepted."""
+        found = self._coverage.found
+        places, accepted = (() if found is None else found.report.places), set(self._accepted)
+        left = [place for number, place in enumerate(places) if number not in accepted]
+        told = self.tr("{n} open, {mm2:.0f} mm² together").format(n=len(left), mm2=sum(place.area_mm2 for place in left))
+        return self.tr("{open}; {n} accepted").format(open=told, n=len(accepted)) if accepted else told
+
+    def _show_picture(self, number: int) -> None:
+        picture = self._coverage.pictures.pictures.get(number)
+        if picture is not None:
+            self.places.show_picture(number, picture)
 
     def _sentence(self) -> str:
         coverage = self._coverage
@@ -149,8 +179,10 @@ class CoveragePage(Page):
         coverage, rig = self._coverage, self.services.rig.snapshot
         found = coverage.found
         ready = coverage.able and rig.connected and not rig.busy and rig.calibration is not None
-        few = found is not None and any(place.reason is Reason.FEW_POINTS for place in found.report.places)
-        hidden = found is not None and found.remount is not None
+        accepted = set(self._accepted)
+        left = [] if found is None else [place for number, place in enumerate(found.report.places) if number not in accepted]
+        few = any(place.reason is Reason.FEW_POINTS for place in left)
+        hidden = found is not None and found.remount is not None and any(not place.reason.reachable for place in left)
         self.ask.setVisible(found is None and not coverage.running)
         self.ask.setEnabled(coverage.able)
         self.cancel.setVisible(coverage.running)
@@ -161,13 +193,28 @@ class CoveragePage(Page):
         self.remount.setText(self.tr("Needs another mount") if hidden and not few else self.tr("Scan another mount"))
         make_primary(self.fill, few)
         make_primary(self.remount, hidden and not few)
+        self.advice.setVisible(hidden and not few)  # it stands on the pointer as long as something else comes first
+        self.accept.setVisible(found is not None)
+        self.next.setVisible(found is not None)
+        make_primary(self.next, not few and not hidden)
+        self._show_accept()
 
     def _colour(self) -> None:
+        self._colour_aside()
+        self.aside_changed.emit()
+
+    def _colour_aside(self) -> None:
         if self._aside is not None:
-            self._aside.colour(by_uncertainty=self.by_uncertainty.isChecked())
-            self.aside_changed.emit()
+            self._aside.colour(by_uncertainty=self.by_uncertainty.isChecked(), accepted=self._accepted)
+
+    def _show_accept(self) -> None:
+        chosen = self.places.chosen
+        self.accept.setEnabled(chosen >= 0 and self._coverage.able)
+        taken = chosen >= 0 and self._coverage.is_accepted(chosen)
+        self.accept.setText(self.tr("Do not accept") if taken else self.tr("Accept"))
 
     def _fly(self, number: int) -> None:
+        self._show_accept()
         found = self._coverage.found
         if found is None or self._aside is None or not 0 <= number < len(found.report.members):
             return

@@ -31,6 +31,8 @@ REASON_COLOURS: Final = {
     Reason.TOO_DARK: "#4d4d4d",
     Reason.SATURATED: "#ffffff",
 }
+ACCEPTED_COLOUR: Final = "#9aa4ae"
+"""Of what a person accepts, whatever the reason."""
 REASON_SIGNS: Final = {
     Reason.WITHIN: "",
     Reason.FEW_POINTS: "+",

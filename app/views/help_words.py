@@ -81,11 +81,6 @@ HELP: Final[dict[str, PageHelp]] = {
             "Its width should be about the noise of a point.",
         ),
     ),
-    "export": PageHelp(
-        QT_TRANSLATE_NOOP("help", "The surface is checked and leaves the program as a file for the next machine."),
-        QT_TRANSLATE_NOOP("help", "Choose what receives it, look at the name, and write. The name never holds the patient's."),
-        QT_TRANSLATE_NOOP("help", "Lengths in the file are millimetres. The revision counts up, so that no file is overwritten."),
-    ),
     "deliver": PageHelp(
         QT_TRANSLATE_NOOP("help", "The surface is checked and leaves the program as a file for the next machine, with a certificate beside it."),
         QT_TRANSLATE_NOOP(

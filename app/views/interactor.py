@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QKeyEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 from pyvistaqt import QtInteractor
@@ -21,6 +21,7 @@ from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 from app.theme import look
+from app.views.viewpoint import Viewpoint
 from app.views.vtk_arrays import bytes_of, reals_of
 
 
@@ -62,6 +63,9 @@ class _Engine(QtInteractor):
 class InteractorView(QWidget):
     """A 3D view that is drawn by its :meth:`paint`, at most once a call, and by nothing else."""
 
+    moved = Signal(bool)
+    """A person begins (True) or ends to move the camera."""
+
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._engine: Any = None
@@ -101,7 +105,7 @@ class InteractorView(QWidget):
 
     def paint(self) -> float:
         """Ask for a picture if something changed, or for more of one that is not complete; the time that the last one took, in seconds."""
-        if self._engine is not None and self.isVisible() and (self._dirty or self._unfinished()):
+        if self._engine is not None and self.isVisible() and (self._dirty or self.unfinished):
             self._more = not self._dirty
             if self._dirty:
                 self._dirty = False
@@ -109,6 +113,24 @@ class InteractorView(QWidget):
             self._engine.stale = True
             self._engine.update()
         return self.paint_s
+
+    def whole_view(self) -> Viewpoint:
+        """The camera with the whole widget as its picture."""
+        return Viewpoint.of(self._open().camera, 0.0, 0.0, self.width(), self.height())
+
+    def lend_mouse(self, watcher: QObject) -> None:
+        """The watcher sees the events of the picture first, as an event filter."""
+        self._open().installEventFilter(watcher)
+
+    def take_mouse_back(self, watcher: QObject) -> None:
+        """The reverse; does nothing when the view is closed."""
+        if self._engine is not None:
+            self._engine.removeEventFilter(watcher)
+            self._engine.unsetCursor()
+
+    def show_cursor(self, shape: Qt.CursorShape) -> None:
+        """The pointer over the picture."""
+        self._open().setCursor(shape)
 
     def warm_up(self) -> None:
         """The first picture, out of sight: it has the graphics set up, which takes a quarter of a second."""
@@ -121,7 +143,7 @@ class InteractorView(QWidget):
         engine.render()
         self._dirty = False
         self._adding = True
-        while self._adding and self._unfinished():
+        while self._adding and self.unfinished:
             self._more = True
             engine.render_window.Render()
         reader = vtkWindowToImageFilter()
@@ -169,8 +191,9 @@ class InteractorView(QWidget):
     def _prepare_picture(self) -> None:
         """Called before every picture."""
 
-    def _unfinished(self) -> bool:
-        """Whether there is more to draw into the picture that is there."""
+    @property
+    def unfinished(self) -> bool:
+        """There is more to draw into the picture that is there."""
         return False
 
     def _begin_slice(self) -> None:
@@ -186,6 +209,7 @@ class InteractorView(QWidget):
         """A person begins or ends to move the camera."""
         self._moving = moving
         self._dirty = True
+        self.moved.emit(moving)
 
     def _open(self) -> Any:
         if self._engine is None:

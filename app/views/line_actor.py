@@ -153,6 +153,24 @@ def plane_lines(points: NDArray[np.float64], triangles: Vertices, origin: NDArra
     return poly
 
 
+def segments(starts: NDArray[np.float64], ends: NDArray[np.float64]) -> Any:
+    """Straight lines from points (n, 3) mm to points (n, 3), or None for none."""
+    if not len(starts):
+        return None
+    number = np.arange(len(starts))
+    poly = _poly(np.concatenate([starts, ends]))
+    poly.SetLines(_cells(np.column_stack([number, number + len(number)])))
+    return poly
+
+
+def paths(lines: Sequence[NDArray[np.float64]]) -> Any:
+    """Lines through points (k, 3) mm each, or None for none."""
+    long = [line for line in lines if len(line) > 1]
+    if not long:
+        return None
+    return segments(np.concatenate([line[:-1] for line in long]), np.concatenate([line[1:] for line in long]))
+
+
 def together(polys: Sequence[Any]) -> Any:
     """Several lines as one, or None."""
     if not any(poly is not None for poly in polys):

@@ -13,6 +13,7 @@ from app.actions import fill_menus, make_actions
 from app.controllers.support import SupportController
 from app.services import Services
 from app.undo import UndoHistory
+from app.views import format as fmt
 from app.views.activity import activity_words
 from app.views.banner import Banner
 from app.views.coverage_page import CoveragePage
@@ -161,8 +162,8 @@ class MainWindow(QMainWindow):
         self.services.case.open(path)
         self.show_page("reconstruct")
 
-    def show_export(self) -> None:
-        self.show_page("export")
+    def show_deliver(self) -> None:
+        self.show_page("deliver")
 
     def set_up_rig(self) -> None:
         self.show_page("assistant")
@@ -181,7 +182,7 @@ class MainWindow(QMainWindow):
 
     def _request(self) -> PlanRequest:
         rig, values = self.services.rig.snapshot, self.services.draft.values
-        return PlanRequest(
+        request = PlanRequest(
             views=values.views,
             points=values.points,
             object_radius_mm=rig.specimen_radius_mm,
@@ -189,6 +190,7 @@ class MainWindow(QMainWindow):
             until_um=float(values.until_um) if values.until_um else None,
             retry=self.services.settings.retry,
         )
+        return self.services.pair_tray.planned(request)
 
     def show_coverage(self) -> None:
         self.show_page("coverage")
@@ -251,6 +253,9 @@ class MainWindow(QMainWindow):
     def show_uncertainty(self, on: bool) -> None:
         self._link.show_uncertainty(on)
 
+    def next_colour(self) -> None:
+        self._link.next_colour()
+
     def show_support(self) -> None:
         if self._support is None:
             support = SupportController(self.services, self)
@@ -276,6 +281,12 @@ class MainWindow(QMainWindow):
     # -------------------------------------------------------------------------------- inside
     def _tell_running(self) -> None:
         self.banner.tell_note(self.tr("A scan is running."), self.tr("Wait for its end or stop it first (Esc)."))
+
+    def _tell_split(self, counts: dict[str, int]) -> None:
+        what = self.tr("Both ears are measured: {left} points on the left one, {right} on the right one.").format(
+            left=fmt.count(counts["left"]), right=fmt.count(counts["right"])
+        )
+        self.banner.tell_note(what, self.tr("Each is an order of its own now; both stand in the worklist."))
 
     def _tell_meshed(self, path: Path) -> None:
         what = self.tr("The surface of {case} is done.").format(case=path.stem)
@@ -310,6 +321,7 @@ class MainWindow(QMainWindow):
         for controller in (services.coverage, services.mounts):
             controller.changed.connect(self._show_activity)
         services.mounts.began.connect(self.show_mounts)
+        services.pair_tray.split.connect(self._tell_split)
         self._undo.changed.connect(self._show_undo)
         self._show_order()
 

@@ -27,8 +27,8 @@ _PAGES = {
     OrderState.NEW: "scan",
     OrderState.INTERRUPTED: "home",  # where it is offered to go on with it
     OrderState.SCANNED: "reconstruct",
-    OrderState.RECONSTRUCTED: "export",
-    OrderState.DELIVERED: "export",
+    OrderState.RECONSTRUCTED: "deliver",
+    OrderState.DELIVERED: "deliver",
 }
 
 

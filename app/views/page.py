@@ -12,6 +12,7 @@ from app.views.parts import label
 if TYPE_CHECKING:
     from app.services import Services
     from app.views.aside import Aside
+    from app.views.scene_view import SceneView
 
 INSPECTOR_WIDTH = 300
 
@@ -51,6 +52,13 @@ class Page(QWidget):
     def aside(self) -> Aside | None:
         """What the 3D view shows beside this page in the place of the case; None for the case.  Called when there is a 3D view."""
         return None
+
+    def meet_scene(self, scene: SceneView) -> None:
+        """The page stands beside the 3D view from now on; called whenever it is shown.  What it did to it the page takes back when it is hidden."""
+
+    def facts(self) -> str:
+        """What is told beside the title of the 3D view, of what :meth:`aside` shows; empty for the facts of the case."""
+        return ""
 
     def look(self, view: str) -> bool:
         """Turn a 3D view of its own: ``fit``, ``front`` or ``top``; False when there is none."""

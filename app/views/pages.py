@@ -9,7 +9,8 @@ from app.views.aim_page import AimPage
 from app.views.assistant_page import AssistantPage
 from app.views.compare_page import ComparePage
 from app.views.coverage_page import CoveragePage
-from app.views.export_page import ExportPage
+from app.views.deliver_page import DeliverPage
+from app.views.edit_page import EditPage
 from app.views.home_page import HomePage
 from app.views.mounts_page import MountsPage
 from app.views.page import MakePage
@@ -43,8 +44,9 @@ PAGES: tuple[PageInfo, ...] = (
     PageInfo("rig", QT_TRANSLATE_NOOP("pages", "Rig"), "rig", RigPage),
     PageInfo("aim", QT_TRANSLATE_NOOP("pages", "Aim"), "aim", AimPage),
     PageInfo("scan", QT_TRANSLATE_NOOP("pages", "Scan"), "scan", ScanPage, stage=QT_TRANSLATE_NOOP("pages", "Live point cloud")),
+    PageInfo("edit", QT_TRANSLATE_NOOP("pages", "Edit"), "edit", EditPage, stage=QT_TRANSLATE_NOOP("pages", "Points to be reconstructed")),
     PageInfo("reconstruct", QT_TRANSLATE_NOOP("pages", "Reconstruct"), "reconstruct", ReconstructPage, stage=QT_TRANSLATE_NOOP("pages", "Surface")),
-    PageInfo("export", QT_TRANSLATE_NOOP("pages", "Export"), "export", ExportPage, stage=QT_TRANSLATE_NOOP("pages", "What is exported")),
+    PageInfo("deliver", QT_TRANSLATE_NOOP("pages", "Deliver"), "export", DeliverPage, stage=QT_TRANSLATE_NOOP("pages", "What is delivered")),
     PageInfo("compare", QT_TRANSLATE_NOOP("pages", "Compare"), "compare", ComparePage),
 )
 
@@ -52,7 +54,7 @@ FOOT: tuple[PageInfo, ...] = (PageInfo("settings", QT_TRANSLATE_NOOP("pages", "S
 """At the foot of the rail: no step of the work."""
 ASIDE: tuple[PageInfo, ...] = (
     PageInfo("assistant", QT_TRANSLATE_NOOP("pages", "Set up a rig"), "rig", AssistantPage, of="rig"),
-    PageInfo("coverage", QT_TRANSLATE_NOOP("pages", "Coverage"), "scan", CoveragePage, stage=QT_TRANSLATE_NOOP("pages", "Coverage"), of="scan"),
+    PageInfo("coverage", QT_TRANSLATE_NOOP("pages", "Complete"), "scan", CoveragePage, stage=QT_TRANSLATE_NOOP("pages", "Missing places"), of="scan"),
     PageInfo("mounts", QT_TRANSLATE_NOOP("pages", "Another mount"), "scan", MountsPage, stage=QT_TRANSLATE_NOOP("pages", "Mounts"), of="scan"),
     PageInfo("pick", QT_TRANSLATE_NOOP("pages", "Pick three points"), "scan", PickPage, of="scan"),
 )

@@ -58,7 +58,7 @@ class ReconstructPage(Page):
         inside.addStretch(1)
         box.addWidget(scrolled(middle), 1)
         self.waiting = ReconstructionWaiting(job)
-        self._next = button(self.tr("Deliver"), "primary", lambda: self.wanted.emit("export"))
+        self._next = button(self.tr("Deliver"), "primary", lambda: self.wanted.emit("deliver"))
         self.missing = button(self.tr("Coverage"), "", lambda: self.intent.emit("coverage"))
         self.missing.setToolTip(self.tr("Places that are not as certain as wanted, why, and what can be done about them (F8)"))
         self._start = button(self.tr("Reconstruct"), "primary", lambda: self.intent.emit("reconstruct"))

@@ -19,6 +19,7 @@ from app.views.page import Page
 from app.views.parts import BigNumber, button, label, make_primary, row, seam
 from app.views.plan_bar import PlanBar
 from app.views.reject_list import RejectList
+from app.views.scan_tray import ScanTray
 from app.views.scan_wish import ScanWish, start_words
 from app.views.scan_words import coverage_words, places_missing, step_words, summary_lines
 from app.views.spot_advice import show_look
@@ -75,6 +76,8 @@ class ScanPage(Page):
         box.addWidget(seam())
         self.wish = ScanWish(services.draft)
         box.addLayout(self.wish)
+        self.tray = ScanTray(services.pair_tray)
+        box.addWidget(self.tray)
         self._wishing = False
         self.start = button(self.tr("Start scan"), "primary", self._start)
         self._pause = button(self.tr("Pause"), "", lambda: self.intent.emit("pause_scan"))
@@ -225,6 +228,7 @@ class ScanPage(Page):
             made.setVisible(running)
         asking = not running and (self._wishing or not done)
         self.wish.show_fields(asking)
+        self.tray.show_field(asking)
         self.start.setVisible(not running)
         self.start.setText(start_words(self.services.draft.values, again=done) if asking else self.tr("Scan again…"))
         make_primary(self.start, not done)

@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QAction
 
+from app.colouring import Colouring
 from app.services import Services
 from app.views import format as fmt
 from app.views.page import Page
+from app.views.point_colour import SurfaceColour
 from app.views.scan_words import status_words
 from app.views.stage import Stage
 
@@ -29,8 +31,13 @@ class SceneLink(QObject):
         super().__init__(parent)
         self._services, self._stage, self._actions, self._page = services, stage, actions, page
         self.scene: SceneView | None = None
+        self.colouring = Colouring(services.settings, self)
+        stage.legend.offer(self.colouring)
+        self.colouring.changed.connect(self._colour)
+        actions["show_uncertainty"].setChecked(self.colouring.surface is SurfaceColour.UNCERTAINTY)
         self._told_s = 0.0
         self._follows = False
+        self._late = False
         services.acquisition.began.connect(self._begin_scan)
         services.acquisition.changed.connect(self._show_scan)
         services.acquisition.ended.connect(self._end_scan)
@@ -47,6 +54,8 @@ class SceneLink(QObject):
         """The 3D view is there: show what has come meanwhile."""
         self.scene = scene
         self._stage.put_scene(scene)
+        scene.coloured.connect(self._show_legend)
+        self._colour()
         self.show_case()
         self.show_aside()
 
@@ -73,12 +82,28 @@ class SceneLink(QObject):
         self.call(lambda scene: scene.set_edges(on))
 
     def show_uncertainty(self, on: bool) -> None:
-        self.call(lambda scene: scene.set_uncertainty(on))
+        self.colouring.choose(SurfaceColour.UNCERTAINTY if on else SurfaceColour.SUPPORT)
+
+    def next_colour(self) -> None:
+        """Of the points, or of the surface where it alone is to be seen."""
+        bare = self.scene is not None and self.scene.mesh.surface is not None and not self._actions["show_points"].isChecked()
+        self.colouring.next(of_surface=bare)
+
+    def _colour(self) -> None:
+        by_uncertainty = self.colouring.surface is SurfaceColour.UNCERTAINTY
+        self._actions["show_uncertainty"].setChecked(by_uncertainty)
+        self.call(lambda scene: scene.colour_points_by(self.colouring.points))
+        self.call(lambda scene: scene.set_uncertainty(by_uncertainty))
         self._show_legend()
 
     # -------------------------------------------------------------------------------- what is shown
     def show_case(self) -> None:
-        """Everything of the open case, after it was opened or closed."""
+        """Everything of the open case, after it was opened or closed; later where something else is shown in its place."""
+        self._late = self.scene is not None and self.scene.aside is not None and self._page().aside() is not None
+        if self._late:
+            self._show_facts()
+            self.shown.emit()
+            return
         scene, case = self.scene, self._services.case
         if scene is not None:
             config = self._services.rig.snapshot.config
@@ -93,6 +118,11 @@ class SceneLink(QObject):
     def show_aside(self) -> None:
         """What the page shows in the place of the case."""
         self.call(lambda scene: scene.show_aside(self._page().aside()))
+        if self.scene is not None and self._late and self.scene.aside is None:
+            self.show_case()
+        self.call(self._page().meet_scene)
+        if not self._services.acquisition.running:
+            self._show_facts()
         self._show_legend()
 
     def _show_mesh(self) -> None:
@@ -101,14 +131,20 @@ class SceneLink(QObject):
         if surface is not None:
             self._actions["show_points"].setChecked(False)
         self.call(lambda scene: scene.show_mesh(surface))
-        if surface is not None:
-            self._stage.show_facts(self.tr("{n} triangles").format(n=fmt.count(len(surface.mesh.triangles))))
+        self._show_facts()
+        self._show_legend()
+        self.shown.emit()
+
+    def _show_facts(self) -> None:
+        case = self._services.case
+        if facts := self._page().facts():
+            self._stage.show_facts(facts)
+        elif case.surface is not None:
+            self._stage.show_facts(self.tr("{n} triangles").format(n=fmt.count(len(case.surface.mesh.triangles))))
         elif case.cloud is not None:
             self._stage.show_facts(self.tr("{n} points").format(n=fmt.count(len(case.cloud))))
         else:
             self._stage.show_facts("")
-        self._show_legend()
-        self.shown.emit()
 
     def _show_legend(self) -> None:
         self._stage.legend.show_scene(self.scene, points=self._actions["show_points"].isChecked())

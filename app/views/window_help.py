@@ -88,7 +88,6 @@ class WindowHelp(QObject):
         self.panel.raise_()
 
     def _steps(self) -> tuple[TourStep, ...]:
-        deliver = "deliver" if "deliver" in self._pages else "export"
         return (
             TourStep(
                 self.tr("The work goes from the top down"), self.tr("Every order passes these steps. Ctrl and a number opens each."), self._rail_head
@@ -111,7 +110,7 @@ class WindowHelp(QObject):
             TourStep(
                 self.tr("Checked, then delivered"),
                 self.tr("At the end stands a file for the next machine, with its checks in plain words."),
-                lambda: self._rail.step_of(deliver),
+                lambda: self._rail.step_of("deliver"),
             ),
             TourStep(
                 self.tr("Help is at hand"),

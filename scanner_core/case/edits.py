@@ -7,11 +7,13 @@ the audit trail.
 
 ==================  ================================================================
 ``order``           the fields of :class:`~scanner_core.case.records.Order`
-``processing``      how the points are computed: calibration id or None, gates
+``processing``      how the points are computed: calibration id or None, gates, points taken out
 ``mesh``            id of the mesh that the case shows, 0 for none
 ``comparison``      id of the comparison that the case shows, 0 for none
 ``mask:NAME``       id of the mask of that name, 0 for none
 ``discarded_scans``  ids of scans that a person does not want
+``accepted_places``  places that a person accepts as they are (:mod:`scanner_core.coverage.accepted`)
+``measurements``    what a person has measured, a list
 ==================  ================================================================
 """
 
@@ -27,7 +29,8 @@ from scanner_core.case.decoding import damaged, text
 from scanner_core.case.records import AuditLine, CaseEdit, Order
 from scanner_core.wall_clock import stamp
 
-ORDER, PROCESSING, DISCARDED = "order", "processing", "discarded_scans"
+ORDER, PROCESSING, DISCARDED, ACCEPTED = "order", "processing", "discarded_scans", "accepted_places"
+MEASUREMENTS = "measurements"
 
 
 class EditJournal(CaseDatabase):

@@ -30,7 +30,7 @@ from scanner_core.case.line_points import ScanTable
 from scanner_core.case.observation import MEASURED, ObservationTable, PairTable
 from scanner_core.case.points import case_calibration, case_rig
 from scanner_core.case.records import ScanRecord
-from scanner_core.case.removed_points import RemovedPoints
+from scanner_core.case.removed_points import REMOVED, RemovedPoints, parted
 from scanner_core.case.scan_parts import ScanPart, merged, placed_motions, refine_parts
 from scanner_core.case.store import CaseStore
 from scanner_core.case.stripes import StripeTable
@@ -47,8 +47,6 @@ _GEOMETRIC = ("epipolar_sigmas", "volume_radius_mm", "volume_height_mm", "table_
 """Gates that need the point."""
 _BY_GEOMETRY = (MEASURED, "epipolar", "outside_volume", "table", "mark")
 """Verdicts that a change of those gates, or of the calibration, decides anew."""
-REMOVED = "removed"
-"""Verdict of a point that a person took out."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -274,12 +272,6 @@ def process_case(store: CaseStore, processing: Processing, other: StereoCalibrat
         mounts=poses,
         taken_out=taken_out if taken_out is None or len(poses) == 1 else replace(taken_out, table_deg=None),
     )
-
-
-def parted(cloud: PointCloud, removed: RemovedPoints) -> tuple[PointCloud, PointCloud | None]:
-    """A cloud of a case without the points that were taken out, and those; None for none."""
-    out = removed.of_points(cloud)
-    return (cloud.select(~out), cloud.select(out)) if out.any() else (cloud, None)
 
 
 # ------------------------------------------------------------------------------------------ inner

@@ -9,7 +9,7 @@ from scanner_core.geometry.rigid import RigidTransform
 
 @dataclass(frozen=True, slots=True)
 class Order:
-    """What the scan is for; `patient_code` is a code, never a name; `side` is left, right or empty."""
+    """What the scan is for; `patient_code` is a code, never a name; `side` is left, right, upper, lower or empty."""
 
     number: str = ""
     patient_code: str = ""

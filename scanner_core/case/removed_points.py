@@ -10,7 +10,7 @@ import base64
 import hashlib
 import zlib
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 import numpy as np
@@ -22,6 +22,8 @@ from scanner_core.geometry.point_cloud import PointCloud
 Ids = NDArray[np.int64]
 _BITS = 20
 """Of a peak's number within its frame; with those of a trigger id that is more than an int64 holds, so they are compared in two parts."""
+REMOVED = "removed"
+"""Verdict of a point that a person took out."""
 _MOST = 20_000_000
 """Points that anybody takes out; more in a file is damage, not a choice."""
 
@@ -110,11 +112,47 @@ class RemovedPoints:
         asked = (at.astype(np.int64) << _BITS) | numbers
         return np.asarray(found & (held[np.minimum(np.searchsorted(held, asked), len(held) - 1)] == asked))
 
+    def within(self, cloud: PointCloud, out: NDArray[np.bool_]) -> RemovedPoints:
+        """The same beside a cloud's points, and of these the ones that a mask (n,) tells: a gate may leave away what was taken out before."""
+        if cloud.trigger_ids is None:
+            raise ValueError("points without trigger ids")
+        pairs = self.pairs()
+        beside = pairs[~RemovedPoints.of_cloud(cloud).among(pairs[:, 0], pairs[:, 1])]
+        places = np.zeros(len(cloud), np.int64) if cloud.places is None else cloud.places.astype(np.int64)
+        return RemovedPoints.of(np.concatenate([beside[:, 0], cloud.trigger_ids[out]]), np.concatenate([beside[:, 1], places[out]]))
+
     def of_points(self, cloud: PointCloud) -> NDArray[np.bool_]:
         """Which points (n,) of a cloud of a case are among these."""
         if cloud.trigger_ids is None:
             return np.zeros(len(cloud), np.bool_)
         return self.among(cloud.trigger_ids, cloud.places)
+
+
+def parted(cloud: PointCloud, removed: RemovedPoints) -> tuple[PointCloud, PointCloud | None]:
+    """A cloud of a case without the points that were taken out, and those; None for none."""
+    out = removed.of_points(cloud)
+    return (cloud.select(~out), cloud.select(out)) if out.any() else (cloud, None)
+
+
+def together(cloud: PointCloud, taken_out: PointCloud | None) -> PointCloud:
+    """The reverse of :func:`parted`: all points in the order of their trigger ids."""
+    if taken_out is None or cloud.trigger_ids is None:
+        return cloud
+    names = [part.name for part in fields(PointCloud) if getattr(cloud, part.name) is not None and getattr(taken_out, part.name) is not None]
+    both = {name: np.concatenate([getattr(cloud, name), getattr(taken_out, name)]) for name in names}
+    whole = replace(cloud, **both)
+    assert whole.trigger_ids is not None
+    places = np.zeros(len(whole), np.int32) if whole.places is None else whole.places
+    return whole.select(np.lexsort((places, whole.trigger_ids)))
+
+
+def source_without(source: Mapping[str, Any], removed: RemovedPoints, cloud: PointCloud, taken_out: PointCloud | None) -> dict[str, object]:
+    """What points were computed from, as :meth:`~scanner_core.case.processing.ProcessedCase.provenance` tells it, after others were taken out."""
+    told = dict(source.get("processing", {}))
+    rejected = {name: count for name, count in told.get("rejected", {}).items() if name != REMOVED}
+    told |= {"measured": len(cloud), "rejected": rejected | ({} if taken_out is None else {REMOVED: len(taken_out)})}
+    told.pop(REMOVED, None)
+    return {**source, "processing": told | ({REMOVED: removed.told()} if removed else {})}
 
 
 def _sorted(trigger_ids: Ids, places: NDArray[np.integer[Any]] | None) -> Ids:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-from dataclasses import replace
 from pathlib import Path
 
 from scanner_core import wall_clock
@@ -13,7 +12,7 @@ from scanner_core.commands.console import Console
 from scanner_core.delivery.check import Check, CheckVerdict, Readiness
 from scanner_core.delivery.delivering import deliver, keep_delivery
 from scanner_core.delivery.examining import examine
-from scanner_core.delivery.file_name import free_stem
+from scanner_core.delivery.file_name import DEFAULT_TEMPLATE, free_stem
 from scanner_core.delivery.own_profiles import own_profiles, wanted_profile
 from scanner_core.delivery.profile import default_profile
 
@@ -37,9 +36,9 @@ def run(given: argparse.Namespace, console: Console) -> int:
             console.result(told, lines)
             return 0 if ready else NOT_READY
         profile = asked or default_profile(found.facts.order.type)
-        profile = profile if given.name is None else replace(profile, template=given.name)
+        template = given.name or profile.template or DEFAULT_TEMPLATE
         folder = Path(given.out).resolve()
-        stem = free_stem(folder, profile.template, found.facts.order, profile.suffixes, wall_clock.today())
+        stem = free_stem(folder, template, found.facts.order, profile.suffixes, wall_clock.today())
         cloud = case_cloud(store) if profile.points else None
         made = wall_clock.stamp()
         delivery = deliver(found, profile, folder, stem, made=made, cloud=cloud, replace=given.force, anyway=given.anyway)

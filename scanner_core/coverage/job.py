@@ -49,6 +49,7 @@ class CaseCoverage:
     report : its coverage
     unreached : (v,) bool, vertices that cannot be measured as the object stands
     remount : how to set the object down anew; None where nothing is to be gained
+    mount : its number
     """
 
     surface: TriangleMesh
@@ -56,6 +57,7 @@ class CaseCoverage:
     report: CoverageReport
     unreached: NDArray[np.bool_]
     remount: RemountAdvice | None
+    mount: int = 0
 
 
 def run(request: CoverageRequest, *, progress: OnProgress, cancelled: IsCancelled) -> CaseCoverage:
@@ -96,7 +98,7 @@ def run(request: CoverageRequest, *, progress: OnProgress, cancelled: IsCancelle
     progress(Progress("remount", 0.8))
     reached = np.array([reason.reachable for reason in REASONS])[report.reasons]
     advice = remount_advice(mesh, mesh.vertices, mesh.vertex_normals(), vertex_areas(mesh), reached, observed.rig, calibration, check=check)
-    return CaseCoverage(mesh, of_mesh, report, ~reached, advice)
+    return CaseCoverage(mesh, of_mesh, report, ~reached, advice, scan.mount)
 
 
 # ------------------------------------------------------------------------------------------ inner

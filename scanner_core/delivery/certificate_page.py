@@ -18,6 +18,7 @@ from scanner_core.metrology.certificate_page import (
     COLOURS,
     GREY,
     HEIGHT_MM,
+    INK,
     MARGIN_MM,
     WIDTH_MM,
     Page,
@@ -41,8 +42,13 @@ _MARKS = {
     CheckVerdict.FAIL: ("fail", RED),
     CheckVerdict.OPEN: ("not checked", GREY),
 }
-TYPES = {"ear": "Ear impression", "arch": "Dental arch"}
-SIDES = {"left": ("Left ear", BLUE), "right": ("Right ear", RED)}
+TYPES = {
+    "ear": "Ear impression",
+    "arch": "Dental model",
+    "arch-before": "Dental model, before treatment",
+    "arch-after": "Dental model, after treatment",
+}
+SIDES = {"left": ("Left ear", BLUE), "right": ("Right ear", RED), "upper": ("Upper jaw", INK), "lower": ("Lower jaw", INK)}
 POSES = {Pose.SCANNED: "as it was scanned", Pose.CANAL_UP: "canal tip up", Pose.OCCLUSAL: "occlusal plane XY, +Z to occlusal"}
 _VIEWS = (("from the front", (0.0, -1.0, 0.25)), ("from the right", (1.0, 0.0, 0.25)), ("from above", (0.0, -0.02, 1.0)))
 _PICTURE_MM = (54.0, 46.0)
@@ -71,7 +77,7 @@ def certificate_page(certificate: Certificate) -> Page:
         "Delivery certificate", ", ".join(part for part in (kind, f"order {facts.order.number}" if facts.order.number else "") if part), None
     )
     _badge(page, found.verdict)
-    _side(page, facts.order.side if facts.order.type == "ear" else "")
+    _side(page, facts.order.side)
     if certificate.anyway:
         page.text(MARGIN_MM, page.y_mm, ANYWAY, 8.5, bold=True, colour=RED)
         page.y_mm += 5.6
@@ -187,7 +193,7 @@ def _checks(page: Page, checks: tuple[Check, ...]) -> None:
         word, colour = _MARKS[check.verdict]
         limit = "" if check.limit is None else f"{'≥' if check.at_least else '≤'} {_number(check.limit, check.unit)}"
         value = "" if check.value is None else _number(check.value, check.unit)
-        ink = GREY if check.verdict is CheckVerdict.OPEN else "#1b1f24"
+        ink = GREY if check.verdict is CheckVerdict.OPEN else INK
         line((check.name, value, limit, word), ink, colour, bold=check.verdict is not CheckVerdict.OPEN)
         page.y_mm += 4.3
     page.y_mm += 0.8

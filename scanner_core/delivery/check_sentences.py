@@ -23,9 +23,9 @@ NAMES: dict[str, str] = {
 """By id, in the order in which they are shown."""
 
 SENTENCES: dict[str, str] = {
-    "coverage.pass": "{percent} % of the surface beside its base rest on measured points.",
-    "coverage.warn": "Only {percent} % of the surface beside its base rest on measured points; the rest is a guess. Fill the holes, or say so.",
-    "coverage.fail": "Only {percent} % of the surface beside its base rest on measured points: too much of it is a guess. Scan the rest first.",
+    "coverage.pass": "{percent} % of the surface beside its base rests on measured points.",
+    "coverage.warn": "Only {percent} % of the surface beside its base rests on measured points; the rest is a guess. Fill the holes, or say so.",
+    "coverage.fail": "Only {percent} % of the surface beside its base rests on measured points: too much of it is a guess. Scan the rest first.",
     "coverage.open": "Which part of this surface was measured is not recorded.",
     "noise.pass": "The measured surface is expected to be off by {error_um} µm rms; the points scatter by {residual_um} µm about it.",
     "noise.warn": "The surface is expected to be off by {error_um} µm rms, more than {limit_um} µm. More points, or a calibration, would help.",
@@ -69,6 +69,7 @@ SENTENCES: dict[str, str] = {
     "side.undecided": "Whether it mirrors the other ear cannot be told ({mirrored_um} µm apart mirrored, {direct_um} µm as it is). Look at both.",
     "side.same": "Another ear of this order is labelled {side} too, and yet the two mirror each other. Is one of them labelled wrongly?",
     "side.missing": "The order does not say which ear it is.",
+    "side.jaw": "The order does not say which jaw it is.",
     "side.alone": "Not checked: the other ear of this order is not there yet.",
     "side.open": "There is no other side to compare with.",
     "places.pass": "No hole or thin place had to be accepted.",

@@ -8,6 +8,7 @@ from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
+from scanner_core.case.glance import DELIVERY
 from scanner_core.case.store import CaseStore
 from scanner_core.delivery.base import without_base
 from scanner_core.delivery.certificate import Certificate, DeliveredFile
@@ -22,9 +23,6 @@ from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.jobs.progress import Cancelled, IsCancelled, OnProgress, Progress
 from scanner_core.mesh_io import write_mesh, write_points
-
-DELIVERY = "delivery"
-"""The key under which a case remembers its newest delivery."""
 
 
 @dataclass(frozen=True, slots=True)

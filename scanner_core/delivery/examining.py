@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from scanner_core.case.records import Order
 from scanner_core.case.store import CaseStore
 from scanner_core.delivery.check import Check, CheckVerdict, Readiness, readiness
 from scanner_core.delivery.checks import measured_checks, person_checks
@@ -29,8 +30,14 @@ class Examination:
         return [check for check in self.checks if check.verdict is verdict]
 
 
-def examine(store: CaseStore, *, progress: OnProgress = lambda _: None, cancelled: IsCancelled = lambda: False) -> Examination:
+def examine(
+    store: CaseStore, order: Order | None = None, *, progress: OnProgress = lambda _: None, cancelled: IsCancelled = lambda: False
+) -> Examination:
     """Check the surface that counts in a case; the case is only read.
+
+    Parameters
+    ----------
+    order : instead of the one that stands in the case
 
     Raises
     ------
@@ -46,6 +53,8 @@ def examine(store: CaseStore, *, progress: OnProgress = lambda _: None, cancelle
 
     step("measured", 0.0)
     facts = read_facts(store)
+    if order is not None:
+        facts = replace(facts, order=order)
     measured = measured_checks(facts)
     step("shape", 0.1)
     shape = shape_checks(facts.mesh)

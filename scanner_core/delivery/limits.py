@@ -52,4 +52,4 @@ SIZES: dict[str, SizeRange] = {
         "a whole arch is 50 to 75 mm wide and 40 to 60 mm deep, with the rim of a model up to 95 mm; a quadrant is from 25 mm on",
     ),
 }
-"""By type of the order."""
+"""By type of the order, without what follows a "-" (arch-before)."""

@@ -5,15 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from scanner_core.case.glance import glance, look_into
 from scanner_core.case.records import Order
-from scanner_core.case.store import SUFFIX, CaseStore
+from scanner_core.case.store import SUFFIX
 from scanner_core.delivery.check import Check, CheckVerdict
 from scanner_core.delivery.side import DECIDED, SideFit, SideMatch, match_sides
 from scanner_core.errors import ImprontaError
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.jobs.progress import Cancelled, IsCancelled, OnProgress
 
-EAR = "ear"
+EAR, _ARCH = "ear", "arch"
+JAWS = ("upper", "lower")
 _MOST = 400
 """Cases of a folder that are looked into, the newest first: of one order they were made within days."""
 
@@ -59,6 +61,8 @@ def check_side(
     order: Order, mesh: TriangleMesh, other: OtherEar | None, *, progress: OnProgress = lambda _: None, cancelled: IsCancelled = lambda: False
 ) -> Check:
     """Whether a surface is what its label says, as far as the other ear can tell; `Cancelled`."""
+    if order.type.startswith(_ARCH) and order.side not in JAWS:
+        return Check("side", CheckVerdict.WARN, "side.jaw")
     if order.type != EAR:
         return Check("side", CheckVerdict.OPEN, "side.open")
     if order.side not in ("left", "right"):
@@ -93,11 +97,12 @@ def _newest_cases(path: Path) -> list[Path]:
 
 
 def _ear_of(place: Path, order: Order) -> OtherEar | None:
+    told = glance(place)
+    found = told.order
+    if told.mesh is None or found.number != order.number or found.type != EAR or found.side not in ("left", "right"):
+        return None
     try:
-        with CaseStore.open(place, read_only=True) as store:
-            found = store.order()
-            if found.number != order.number or found.type != EAR or found.side not in ("left", "right"):
-                return None
+        with look_into(place) as store:
             return OtherEar(place, found.side, store.mesh()[0])
     except (ImprontaError, OSError):
         return None

@@ -6,8 +6,6 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields, replace
 from enum import Enum
 
-from scanner_core.delivery.file_name import DEFAULT_TEMPLATE
-
 FORMATS = (".stl", ".ply", ".obj", ".3mf")
 """Suffixes of the meshes."""
 UNITS = ("mm", "cm", "m", "inch")
@@ -31,7 +29,7 @@ class Profile:
     name : of the profile
     format : suffix of the mesh's file, one of FORMATS
     unit : of its numbers; 3MF says its unit, the others are believed to be millimetres by most programs
-    template : of the files' names
+    template : of the files' names; empty for the one of the settings
     folder : where they go; empty for the one that was chosen last
     pose : how the surface lies in the file
     open_base : without what the object stood on
@@ -42,7 +40,7 @@ class Profile:
     name: str
     format: str = ".stl"
     unit: str = "mm"
-    template: str = DEFAULT_TEMPLATE
+    template: str = ""
     folder: str = ""
     pose: Pose = Pose.SCANNED
     open_base: bool = False
@@ -52,8 +50,6 @@ class Profile:
     def __post_init__(self) -> None:
         if not self.name.strip() or len(self.name) > LONGEST_NAME or self.format not in FORMATS or self.unit not in UNITS:
             raise ValueError(f"no profile: {self}")
-        if not self.template.strip():
-            raise ValueError("a profile needs a template of the name")
 
     @property
     def suffixes(self) -> tuple[str, ...]:
@@ -91,8 +87,8 @@ _BY_TYPE = {"ear": BUILT_IN[0], "arch": BUILT_IN[1]}
 
 
 def default_profile(kind: str) -> Profile:
-    """By the type of the order: ear, arch, other."""
-    return _BY_TYPE.get(kind, BUILT_IN[3])
+    """By the type of the order: ear, arch, arch-before, other, ..."""
+    return _BY_TYPE.get(kind.partition("-")[0], BUILT_IN[3])
 
 
 def find_profile(name: str, own: tuple[Profile, ...] = ()) -> Profile | None:

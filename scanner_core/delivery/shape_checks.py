@@ -34,11 +34,11 @@ def check_size(mesh: TriangleMesh, kind: str) -> Check:
 
     Parameters
     ----------
-    kind : type of the order: ear, arch, other
+    kind : type of the order: ear, arch, arch-before, other, ...
     """
     longest, middle, shortest = principal_lengths_mm(mesh)
     fields: dict[str, object] = {"longest_mm": f"{longest:.1f}", "middle_mm": f"{middle:.1f}", "shortest_mm": f"{shortest:.1f}"}
-    expected = SIZES.get(kind)
+    expected = SIZES.get(kind.partition("-")[0])
     if expected is None:
         return Check("size", OPEN, "size.open", fields, longest, "mm")
     fields |= {"kind": expected.words, "least_mm": f"{expected.least_mm:.0f}", "most_mm": f"{expected.most_mm:.0f}"}

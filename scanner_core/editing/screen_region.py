@@ -96,6 +96,17 @@ def selected(points: Array, sight: Sight, region: Outline | BrushStroke, *, thro
     return held & front
 
 
+def nearest_in_front(points: Array, sight: Sight, place: Array, within_px: float) -> int | None:
+    """The point (of n, 3) that a person means by a place (2,) px: of those in front the nearest to it; None where there is none so near."""
+    places = sight.places(points)
+    near = _between(places, place - _AROUND_PX - within_px, place + _AROUND_PX + within_px)
+    if not len(near):
+        return None
+    front = near[sight.in_front(points[near], places[near])]
+    away = ((places[front] - place) ** 2).sum(axis=1)
+    return int(front[away.argmin()]) if len(front) and away.min() <= within_px**2 else None
+
+
 def _between(places: Array, low: Array, high: Array) -> NDArray[np.int64]:
     """Indices of the places (n, 2) in a rectangle."""
     x, y = places.T

@@ -25,10 +25,10 @@ class Hands:
         self.clicks = self.keys = 0
 
     # -------------------------------------------------------------------------------- mouse
-    def click(self, name: str) -> None:
-        """Click on the button that says `name`."""
-        until(lambda: self._buttons(name), 60, f"a button '{name}' that can be pressed; there are {self.words()}")
-        found = self._buttons(name)
+    def click(self, name: str, part: QWidget | None = None) -> None:
+        """Click on the button that says `name`, in a part of the window or anywhere."""
+        until(lambda: self._buttons(name, part), 60, f"a button '{name}' that can be pressed; there are {self.words()}")
+        found = self._buttons(name, part)
         assert len(found) == 1, f"'{name}' is there {len(found)} times"
         self.click_at(found[0], found[0].rect().center())
 
@@ -65,9 +65,9 @@ class Hands:
         """Of the buttons that are seen."""
         return sorted({name_of(made) for made in self._seen()} - {""})
 
-    def sees(self, name: str) -> bool:
+    def sees(self, name: str, part: QWidget | None = None) -> bool:
         """Whether a button that says `name` could be pressed."""
-        return len(self._buttons(name)) == 1
+        return len(self._buttons(name, part)) == 1
 
     # -------------------------------------------------------------------------------- inside
     def _key(self, press: object) -> None:
@@ -85,8 +85,9 @@ class Hands:
             if made.isVisible() and made.visibleRegion().contains(made.rect().center()):
                 yield made
 
-    def _buttons(self, name: str) -> list[QAbstractButton]:
-        return [made for made in self._seen() if made.isEnabled() and name_of(made) == name]
+    def _buttons(self, name: str, part: QWidget | None) -> list[QAbstractButton]:
+        within = (made for made in self._seen() if part is None or part.isAncestorOf(made))
+        return [made for made in within if made.isEnabled() and name_of(made) == name]
 
 
 def name_of(widget: QWidget) -> str:

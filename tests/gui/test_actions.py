@@ -22,4 +22,4 @@ def test_ids_and_shortcuts_are_unique() -> None:
 
 
 def test_the_pages_stand_in_the_order_of_the_work() -> None:
-    assert [page.id for page in PAGES] == ["home", "rig", "scan", "reconstruct", "export", "compare"]
+    assert [page.id for page in PAGES] == ["home", "rig", "aim", "scan", "edit", "reconstruct", "deliver", "compare"]

@@ -10,7 +10,7 @@ from typing import Any, cast
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtTest import QTest
+from PySide6.QtTest import QSignalSpy, QTest
 
 from app.controllers.case_job import CaseJob
 from app.controllers.mount_picks import Point
@@ -20,12 +20,14 @@ from app.views.coverage_words import REASON_COLOURS, REASON_SIGNS, help_words, r
 from app.views.mount_words import mount_colour, mount_line
 from app.views.mounts_page import MountsPage
 from app.views.pick_page import PickPage
+from app.views.place_list import PlacePicture
 from app.views.surface import Surface
 from scanner_core.acquisition.remount import RemountAdvice
 from scanner_core.case.mount_job import FoundMounts, MountCloud
 from scanner_core.case.mount_registration import MountOutcome, RegisteredMounts
 from scanner_core.case.snapshot import CaseSnapshot
 from scanner_core.case.store import CaseStore, Order
+from scanner_core.coverage.accepted import accepted_places
 from scanner_core.coverage.place import CoveragePlace
 from scanner_core.coverage.reason import REASONS, Reason
 from scanner_core.coverage.report import CoverageReport
@@ -52,6 +54,7 @@ class Found:
     of_mesh: bool
     report: CoverageReport
     remount: RemountAdvice | None
+    mount: int = 0
 
 
 def ball() -> TriangleMesh:
@@ -144,6 +147,36 @@ def case_path(tmp_path: Path) -> Path:
     with CaseStore.create(path) as store:
         store.put_order(Order("2026-0142"))
     return path
+
+
+def test_a_place_has_its_picture_and_is_accepted_by_a_key_until_it_is_undone(shared_program: Program, case_path: Path) -> None:
+    window, coverage, case = shared_program.window, shared_program.services.coverage, shared_program.services.case
+    case.open(case_path)
+    until(lambda: case.store is not None, 10, "the case")
+    coverage._of = coverage._content
+    found = answer()
+    page = show_coverage(shared_program, found)
+    coverage.pictures.draw(found.surface, found.report)
+    until(lambda: len(coverage.pictures.pictures) == 2, 20, "the pictures")
+    assert all(picture[..., 3].max() == 255 for picture in coverage.pictures.pictures.values())
+    assert [entry.drawn for entry in page.places.findChildren(PlacePicture)] == [True, True]
+    page.places.setFocus()
+    page.places.setCurrentRow(0)
+    QTest.keyClick(page.places, Qt.Key.Key_A)
+    until(lambda: coverage.is_accepted(0), 10, "it is accepted")
+    assert page.places.texts[1].startswith("Underneath, 300.0 mm²: ✓ Accepted as it is: looks down")  # behind the others
+    assert page.places.chosen == 0
+    assert page.accept.text() == "Do not accept"
+    assert case.store is not None
+    assert [(one.mount, one.wanted_um, one.place.area_mm2) for one in accepted_places(case.store)] == [(0, 40.0, 300.0)]
+    assert page.counts.text() == "1 open, 60 mm² together; 1 accepted"
+    window.undo()
+    until(lambda: not coverage.is_accepted(0), 10, "it is not accepted any more")
+    assert coverage.found is not None  # what is known of the surface stays
+    asked = QSignalSpy(page.intent)
+    QTest.keyClick(page.places, Qt.Key.Key_F)
+    assert [asked.at(i)[0] for i in range(asked.count())] == ["fill"]
+    case.close()
 
 
 def test_a_snapshot_of_an_open_case_can_be_opened_by_others_and_goes_away(case_path: Path) -> None:

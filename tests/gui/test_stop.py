@@ -111,16 +111,16 @@ def _dialog(program: Program) -> FileDialog:
 def test_every_dialog(shared_program: Program, stops: Stops) -> None:
     window = shared_program.window
     until(lambda: shared_program.services.rig.snapshot.connected and shared_program.services.rig.snapshot.calibrating is None, 120, "the rig")
-    rig, export = window.pages["rig"], window.pages["export"]
+    rig, deliver = window.pages["rig"], window.pages["deliver"]
     opened = {
         "case": lambda: window.actions_by_id["open_case"].trigger(),
         "mesh": rig.choice.choose_mesh,
         "rig": rig.choice.choose_rig_file,
         "target": rig.calibration._choose_target,
-        "folder": export._browse,
+        "folder": deliver._panel._browse,
     }
     for name, opens in opened.items():
-        window.show_page({"case": "home", "folder": "export"}.get(name, "rig"))
+        window.show_page({"case": "home", "folder": "deliver"}.get(name, "rig"))
         opens()
         dialog = _dialog(shared_program)
         assert QApplication.activeModalWidget() is None, name

@@ -12,13 +12,13 @@ from scanner_core.virtual.specimens.specimen import Specimen
 _STRETCH = np.array([1.04, 0.97, 1.03])
 """Two ears of one person differ by a few per cent."""
 _BEND_MM = 0.5
-"""How far the left canal's tip leans away from being the mirror image of the right one's."""
+"""How far the right canal's tip leans away from being the mirror image of the left one's."""
 
 
 def ear_pair() -> Specimen:
-    """Two closed shells: the ear of the single specimen is the right one."""
-    right = ear().mesh
-    meshes = {"right": right, "left": left_ear(right)}
+    """Two closed shells: the ear of the single specimen is the left one."""
+    left = ear().mesh
+    meshes = {"left": left, "right": right_ear(left)}
     vertices, triangles, first = [], [], 0
     for seat in PAIR_TRAY.seats:
         mesh = meshes[seat.side]
@@ -28,9 +28,9 @@ def ear_pair() -> Specimen:
     return Specimen("ear-pair", TriangleMesh(np.concatenate(vertices), np.concatenate(triangles)))
 
 
-def left_ear(right: TriangleMesh) -> TriangleMesh:
-    """The mirror image of a right ear, and a little otherwise, as in a person; stands on the table as the right one does."""
-    stretched = right.vertices * _STRETCH
+def right_ear(left: TriangleMesh) -> TriangleMesh:
+    """The mirror image of a left ear, and a little otherwise, as in a person; stands on the table as the left one does."""
+    stretched = left.vertices * _STRETCH
     height = stretched[:, 2] / stretched[:, 2].max()
     stretched[:, 1] += _BEND_MM * height**2
-    return TriangleMesh(stretched * np.array([-1.0, 1.0, 1.0]), right.triangles[:, ::-1])
+    return TriangleMesh(stretched * np.array([-1.0, 1.0, 1.0]), left.triangles[:, ::-1])

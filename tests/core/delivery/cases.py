@@ -51,6 +51,7 @@ def facts(mesh: TriangleMesh | None = None, **others: object) -> CaseFacts:
         removed=0,
         current=True,
         accepted=0,
+        delivered={},
     )
     return replace(good, **others)  # type: ignore[arg-type]
 

@@ -155,7 +155,8 @@ def test_two_labels_must_agree_with_two_shapes(sides: tuple[str, str], fit: Side
 def test_without_the_other_ear_the_side_is_not_checked() -> None:
     assert check_side(ORDER, drop(), None).sentence == "Not checked: the other ear of this order is not there yet."
     assert check_side(replace(ORDER, side=""), drop(), None).verdict is WARN
-    assert check_side(replace(ORDER, type="arch"), drop(), None).verdict is OPEN
+    assert check_side(replace(ORDER, type="arch-after", side="upper"), drop(), None).verdict is OPEN
+    assert check_side(replace(ORDER, type="arch", side=""), drop(), None).verdict is WARN
 
 
 @given(st.lists(st.sampled_from(CheckVerdict)))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+from dataclasses import replace
 from datetime import date
 from importlib import resources
 from pathlib import Path
@@ -134,6 +135,14 @@ def test_a_revision_counts_all_files_of_a_delivery(tmp_path: Path) -> None:
     suffixes, today = BUILT_IN[0].suffixes, date(2026, 11, 27)
     (tmp_path / "2026-0142_left-1.json").write_text("")
     assert free_stem(tmp_path, "{order}_{side}-{rev}", ORDER, suffixes, today) == "2026-0142_left-2"
+
+
+def test_a_name_that_is_too_long_counts_too(tmp_path: Path) -> None:
+    order = replace(ORDER, number="x" * 400)
+    for _ in range(3):
+        stem = free_stem(tmp_path, "{order}-{rev}", order, [".stl"], date(2026, 11, 27))
+        assert len(stem) <= 120
+        (tmp_path / f"{stem}.stl").touch(exist_ok=False)
 
 
 def test_a_disk_that_gets_full_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

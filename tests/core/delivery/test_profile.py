@@ -60,6 +60,6 @@ def test_a_profile_is_found_by_the_beginning_of_its_name() -> None:
 
 def test_every_type_has_a_default() -> None:
     assert default_profile("ear").pose is Pose.CANAL_UP
-    assert default_profile("arch").pose is Pose.OCCLUSAL
+    assert default_profile("arch-before").pose is Pose.OCCLUSAL
     assert default_profile("other").format == ".ply"
     assert free_name("a", {"a", "a (2)"}) == "a (3)"
