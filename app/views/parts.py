@@ -189,15 +189,13 @@ class SideBadge(QLabel):
         self.setVisible(bool(side))
         if not side:
             return
-        word = QCoreApplication.translate("draft", SIDES[side])
         self.setProperty("role", "badge")
         self.setProperty("side", side)
         self.style().unpolish(self)
         self.style().polish(self)
-        self.setText(word)
-        self.updateGeometry()
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        self.updateGeometry()  # the style has a margin that was not there before
+        self.setText(QCoreApplication.translate("draft", SIDES[side]))
+        QCoreApplication.sendEvent(self, QEvent(QEvent.Type.StyleChange))  # else the frame keeps the width that it had without one
 
 
 class Lamp(QWidget):
