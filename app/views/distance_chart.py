@@ -103,7 +103,7 @@ class DistanceChart(QWidget):
 
 def _length(value_um: float) -> str:
     """7.3 µm, 240 µm, 1.2 mm."""
-    return f"{fmt.micrometres(value_um)} µm" if value_um < 1000 else f"{value_um / 1000:.1f} mm"
+    return f"{fmt.micrometres(value_um)} µm" if value_um < 1000 else f"{fmt.decimal(value_um / 1000, 1)} mm"
 
 
 def _place(value_um: float, plot: QRectF) -> float:

@@ -217,7 +217,7 @@ class _Facts(QWidget):
             self.tr("{n} µm rms").format(n=fmt.micrometres(_number(report, "residual_rms_um"))),
             self.tr("{n} µm").format(n=fmt.micrometres(_number(report, "noise_sigma_um"))),
             fmt.count(int(_number(report, "outliers_rejected") or 0)),
-            self.tr("{n:.1f} s").format(n=_number(report, "seconds") or 0.0),
+            self.tr("{n} s").format(n=fmt.decimal(_number(report, "seconds") or 0.0, 1)),
         )
         for value, words in zip(self._values, said, strict=True):
             value.setText(words)
