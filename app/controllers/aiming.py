@@ -38,7 +38,7 @@ UNTOUCHED_S = 45.0
 """So long the spot stays lit without anybody's doing; the driver's own limit is a minute."""
 _RENEWED_S = 20.0
 """A person who goes on working has the driver's minute begun anew."""
-_LIVE_S, _DARK_S = 0.06, 0.25
+_LIVE_S, _DARK_S = 0.09, 0.25
 """Between two looks."""
 _SPEED_DEG_S = 30.0
 _REPLAYED = "replay"
