@@ -46,7 +46,7 @@ class CalibrationPanel(QWidget):
         self.numbers, self.moved = Facts(), Facts()
         self._written = label("", "muted", wrap=True)
         self._written.hide()
-        self._calibrate = button(self.tr("Calibrate"), "primary", calibrate or rig.calibrate, "calibrate", "on_accent")
+        self._calibrate = button(self.tr("Calibrate"), "primary", calibrate or rig.calibrate, "calibrate")
         self._target = button(self.tr("Print the target…"), "", self._choose_target, "export")
         inside = QWidget()
         box = QVBoxLayout(inside)
