@@ -12,12 +12,10 @@ from scanner_core.case.points import case_calibration, case_rig
 from scanner_core.case.processing import chosen_processing
 from scanner_core.case.records import MountPose, Order, ScanRecord
 from scanner_core.case.store import CaseStore
+from scanner_core.coverage.accepted import accepted_places
 from scanner_core.errors import ImprontaError
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.optics.calibration_age import CalibrationAge, calibration_age
-
-_ACCEPTED = "accepted_places"
-"""The key under which a case keeps the places that a person accepted."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,7 +119,7 @@ def read_facts(store: CaseStore) -> CaseFacts:
         points=points if isinstance(points, int) else 0,
         removed=removed if isinstance(removed, int) else 0,
         current=_is_current(store, provenance),
-        accepted=_accepted(store),
+        accepted=len(accepted_places(store)),
         delivered=_table(store.value(DELIVERY)),
     )
 
@@ -162,12 +160,6 @@ def _is_current(store: CaseStore, provenance: dict[str, object]) -> bool | None:
     now = {name: chosen.get(name) for name in made}
     removed = _table(chosen.get("removed")).get("count", 0), _table(before.get("removed")).get("count", 0)
     return scans == used and made == now and removed[0] == removed[1]
-
-
-def _accepted(store: CaseStore) -> int:
-    """Places that a person accepted in the coverage."""
-    value = store.value(_ACCEPTED)
-    return len(value) if isinstance(value, list) else 0
 
 
 def _newest(reports: list[dict[str, object]], name: str) -> float | None:
