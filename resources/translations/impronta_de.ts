@@ -230,7 +230,7 @@
 <context>
     <name>AimPicture</name>
     <message>
-        <source>Click: bring the spot there. Arrow keys: move the beam. Page Up and Page Down: turn the table. Wheel: zoom.</source>
+        <source>Click: bring the spot there. Arrow keys: move the beam. Page Up and Page Down: turn the table. Wheel, + and −: zoom.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3253,11 +3253,11 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>as the points</source>
+        <source>coarse</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>coarse</source>
+        <source>default</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3439,6 +3439,10 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Laser off at once, and the end of the scan; what was measured is kept (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Measured once more, because they were weak: {views}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3527,7 +3531,7 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stop · laser off</source>
+        <source>Stop</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8475,7 +8479,7 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not seen by the other camera</source>
+        <source>off the other camera&apos;s line</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
