@@ -1184,7 +1184,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Cut away what does not belong to the object before it becomes a surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Do not accept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
