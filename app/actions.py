@@ -68,6 +68,7 @@ ACTIONS: tuple[ActionInfo, ...] = (
     ActionInfo("help", HELP, QT_TRANSLATE_NOOP("actions", "&Help on this page"), "F1", "", "show_help"),
     ActionInfo("shortcuts", HELP, QT_TRANSLATE_NOOP("actions", "&Keyboard shortcuts"), "?", "", "show_shortcuts"),
     ActionInfo("tour", HELP, QT_TRANSLATE_NOOP("actions", "&Tour"), "", "", "show_tour"),
+    ActionInfo("next_colour", VIEW, QT_TRANSLATE_NOOP("actions", "&Colours: the next"), "K", "", "next_colour"),
     ActionInfo("support", HELP, QT_TRANSLATE_NOOP("actions", "&Support bundle…"), "", "", "show_support"),
     ActionInfo("about", HELP, QT_TRANSLATE_NOOP("actions", "&About Impronta"), "", "mark", "show_about"),
 )

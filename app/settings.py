@@ -59,6 +59,9 @@ class Settings:
     """By type of the order the profile that was chosen last, as "ear=Ear shell laboratory (STL)"."""
     recent_cases: list[str] = field(default_factory=list)
     last_order: str = ""
+    point_colour: str = "height"
+    surface_colour: str = "support"
+    """By what the 3D view is coloured."""
     window: list[int] = field(default_factory=list)
     """Width and height of the window."""
 

@@ -23,7 +23,7 @@ from app.controllers.rig import RigController
 from app.controllers.tapped_camera import TappedCamera
 from app.translation import QT_TRANSLATE_NOOP
 from scanner_core.acquisition.handover import LatestSlot
-from scanner_core.errors import ImprontaError
+from scanner_core.errors import ImprontaError, UsageError
 from scanner_core.jobs.progress import Cancelled, Progress
 
 if TYPE_CHECKING:
@@ -257,6 +257,8 @@ class AimController(QObject):
                     self._light(rig)
             except Cancelled:
                 pass
+            except UsageError as fault:  # beyond a limit: nothing was moved, and what was lit is lit
+                self._tell(fault)
             except BaseException:
                 self._background.post(self.end)
                 raise

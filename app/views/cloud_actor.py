@@ -7,8 +7,9 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkRenderingCore import vtkActor, vtkProperty
+from vtkmodules.vtkRenderingCore import vtkActor, vtkProperty, vtkShaderProperty
 
+from app.palettes import DARK, LIGHT
 from app.views.cloud_buffer import CloudBuffer
 from app.views.cloud_chunks import CloudChunks
 from app.views.cloud_points import CloudPoints, Floats
@@ -16,6 +17,7 @@ from app.views.cloud_store import CloudStore, StoredPart, every
 from app.views.colour_maps import MAPS, MISSING
 from app.views.height_colours import rgb
 from app.views.point_colour import PointColour
+from app.views.points_shader import install, put_ground
 from app.views.value_range import ValueRange
 from app.views.vtk_arrays import copied
 from scanner_core.geometry.point_cloud import PointCloud
@@ -47,8 +49,10 @@ class CloudActor:
         self._lookup = vtkLookupTable()
         self._look = vtkProperty()
         self._look.SetRepresentationToPoints()
-        self._live = CloudBuffer(LIVE_LIMIT, self._lookup, self._look)
-        self.chunks = CloudChunks(self._lookup, self._look)
+        self._shader = vtkShaderProperty()
+        install(self._shader)
+        self._live = CloudBuffer(LIVE_LIMIT, self._lookup, self._look, self._shader)
+        self.chunks = CloudChunks(self._lookup, self._look, self._shader)
         """The whole cloud, where it is more than the live buffer holds."""
         self.stride = 1
         """Every so many-th point is in the live buffer."""
@@ -62,6 +66,8 @@ class CloudActor:
         self.range = ValueRange()
         self.views = 0
         """How many views have points."""
+        self.in_seconds = True
+        """Whether the age of the points is known in seconds, or only their order."""
         self.actor: vtkActor = self._live.actor
         self.restyle(dark=True)
 
@@ -97,6 +103,7 @@ class CloudActor:
         if len(points):
             start = len(self)
             self._store.append(points)
+            self.in_seconds = True
             self._take(start, points.points, lambda first, stride: points.rows(slice(first, None, stride)))
 
     def hold(self, cloud: PointCloud) -> None:
@@ -104,7 +111,15 @@ class CloudActor:
         if len(cloud):
             start = len(self)
             self._store.hold(cloud)
+            self.in_seconds = False
+            if cloud.views is not None:
+                self.see_views(cloud.views)
             self._take(start, cloud.points, lambda first, stride: CloudPoints.of_case(cloud, slice(first, len(cloud), stride)))
+
+    def see_views(self, views: NDArray[np.int32]) -> None:
+        """Points of views with these numbers have come."""
+        if len(views):
+            self.views = max(self.views, int(views.max()) + 1)
 
     def parts(self) -> tuple[StoredPart, ...]:
         """All points; they may be read in another thread."""
@@ -120,6 +135,7 @@ class CloudActor:
         if generation == self.generation:
             self._live.light(normals)
             self._live.put(PointColour.DENSITY, density)
+            self.range.forget()
 
     def take_chunk(self, points: CloudPoints, normals: Floats, generation: int, *, first: bool) -> None:
         """Some more of the whole cloud, unless points went away meanwhile."""
@@ -136,6 +152,10 @@ class CloudActor:
         red, green, blue = (channel / 255 for channel in rgb(MISSING[dark]))
         self._lookup.SetNanColor(red, green, blue, 1.0)
         self._look.SetColor(red, green, blue)
+        palette = DARK if dark else LIGHT
+        low, high = (np.array(rgb(colour)) / 255 for colour in (palette.scene_low, palette.scene_high))
+        red, green, blue = 0.5 * (low + high)
+        put_ground(self._shader, (red, green, blue))
         self.prepare(1.0)
 
     def colour_by(self, by: PointColour) -> None:

@@ -5,18 +5,17 @@ from __future__ import annotations
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty, vtkShaderProperty
 
 from app.views.cloud_points import CloudPoints, Floats
 from app.views.point_colour import PointColour
-from app.views.points_shader import install
 from app.views.vtk_arrays import copied_ids, shared
 
 
 class CloudBuffer:
     """Room for so many points, with an actor that draws them."""
 
-    def __init__(self, room: int, lookup: vtkLookupTable, look: vtkProperty) -> None:
+    def __init__(self, room: int, lookup: vtkLookupTable, look: vtkProperty, shader: vtkShaderProperty) -> None:
         self.count = 0
         self._step = 1
         self._points, self._normals = np.zeros((room, 3), np.float32), np.zeros((room, 3), np.float32)
@@ -38,7 +37,7 @@ class CloudBuffer:
         self.actor = vtkActor()
         self.actor.SetMapper(self._mapper)
         self.actor.SetProperty(look)
-        install(self.actor.GetShaderProperty())
+        self.actor.SetShaderProperty(shader)
         self._changed()
 
     @property

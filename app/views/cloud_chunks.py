@@ -3,25 +3,25 @@
 from __future__ import annotations
 
 from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkRenderingCore import vtkProperty, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkProperty, vtkRenderer, vtkShaderProperty
 
 from app.views.cloud_buffer import CloudBuffer
 from app.views.cloud_points import CloudPoints, Floats
 from app.views.point_colour import PointColour
 
-CHUNK = 15_000
+CHUNK = 10_000
 """Most points of a chunk; a slice of the picture draws one or several."""
 AIM_S = 0.04
 """A slice should take about so long ..."""
-MOST = 4
+MOST = 6
 """... and never holds more chunks than this."""
 
 
 class CloudChunks:
     """Chunks of points that together are the whole cloud."""
 
-    def __init__(self, lookup: vtkLookupTable, look: vtkProperty) -> None:
-        self._lookup, self._look = lookup, look
+    def __init__(self, lookup: vtkLookupTable, look: vtkProperty, shader: vtkShaderProperty) -> None:
+        self._lookup, self._look, self._shader = lookup, look, shader
         self._renderer: vtkRenderer | None = None
         self._chunks: list[CloudBuffer] = []
         self._done = 0
@@ -45,7 +45,7 @@ class CloudChunks:
         self._chunks, self._done, self.count = [], 0, 0
 
     def add(self, points: CloudPoints, normals: Floats) -> None:
-        chunk = CloudBuffer(len(points), self._lookup, self._look)
+        chunk = CloudBuffer(len(points), self._lookup, self._look, self._shader)
         chunk.append(points, normals)
         chunk.actor.SetVisibility(False)
         if self._renderer is not None:

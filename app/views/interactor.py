@@ -105,7 +105,7 @@ class InteractorView(QWidget):
 
     def paint(self) -> float:
         """Ask for a picture if something changed, or for more of one that is not complete; the time that the last one took, in seconds."""
-        if self._engine is not None and self.isVisible() and (self._dirty or self._unfinished()):
+        if self._engine is not None and self.isVisible() and (self._dirty or self.unfinished):
             self._more = not self._dirty
             if self._dirty:
                 self._dirty = False
@@ -143,7 +143,7 @@ class InteractorView(QWidget):
         engine.render()
         self._dirty = False
         self._adding = True
-        while self._adding and self._unfinished():
+        while self._adding and self.unfinished:
             self._more = True
             engine.render_window.Render()
         reader = vtkWindowToImageFilter()
@@ -191,8 +191,9 @@ class InteractorView(QWidget):
     def _prepare_picture(self) -> None:
         """Called before every picture."""
 
-    def _unfinished(self) -> bool:
-        """Whether there is more to draw into the picture that is there."""
+    @property
+    def unfinished(self) -> bool:
+        """There is more to draw into the picture that is there."""
         return False
 
     def _begin_slice(self) -> None:

@@ -253,6 +253,9 @@ class MainWindow(QMainWindow):
     def show_uncertainty(self, on: bool) -> None:
         self._link.show_uncertainty(on)
 
+    def next_colour(self) -> None:
+        self._link.next_colour()
+
     def show_support(self) -> None:
         if self._support is None:
             support = SupportController(self.services, self)

@@ -13,6 +13,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QButtonGroup, QPushButton, QVBoxLayout, QWidget
 
 from app.services import Services
+from app.views import format as fmt
 from app.views import measure_words
 from app.views.length_field import LengthField
 from app.views.parts import BigNumber, button, column, label, row, scrolled, seam
@@ -188,8 +189,8 @@ class MeasurePanel(QWidget):
         self.section.setVisible(way == "section" and mesh is not None)
         found = self._section
         area = None if found is None else found.area_mm2
-        self._area.show_number("–" if area is None else f"{area:.1f}")
-        self._perimeter.show_number("–" if found is None else f"{found.perimeter_mm:.2f}")
+        self._area.show_number("–" if area is None else fmt.decimal(area, 1))
+        self._perimeter.show_number("–" if found is None else fmt.decimal(found.perimeter_mm, 2))
         words = {"section": self.tr("Keep this section"), "canal": self.tr("Measure the canal"), "volume": self.tr("Measure the volume")}
         self.do.setText(words.get(way, ""))
         self.do.setVisible(way in words and mesh is not None and not busy)

@@ -9,11 +9,14 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QAction
 
+from app.colouring import Colouring
 from app.services import Services
 from app.views import format as fmt
 from app.views.page import Page
+from app.views.point_colour import SurfaceColour
 from app.views.scan_words import status_words
 from app.views.stage import Stage
+from app.views.surface import Surface
 
 if TYPE_CHECKING:
     from app.views.scene_view import SceneView
@@ -29,6 +32,10 @@ class SceneLink(QObject):
         super().__init__(parent)
         self._services, self._stage, self._actions, self._page = services, stage, actions, page
         self.scene: SceneView | None = None
+        self.colouring = Colouring(services.settings, self)
+        stage.legend.offer(self.colouring)
+        self.colouring.changed.connect(self._colour)
+        actions["show_uncertainty"].setChecked(self.colouring.surface is SurfaceColour.UNCERTAINTY)
         self._told_s = 0.0
         self._follows = False
         self._late = False
@@ -41,13 +48,15 @@ class SceneLink(QObject):
         for told in (services.reconstruction.began, services.case.opened, services.acquisition.began, services.acquisition.ended):
             told.connect(self._follow_reconstruction)
         services.reconstruction.began.connect(self._begin_reconstruction)
-        services.reconstruction.grown.connect(lambda surface: self.call(lambda scene: scene.show_mesh(surface)))
+        services.reconstruction.grown.connect(self._grow)
         services.reconstruction.ended.connect(self._end_reconstruction)
 
     def put_scene(self, scene: SceneView) -> None:
         """The 3D view is there: show what has come meanwhile."""
         self.scene = scene
         self._stage.put_scene(scene)
+        scene.coloured.connect(self._show_legend)
+        self._colour()
         self.show_case()
         self.show_aside()
 
@@ -74,7 +83,18 @@ class SceneLink(QObject):
         self.call(lambda scene: scene.set_edges(on))
 
     def show_uncertainty(self, on: bool) -> None:
-        self.call(lambda scene: scene.set_uncertainty(on))
+        self.colouring.choose(SurfaceColour.UNCERTAINTY if on else SurfaceColour.SUPPORT)
+
+    def next_colour(self) -> None:
+        """Of the points, or of the surface where it alone is to be seen."""
+        bare = self.scene is not None and self.scene.mesh.surface is not None and not self._actions["show_points"].isChecked()
+        self.colouring.next(of_surface=bare)
+
+    def _colour(self) -> None:
+        by_uncertainty = self.colouring.surface is SurfaceColour.UNCERTAINTY
+        self._actions["show_uncertainty"].setChecked(by_uncertainty)
+        self.call(lambda scene: scene.colour_points_by(self.colouring.points))
+        self.call(lambda scene: scene.set_uncertainty(by_uncertainty))
         self._show_legend()
 
     # -------------------------------------------------------------------------------- what is shown
@@ -108,7 +128,7 @@ class SceneLink(QObject):
 
     def _show_mesh(self) -> None:
         case = self._services.case
-        surface = case.surface
+        surface = None if self._services.acquisition.running else case.surface
         if surface is not None:
             self._actions["show_points"].setChecked(False)
         self.call(lambda scene: scene.show_mesh(surface))
@@ -156,11 +176,16 @@ class SceneLink(QObject):
 
     def _follow_reconstruction(self) -> None:
         """Whether the points of the open case are being reconstructed: only then the balloon is what is looked at."""
-        job = self._services.reconstruction
-        self.call(lambda scene: scene.set_live(job.mine or self._services.acquisition.running))
-        if job.mine != self._follows:
-            self._follows = job.mine
-            self.call(lambda scene: scene.set_points_quiet(job.mine))
+        job, scanning = self._services.reconstruction, self._services.acquisition.running
+        self.call(lambda scene: scene.set_live(job.mine or scanning))
+        follows = job.mine and not scanning  # into the same case again: the live points are what is looked at
+        if follows != self._follows:
+            self._follows = follows
+            self.call(lambda scene: scene.set_points_quiet(follows))
+
+    def _grow(self, surface: Surface) -> None:
+        if self._follows:
+            self.call(lambda scene: scene.show_mesh(surface))
 
     def _begin_reconstruction(self) -> None:
         if self._services.reconstruction.mine:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pyvista as pv
 from numpy.typing import NDArray
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QWidget
 
@@ -35,10 +35,14 @@ _REFIT = 1.15
 
 
 class SceneView(InteractorView):
-    """Points coloured by height, a mesh, the turntable, and the three axes."""
+    """Points coloured by what a person chose, a mesh, the turntable, and the three axes."""
+
+    coloured = Signal()
+    """The colours of the points mean something else."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._meant: tuple[object, ...] = ()
         self._scale = label(self.tr("grid {mm:.0f} mm").format(mm=GRID_MM), "faint")
         self._scale.setParent(self)
         self._scale.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
@@ -92,6 +96,7 @@ class SceneView(InteractorView):
         if not len(self.cloud):
             self._begun_points_s = now_s
         self.cloud.append(CloudPoints.of_scan(points, now_s - self._begun_points_s))
+        self.cloud.see_views(points.views)
         self._follow_bounds(self.cloud.bounds_mm)
         self._dirty = True
 
@@ -241,10 +246,16 @@ class SceneView(InteractorView):
     # -------------------------------------------------------------------------------- inside
     def _prepare_picture(self) -> None:
         self.cloud.prepare(self.devicePixelRatioF())
+        meant = (self.cloud.by, self.cloud.views, *self.cloud.shown_range())
+        if meant != self._meant:
+            self._meant = meant
+            self.coloured.emit()
         if self.aside is not None:
             self.aside.fit_pixels(self.devicePixelRatioF())
 
-    def _unfinished(self) -> bool:
+    @property
+    def unfinished(self) -> bool:
+        """There are more points to draw into the picture that is there."""
         return self.still and self.cloud.chunks.pending and bool(self.cloud.actor.GetVisibility())
 
     def _begin_whole(self) -> None:

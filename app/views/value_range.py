@@ -22,6 +22,10 @@ class ValueRange:
     def __init__(self) -> None:
         self._known: dict[PointColour, tuple[float, tuple[float, float]]] = {}
 
+    def forget(self) -> None:
+        """There are other values."""
+        self._known.clear()
+
     def of(self, by: PointColour, points: CloudPoints) -> tuple[float, float]:
         """The lowest and the highest value that are told apart; (0, 0) when none is known."""
         if by is PointColour.RESIDUAL:

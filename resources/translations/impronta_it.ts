@@ -53,6 +53,196 @@
     </message>
 </context>
 <context>
+    <name>AccuracyCard</name>
+    <message>
+        <source>95 % of the measured points lie within this width around the sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrated on {date}; {rms} µm rms at corners of the board that were left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter of the reference sphere as measured, less what its certificate says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How accurate is it?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It measures otherwise than in the tests before: calibrate, and test it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No reference sphere was measured with this rig yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the sphere on the table and run:
+{command}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference sphere, {date} ({age})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The Rig page says what is wrong with the rig file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig was calibrated since.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The test is {n} days old.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This rig is not calibrated. The Rig page does that in a few minutes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>µm D95</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>µm size deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>AimPage</name>
+    <message>
+        <source>Aim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Automatic exposure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beam down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beam left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beam right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beam up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finds exposure and gain for the object: the beam visits some places of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on to the scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep as…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep what is set now as a material of your own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laser off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laser on. It goes dark on Esc, when this page is left, or in {seconds} s if nothing is touched.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Live: light the laser</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of learning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size of a spot, pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Steps of {n} degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table counter-clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The laser is off. Goggles on, nobody looks into the beam: then light it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig is not free; the Rig page says why.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The spot is lit while this page is shown, and goes dark on Esc or when nobody touches anything for a while</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two seconds of live pictures while the beam moves a little: sizes of spots that both cameras agree on</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>AimPicture</name>
+    <message>
+        <source>Click: bring the spot there. Arrow keys: move the beam. Page Up and Page Down: turn the table. Wheel: zoom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{camera}: {count} bright places, no spot accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{camera}: {count} bright places, spot accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>AlignmentPanel</name>
     <message>
         <source>Erase</source>
@@ -264,6 +454,33 @@
     </message>
     <message>
         <source>Support bundle…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>BaseShape</name>
+    <message>
+        <source> mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilt along x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilt along y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is below the plane goes.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -544,7 +761,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>σ {x:.2f} × {y:.2f} px · peak {peak} %</source>
+        <source>σ {x} × {y} px · peak {peak} %</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -591,6 +808,13 @@
     </message>
     <message>
         <source>Pictures of: {check}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CheckList</name>
+    <message>
+        <source>Checks</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -642,6 +866,17 @@
     </message>
     <message>
         <source>{doing}  ·  {left} left</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ChosenView</name>
+    <message>
+        <source>Measure this view once more: after the last one while the scan runs, else at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo this view</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -933,7 +1168,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Accept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Complete</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -941,7 +1184,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Coverage</source>
+        <source>Do not accept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -954,6 +1197,10 @@
     </message>
     <message>
         <source>Find out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave the chosen place as it is: the case keeps that, the certificate tells it (A; again to take it back)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -977,6 +1224,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Reconstruct</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Scan an object or open a case first.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -997,7 +1248,194 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{n} places, {mm2:.0f} mm² together</source>
+        <source>{n} open, {mm2:.0f} mm² together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{open}; {n} accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CropShape</name>
+    <message>
+        <source> mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is inside the box stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z to</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>DeliverPage</name>
+    <message>
+        <source>All {passed} checks passed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed, and free of self-intersections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deliver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deliver anyway</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deliver it although it is not ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deliver once more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delivered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit the profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Failed: {failed}. Remarks: {remarks}. Passed: {passed}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How it was measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In {folder}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No surface yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open an order or begin one, then scan and reconstruct it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Orders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstruct</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstruct first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remarks: {remarks}. Passed: {passed}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace the existing files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The certificate says so, in words and in its JSON.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The check was cancelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no surface to deliver yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These files exist already. With {rev} in the name every delivery gets its own number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether it mirrors the other ear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Written to {folder}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{counted}
+Delivered before, on {day}: {name}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{place}, with {others}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{written}, with {others}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1192,6 +1630,29 @@
     </message>
 </context>
 <context>
+    <name>DistanceChart</name>
+    <message>
+        <source>95 % {length}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of the points from the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half of the points are nearer to the surface than the first mark, 95 of 100 nearer than the second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half of the points are within {median} of the surface, 95 of 100 within {p95}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>half {length}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>DropTarget</name>
     <message>
         <source>Choose a file…</source>
@@ -1223,69 +1684,49 @@
     </message>
 </context>
 <context>
-    <name>ExportPage</name>
+    <name>EditPage</name>
     <message>
-        <source>Choose a folder</source>
+        <source>Edit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Export</source>
+        <source>Go on to the surface</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Folder</source>
+        <source>Leave them in</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Folder for exported files</source>
+        <source>Measure</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Format</source>
+        <source>Points</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>In braces: {fields}</source>
+        <source>Reading the points…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Name</source>
+        <source>Reconstruct</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Reconstruct first: there is no surface yet.</source>
+        <source>Scan an object or open a case first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Replace the existing file</source>
+        <source>Take out {n} points</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Scan first: there are no points yet.</source>
+        <source>The surface was made when other points were taken out. Reconstruct it again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Show in its folder</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Template of the name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This file exists already. With {rev} in the name every export gets its own number.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Written: {name}, {size:.1f} MB</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{n} points, millimetres</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{n} triangles, {size} mm</source>
+        <source>{n} points</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1348,6 +1789,37 @@
     </message>
     <message>
         <source>This file exists:</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>FileNameLine</name>
+    <message>
+        <source>Both files would have one name: put {side} into the template.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the file names…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In braces: {fields}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Template of the file names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The patient code may stand in file names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no field {unknown}; the fields are {fields}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{field} is left out: no patient in file names unless that is switched on below.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1587,43 +2059,43 @@
 <context>
     <name>HomePage</name>
     <message>
-        <source> points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> views</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A scan is running.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Change</source>
+        <source>A scan is running: the order can wait in the list.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Changes of the order are kept in this case.</source>
+        <source>Del; the file is moved, never deleted</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How accurate is it?</source>
+        <source>Enter makes a new order {number}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Measured on {date} at corners of the board that were not used to calibrate. The laser spot adds its own noise: every surface states the error that is expected of it.</source>
+        <source>Enter opens the order of that number, or begins a new one.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>New case</source>
+        <source>Enter opens {order}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No cases yet. Every scan makes one.</source>
+        <source>Enter, or a double click</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>On the table</source>
+        <source>Looking…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No order has that in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No orders yet. They stand here as soon as they are entered.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1631,31 +2103,58 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open case</source>
+        <source>Remove</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Opening the rig…</source>
+        <source>This order is being scanned.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Order number</source>
+        <source>Wait for its end or stop it first (Esc).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Patient code</source>
+        <source>{n} orders, the newest first. Arrow down goes into the list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>HomeStart</name>
+    <message>
+        <source>A scan is running.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ready.</source>
+        <source>An ear on the virtual rig: nothing has to be connected, and nothing is overwritten</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Ready. The scan makes a new case.</source>
+        <source>Change</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Recent cases</source>
+        <source>Change the order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left and right: two cases with one order number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New dental model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New ear impression</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New ear pair</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open now</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1663,51 +2162,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Scan plan</source>
+        <source>Try a demo order</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Side</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Start scan</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The Rig page calibrates it in a few minutes.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The Rig page says what is wrong with the rig file.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The order goes with every file that leaves this program.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The rig has to be calibrated first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a code, not the name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>as on the order form</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not calibrated</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>µm rms error of the calibration</source>
+        <source>{rig}, virtual; on the table: {specimen}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1820,11 +2279,75 @@
 <context>
     <name>Legend</name>
     <message>
-        <source>not scanned</source>
+        <source>Age</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>scanned</source>
+        <source>Colours: {name}, {low} to {high}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Density, points/mm²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Epipolar residual, σ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty, µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Support by points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the colours mean; click to choose  (K: the next one)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>filled in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>newest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>oldest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} and more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} s ago</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1870,15 +2393,27 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Both ears are measured: {left} points on the left one, {right} on the right one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Cases (*.impronta)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It is kept in its case; open that to see it.</source>
+        <source>Each is an order of its own now; both stand in the worklist.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is kept in its case.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Open a case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1887,6 +2422,129 @@
     </message>
     <message>
         <source>Wait for its end or stop it first (Esc).</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>MeasurePanel</name>
+    <message>
+        <source> mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Across x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Across y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Canal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click a place, or move the plane.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click the second place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click two places on the surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click two points. Sections, canal and volume are measured on the surface: reconstruct it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the highest point, or click the tip of the canal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep this section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure the canal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure the volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No canal was found there. Click the tip of the canal on the surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove measurement {n}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan an object or open a case first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface is not closed, so it encloses no volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the closed surface encloses.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm perimeter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm² area</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1962,6 +2620,123 @@
     </message>
 </context>
 <context>
+    <name>OrderForm</name>
+    <message>
+        <source>Back to the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Enter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every change is kept in the case, and can be undone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep it in the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make both orders, scan the first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the order and scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patient code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The order has no number yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which jaw is it?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which side is it?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a code, not the name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as on the order form</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>OrderList</name>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Orders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove from the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>OutlierShape</name>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many times the usual distance to its neighbours a point may lie off them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking at every point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points that are far from their neighbours, off their surface, or in a small group of their own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>PickPage</name>
     <message>
         <source>All mounts lie together; there is nothing to pick.</source>
@@ -2028,9 +2803,126 @@
     </message>
 </context>
 <context>
+    <name>PlaceEntry</name>
+    <message>
+        <source>✓ Accepted as it is: {why}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>PlaceList</name>
     <message>
         <source>Places that are not as certain as wanted</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PlanBar</name>
+    <message>
+        <source>Plan: {done} of {count} views are done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View {number} at {angle:.0f}°: {state}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>being measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>far fewer points than its neighbours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to come</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>will be measured once more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{points} of {wanted} points, {rejected} rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{points} points, {rejected} rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{told}; measured twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PointsPanel</name>
+    <message>
+        <source>Also what lies behind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring all back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring points back instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut the base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Many at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Otherwise only what is in front, as it is seen, is taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outliers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show what was taken out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take out what is left, and bring back what was taken out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of {n} points taken out</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2088,6 +2980,77 @@
     </message>
 </context>
 <context>
+    <name>ProfilePanel</name>
+    <message>
+        <source>Certificate beside it (PDF and JSON)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy as my own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every change counts at once; Ctrl+Z takes it back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder for exported files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In braces: {fields}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured points beside it (XYZ)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This profile belongs to the program. Copy it to change it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without its base (open surface)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Rail</name>
     <message>
         <source>Before: {before}
@@ -2104,6 +3067,10 @@ After: {after}</source>
     </message>
     <message>
         <source>No order number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No order open</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2145,15 +3112,15 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>As many orders wait as can be kept in mind. Take one out, or wait for the next to begin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cancelling…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Closed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2165,23 +3132,27 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Export</source>
+        <source>Deliver</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Noise of the points</source>
+        <source>Distance of the points from the surface</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Outliers rejected</source>
+        <source>Finishes the surface as it is now: whole and closed, but coarser than the points allow.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It waits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other settings…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Places that are not as certain as wanted, why, and what can be done about them (F8)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Points to surface</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2193,15 +3164,15 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Scan an object or open a case first.</source>
+        <source>Reconstruct next</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Self-intersections</source>
+        <source>Scan first, or open a case with points.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Starting…</source>
+        <source>Stop here and keep</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2209,59 +3180,15 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Time</source>
+        <source>These points wait for their turn.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tolerance</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Triangles, at most</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>When it is set, the surface gets as many triangles as this tolerance needs.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>automatic</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not set</source>
+        <source>mm³ volume</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>triangles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{left} left</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{n:.1f} s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{n} µm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{n} µm rms</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2274,6 +3201,90 @@ After: {after}</source>
     </message>
 </context>
 <context>
+    <name>ReconstructionPhases</name>
+    <message>
+        <source>Cancelling…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finishing what there is…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking at the points…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of the reconstruction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{left} left</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ReconstructionWaiting</name>
+    <message>
+        <source>Waiting</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ReconstructionWishes</name>
+    <message>
+        <source>Detail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expert…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide expert settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The middle is the default: as many triangles as the points carry. Each step halves or doubles them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as the points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coarse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fine</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RejectList</name>
+    <message>
+        <source>Rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count}  ·  {share} %</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Remarks</name>
     <message>
         <source>1 remark</source>
@@ -2281,6 +3292,17 @@ After: {after}</source>
     </message>
     <message>
         <source>{n} remarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>RemovedStrip</name>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order} was removed; its file is kept.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2381,6 +3403,10 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>By how much the first view lay beside itself when it was measured again at the end of the turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Camera left</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2389,19 +3415,19 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Closing the turn: the first view is measured again and compared.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Coarse pass: view {view} of {views}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Complete: {views} views</source>
+        <source>Complete</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Computing where more points are needed…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Coverage</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2410,6 +3436,10 @@ After: {after}</source>
     </message>
     <message>
         <source>Finding the object, view {view} of {views}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured once more, because they were weak: {views}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2425,7 +3455,11 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Paused in view {view} of {views}; the laser is dark</source>
+        <source>Paused in view {view} of {views}. The laser is dark, beam and table rest, all points so far are kept; it goes on with the next row.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pausing: the row that is being swept is finished first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2449,10 +3483,6 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rejected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Resume</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2462,6 +3492,10 @@ After: {after}</source>
     </message>
     <message>
         <source>Scan again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan again…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2489,6 +3523,10 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Still far fewer points than their neighbours: {views}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Stop · laser off</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2505,11 +3543,23 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The scan is complete.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>View {view} of {views}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>View {view} once more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the turn closes is not known: too few points of the first view were seen again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2521,7 +3571,11 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>left</source>
+        <source>min:s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>min:s left</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2530,14 +3584,6 @@ After: {after}</source>
     </message>
     <message>
         <source>no further view fits into this scan</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>other</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2562,6 +3608,21 @@ After: {after}</source>
     </message>
     <message>
         <source>{share} % within {wanted} µm so far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>µm closure</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ScanTray</name>
+    <message>
+        <source>Both ears on the pair tray</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The left ear on seat L, the right one on seat R, the arrow at the table&apos;s zero: one run measures both for their orders</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2674,15 +3735,7 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Off: a file that leaves the house tells the order, the side and the day, and no patient.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Open the folder</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Privacy</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2718,10 +3771,6 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The patient&apos;s code may stand in file names</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The window changes its language when the scan or the reconstruction has ended and the program starts again.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2731,6 +3780,10 @@ After: {after}</source>
     </message>
     <message>
         <source>Theme</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without it a file that leaves the house tells the order, the side and the day, and no patient.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2770,6 +3823,36 @@ After: {after}</source>
     </message>
     <message>
         <source>What it does</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SizeHistogram</name>
+    <message>
+        <source>Drag a limit, or choose it with up and down and move it with left and right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Live shows how large spots are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size of a spot: {low} to {high} pixels, {chosen}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest size chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smallest size chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Sparkline</name>
+    <message>
+        <source>Size deviation of the last tests in µm: {values}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2820,6 +3903,10 @@ After: {after}</source>
     </message>
     <message>
         <source>Not calibrated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the order that is being reconstructed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3116,6 +4203,17 @@ After: {after}</source>
     </message>
 </context>
 <context>
+    <name>WedgeField</name>
+    <message>
+        <source>Order number, by barcode or keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan or type an order number</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>WindowHelp</name>
     <message>
         <source>At the end stands a file for the next machine, with its checks in plain words.</source>
@@ -3241,6 +4339,138 @@ After: {after}</source>
     </message>
 </context>
 <context>
+    <name>_ExpertFields</name>
+    <message>
+        <source>As many triangles as it takes that 95 of 100 facets keep this tolerance; goes before the number of triangles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the defaults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Density of the points, of that which they have among themselves, from which on the surface counts as measured. Default 45 %.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes before the slider.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave open what was not scanned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of every random choice: the same points and seed give the same surface. Default 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pass-band</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rounds of Taubin&apos;s filter in the last phase. Default 3; many of them inflate the surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smoothing rounds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Support from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangles, at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waves longer than this share of the highest spatial frequency stay. Default 10 %.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without it the surface is closed, as printing needs it; what is bridged is marked as not scanned.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by detail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>_Facts</name>
+    <message>
+        <source>Closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Noise of the points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outliers rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points to surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} µm rms</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>_Line</name>
+    <message>
+        <source>{order}: do not reconstruct</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order}: one place forward</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>_PhaseLine</name>
+    <message>
+        <source>{n} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>actions</name>
     <message>
         <source>&amp;About Impronta</source>
@@ -3251,7 +4481,15 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Coverage</source>
+        <source>&amp;Colours: the next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Complete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Deliver…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3260,10 +4498,6 @@ After: {after}</source>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3398,15 +4632,102 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Reconstructing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Scanning</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Setting up a rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>aim</name>
+    <message>
+        <source>As it was set on the Aim page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the rig file says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Automatic exposure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both cameras saw too few spots to learn from: bring the spot to a place that both see.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both cameras see the spot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bringing the spot there…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change limits of the spot&apos;s size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose material</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the exposure…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Learn the spot&apos;s size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Learned from {spots} spots; {strays} reflections were seen beside them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Learning: the beam moves a little…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Live lights the laser and shows what the cameras make of its spot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for the object…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moving…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No point here: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The background is too bright: switch off the lamp or close the lid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig is not calibrated: each camera is judged alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too bright even at the shortest exposure: close the apertures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too dark even at the longest exposure: look at the laser and the lens caps, or open the apertures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{left} and {right}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{material}: {exposure} ms, {gain} dB, spots of {low} to {high} pixels</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4192,11 +5513,11 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tilt the object by about {deg:.0f}°.</source>
+        <source>Tilt the object by about {deg}°.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Turn the object over, or tilt it by about {deg:.0f}°.</source>
+        <source>Turn the object over, or tilt it by about {deg}°.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4216,7 +5537,7 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>faces the laser at {deg:.0f}°</source>
+        <source>faces the laser at {deg}°</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4272,18 +5593,129 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{mm2:.1f} mm²</source>
+        <source>{mm2} mm²</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{mm:.0f} mm up</source>
+        <source>{mm} mm up</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>delivery</name>
+    <message>
+        <source>3MF, carries its unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Archive (PLY with uncertainty, and points)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As it was scanned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Canal tip up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dental model (STL, occlusal plane XY)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ear shell laboratory (STL)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Modelling (OBJ)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Occlusal plane XY, +Z to occlusal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PLY, with uncertainty and support</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Printing (3MF)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready, with remarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a dental arch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an ear impression</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not checked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>remark</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>draft</name>
     <message>
+        <source>Accept a place as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the defaults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring points back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change detail</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4299,7 +5731,27 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Change open or closed base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change pass-band</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change seed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Change side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change smoothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change support threshold</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4327,6 +5779,10 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Do not accept a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Ear impression</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4347,11 +5803,27 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Other</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Remove a measurement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Split the pair tray</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take points out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4379,33 +5851,6 @@ After: {after}</source>
     </message>
 </context>
 <context>
-    <name>export</name>
-    <message>
-        <source>Modelling programs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Printing and milling; binary, millimetres</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Printing; carries its unit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The registered measured points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>With uncertainty and support of every vertex</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>faults</name>
     <message>
         <source>Something unexpected happened ({kind}).</source>
@@ -4423,11 +5868,39 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>1 hour ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 minute ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>just now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>today</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>yesterday</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} days ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{n} days old</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} hours ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} minutes ago</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4447,10 +5920,6 @@ After: {after}</source>
     </message>
     <message>
         <source>Both cameras live, with the laser spot that is accepted and every spot that is not.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose what receives it, look at the name, and write. The name never holds the patient&apos;s.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4483,10 +5952,6 @@ After: {after}</source>
     </message>
     <message>
         <source>Lengths are in millimetres between measured points, areas in square millimetres within the section.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lengths in the file are millimetres. The revision counts up, so that no file is overwritten.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4570,10 +6035,6 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The surface is checked and leaves the program as a file for the next machine.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>This page shows the cameras, the laser, the table and their calibration.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4650,6 +6111,180 @@ After: {after}</source>
     </message>
 </context>
 <context>
+    <name>materials</name>
+    <message>
+        <source>A clipped top hides where the peak is, and on gloss it is seldom in the middle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A dim halo without its spot must not be taken for one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A higher threshold keeps the foot of the halo, which is no part of the beam, out of the spot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A little light spreads inside of the plaster and comes out around the spot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alginate or another wet, glossy impression under a thin coat of white powder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alginate, scan-sprayed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dry plaster does not mirror; what is less bright by four is light from a neighbouring wall.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ear impression silicone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Glare flattens the top of a spot on a wet place: fewer clipped pixels are borne than on a matt surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Glossy plastic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light goes in and comes out around: the peak is lower than on silicone that scatters as much.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Matt, light silicone that has set; coloured ones may need more light.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirrored light is drawn out along the surface: spots that are longer than three times their width are doubtful here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirrored spots are nearly as bright as true ones: the frame alone decides nothing, the other camera does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plaster</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plaster scatters back about 0.8 of the light where silicone scatters 0.5: the same peak comes in 0.65 of the time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Printed models, varnish, enamel; spray it where you can.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set silicone hardly mirrors: four times as bright tells the spot from the few reflections.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skin-like</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The halo of the light that comes out around the spot is wider than the spot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The part that is mirrored is lost to both cameras or blinds one: between plaster and silicone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The powder is as white as plaster where the coat covers; a little more light for where it is thin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig&apos;s own exposure is made for a matt, light surface that scatters back about half of the light, as silicone does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walls of the canal are seen at up to 80 degrees: their spots are drawn out, and still good.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Translucent and reddish: skin, wax, flesh-coloured silicone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the coat is thin the wet surface mirrors: only what is clearly the brightest is taken, the rest is left to the other camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>White gypsum, as dental models and casts are made of.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>measure</name>
+    <message>
+        <source>Canal length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most ±{mm3} mm³; surface {mm2} mm²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from end to end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from the tip to where it opens</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its uncertainty is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>perimeter {mm} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>perimeter {mm} mm; the section is open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface {mm2} mm²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{mm2} mm²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{mm3} mm³</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{mm} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>± {um} µm, standard uncertainty of both places</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>mounts</name>
     <message>
         <source>Mount {n}</source>
@@ -4691,6 +6326,10 @@ After: {after}</source>
 <context>
     <name>pages</name>
     <message>
+        <source>Aim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Another mount</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4699,11 +6338,15 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Coverage</source>
+        <source>Complete</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Export</source>
+        <source>Deliver</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4715,11 +6358,19 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Missing places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Mounts</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Pick three points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points to be reconstructed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4747,7 +6398,7 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What is exported</source>
+        <source>What is delivered</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4790,6 +6441,10 @@ After: {after}</source>
     </message>
     <message>
         <source>another pattern of file names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of the export profiles</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5000,6 +6655,140 @@ After: {after}</source>
     </message>
     <message>
         <source>spot too small</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>reconstruction</name>
+    <message>
+        <source>About {triangles} triangles, expected error about {n} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About {triangles} triangles, expected error about {n} µm: rounder, but no more certain.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About {triangles} triangles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As many triangles as a tolerance of {n} µm needs (set under Expert).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed and whole: points support all of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed and whole; {share} % of the points did not belong to it and were left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed; {share} % of it was not scanned and is only bridged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept early: closed and whole, but coarser than the points allow.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left open where nothing was scanned, as it was asked for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No order number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points carry the number of triangles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order} · {side}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order}: being finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order}: reconstructing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order}: reconstructing, {left} left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order}: reconstructing, {left} left, {count} waiting</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>reject_advice</name>
+    <message>
+        <source>Check the trigger cable of the cameras (Rig).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Focus the lenses on the object (Aim).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lengthen the exposure (Aim), or dust the object with a matt white powder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the object to the middle of the table.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal at the edges of the object, where the beam passes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal at the edges; if there are many, defocus the lenses a little (Aim).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal in small numbers; if there are many, check the calibration (Rig).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal on steep flanks; another mount turns them towards the laser.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal: the beam met a mark of the table&apos;s rim.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal: the beam met the table beside the object.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures come damaged: plug each camera into a USB port of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures get lost: plug each camera into a USB port of its own, and close other programs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shorten the exposure (Aim), or dust shiny places with a matt powder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Something mirrors the laser: dust it with matt powder, or cover what shines beside the object.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch off lamps, keep the sun away, close the lid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The object stands in the camera&apos;s way: another mount shows what is hidden.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5643,6 +7432,10 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>It is left out of the list; correct the file or remove it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>It is not used; take more views with the board filling the volume.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6271,6 +8064,10 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The material {path} cannot be used: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The mesh of {path} does not say how certain it is.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6392,6 +8189,10 @@ After: {after}</source>
     </message>
     <message>
         <source>The rig file {path} cannot be used: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig file&apos;s own settings are used; set exposure and sizes on the Aim page again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6559,6 +8360,10 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>What was set while aiming cannot be read ({path}: {reason}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Whether the table lost steps cannot be judged on this object: {reason}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6658,7 +8463,39 @@ After: {after}</source>
 <context>
     <name>spot</name>
     <message>
+        <source>cut by the edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawn out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>no spot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not seen by the other camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of several</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outside the volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>overexposed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reflection: much dimmer</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6675,6 +8512,18 @@ After: {after}</source>
     </message>
     <message>
         <source>spot too wide: focus the lens</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too dim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too large: {area} px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too small: {area} px</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6734,6 +8583,69 @@ After: {after}</source>
     </message>
     <message>
         <source>Without folders, recent cases and orders.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>worklist</name>
+    <message>
+        <source>Being scanned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deliver it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delivered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Made by a newer version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open in another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstruct it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstructed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scanned</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
