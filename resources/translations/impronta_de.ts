@@ -230,7 +230,7 @@
 <context>
     <name>AimPicture</name>
     <message>
-        <source>Click: bring the spot there. Arrow keys: move the beam. Page Up and Page Down: turn the table. Wheel: zoom.</source>
+        <source>Click: bring the spot there. Arrow keys: move the beam. Page Up and Page Down: turn the table. Wheel, + and −: zoom.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3253,11 +3253,11 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>as the points</source>
+        <source>coarse</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>coarse</source>
+        <source>default</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3439,6 +3439,10 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Laser off at once, and the end of the scan; what was measured is kept (Esc)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Measured once more, because they were weak: {views}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3527,7 +3531,7 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stop · laser off</source>
+        <source>Stop</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5604,7 +5608,35 @@ After: {after}</source>
 <context>
     <name>delivery</name>
     <message>
+        <source>2-manifold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>3MF, carries its unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A person accepted {count} holes or thin places as they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A person took out {count} measured points, {percent} % of all.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A person took out {count} measured points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accepted places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All triangles face outwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another ear of this order is labelled {side} too, and yet the two mirror each other. Is one of them labelled wrongly?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5616,11 +5648,47 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration {id} of {date} had expired {days} days before the scan. Calibrate, compute the points anew or scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration {id} of {date} was off by {error_um} µm on corners that it had not seen, more than {limit_um} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration {id} of {date} was valid at the scan for {days} more days only; calibrate before the next order.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration {id} of {date} was valid at the scan, but no known length has verified its scale.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration {id} of {date} was valid at the scan, its scale verified; held-out error {error_um} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Canal tip up</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Centimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closure of the turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coverage</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5632,7 +5700,55 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Every edge and every vertex lies on one sheet of surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every edge belongs to two triangles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expected error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Facing outwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far this surface is off is not recorded; it was not reconstructed by this program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Inches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It consists of {count} separate pieces. Remove what does not belong to the object, and reconstruct again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is one piece.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {longest_mm} x {middle_mm} x {shortest_mm} mm large, as {kind} is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {longest_mm} x {middle_mm} x {shortest_mm} mm large; {kind} is {least_mm} to {most_mm} mm long. Are unit and type right?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {longest_mm} x {middle_mm} x {shortest_mm} mm large; {kind} is {least_mm} to {most_mm} mm long. Is it whole, and alone?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It mirrors the other ear: {mirrored_um} µm apart mirrored, {direct_um} µm as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks on the table</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5648,6 +5764,38 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Mount {mount} is not part of the surface: it could not be brought together with the others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mounts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No hole or thin place had to be accepted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No measured point was taken out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No self-intersections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No size is expected of an object of this type; it is {longest_mm} x {middle_mm} x {shortest_mm} mm large.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No triangle runs through another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not checked: the other ear of this order is not there yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Not ready</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5656,7 +5804,27 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Of which points this surface was made is not recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One shell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only {percent} % of the surface beside its base rests on measured points: too much of it is a guess. Scan the rest first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only {percent} % of the surface beside its base rests on measured points; the rest is a guess. Fill the holes, or say so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>PLY, with uncertainty and support</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points taken out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5669,6 +5837,118 @@ After: {after}</source>
     </message>
     <message>
         <source>Ready, with remarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first view was not measured again, and the views of the turn agree only to {closure_um} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first view was not measured again; the views of the turn agree to {closure_um} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first view, measured again after the turn, lies {closure_um} µm off, more than {limit_um} µm: something moved a little.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first view, measured again at the end of the turn, lies {closure_um} µm beside its first measurement.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks on the table&apos;s rim kept their distances to {marks_um} µm only, more than {limit_um} µm: something moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks on the table&apos;s rim kept their distances to {marks_um} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The measured surface is expected to be off by {error_um} µm rms; the points scatter by {residual_um} µm about it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The order does not say which ear it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The order does not say which jaw it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points were changed after this surface was made of them. Reconstruct again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scan had no marks on the table&apos;s rim to watch over it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface has {count} open edges; a printer may fill it wrongly. Reconstruct again with closed holes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface is expected to be off by {error_um} µm rms, more than {limit_um} µm. More points, or a calibration, would help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface is expected to be off by {error_um} µm rms: too much for a shell. Calibrate, and scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface touches itself at {count} places. Reconstruct again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface was made of the points as they are now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The turn does not close: the first view, measured again, lies {closure_um} µm off. Object or camera moved; scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The two ears do not mirror each other ({direct_um} µm apart as they are, {mirrored_um} µm mirrored). Is one labelled wrongly?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no other side to compare with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is one mount; nothing had to be brought together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangles face inwards or against their neighbours. Reconstruct again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up to date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether it mirrors the other ear cannot be told ({mirrored_um} µm apart mirrored, {direct_um} µm as it is). Look at both.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the turn closes was not measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which part of this surface was measured is not recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With which calibration this surface was measured is not recorded.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5693,6 +5973,22 @@ After: {after}</source>
     </message>
     <message>
         <source>remark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} mounts lie on each other to {residual_um} µm only, more than {limit_um} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} mounts lie on each other to {residual_um} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} triangles run through others. Reconstruct again, with less detail if need be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{percent} % of the surface beside its base rests on measured points.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8475,7 +8771,7 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not seen by the other camera</source>
+        <source>off the other camera&apos;s line</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
