@@ -1188,12 +1188,20 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Cut away what does not belong to the object before it becomes a surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Do not accept</source>
         <translation>Nicht annehmen</translation>
     </message>
     <message>
         <source>Edit</source>
         <translation type="unfinished">Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Every place is as certain as wanted.</source>
