@@ -1188,20 +1188,12 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Cut away what does not belong to the object before it becomes a surface</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Do not accept</source>
         <translation>Nicht annehmen</translation>
     </message>
     <message>
         <source>Edit</source>
         <translation type="unfinished">Bearbeiten</translation>
-    </message>
-    <message>
-        <source>Edit</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Every place is as certain as wanted.</source>
@@ -2562,6 +2554,10 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>mm² area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{told}. Of another surface than the one that is shown.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
