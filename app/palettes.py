@@ -22,6 +22,9 @@ class Palette:
     seam: str
     edge: str
     """Round an indicator that a person clicks: 3:1 or more."""
+    field: str
+    """What is typed stands upon it."""
+    field_edge: str
     text: str
     muted: str
     faint: str
@@ -58,6 +61,8 @@ DARK: Final = Palette(
     pressed="#262b30",
     seam="#363c43",
     edge="#a3abb5",
+    field="#1c1f23",
+    field_edge="#707a85",
     text="#e8eaed",
     muted="#b2bac3",
     faint="#9fa8b2",
@@ -91,6 +96,8 @@ LIGHT: Final = Palette(
     pressed="#dde3e7",
     seam="#cdd3d9",
     edge="#626b75",
+    field="#ffffff",
+    field_edge="#838c96",
     text="#1a1e23",
     muted="#48515b",
     faint="#58616b",
@@ -121,6 +128,7 @@ PAIRS: Final = (
     *((text, ground) for text in ("text", "muted", "faint", "accent", "good", "warning") for ground in _SURFACES),
     *((text, ground) for text in ("left_ear", "right_ear", "laser_text") for ground in ("ground", "panel", "raised")),
     *((text, ground) for text in ("text", "muted", "warning") for ground in ("warning_ground", "accent_ground")),
+    *((text, "field") for text in ("text", "faint")),
     *(("on_accent", ground) for ground in ("accent", "accent_hovered", "accent_pressed")),
     ("text", "accent_dim"),
     ("on_accent_dim", "accent_dim"),
@@ -134,6 +142,7 @@ PAIRS: Final = (
 SIGNS: Final = (
     *((sign, ground) for sign in ("edge", "accent", "text") for ground in _SURFACES),
     *(("laser", ground) for ground in ("ground", "panel")),
+    ("field_edge", "panel"),
 )
 """What is not text but has to be seen: 3:1."""
 

@@ -36,7 +36,7 @@ QPushButton {{ background: {p.raised}; border: 1px solid {p.seam}; border-radius
 QPushButton:hover {{ background: {p.hovered}; }}
 QPushButton:pressed {{ background: {p.pressed}; }}
 QPushButton:focus {{ border-color: {p.accent}; }}
-QPushButton:disabled {{ color: {p.faint}; background: {p.panel}; border-color: {p.raised}; }}
+QPushButton:disabled {{ color: {p.faint}; background: {p.panel}; border-color: {p.seam}; }}
 QPushButton:checked {{ border-color: {p.accent}; color: {p.accent}; }}
 QPushButton[role="primary"] {{ background: {p.accent}; color: {p.on_accent}; border-color: {p.accent}; font-weight: 600; padding: 9px 16px; }}
 QPushButton[role="primary"]:hover {{ background: {p.accent_hovered}; }}
@@ -67,15 +67,21 @@ QToolButton {{ background: transparent; border: 1px solid transparent; border-ra
 QToolButton:hover {{ background: {p.raised}; }}
 QToolButton:checked {{ background: {p.raised}; border-color: {p.seam}; }}
 QToolButton:focus {{ border-color: {p.accent}; }}
-QRadioButton, QCheckBox[role="deliberate"] {{ spacing: 9px; }}
-QRadioButton::indicator, QCheckBox[role="deliberate"]::indicator {{ width: 14px; height: 14px; border: 1px solid {p.edge}; background: {p.ground}; }}
+QRadioButton, QCheckBox {{ spacing: 9px; }}
+QRadioButton::indicator, QCheckBox::indicator {{ width: 14px; height: 14px; border: 1px solid {p.edge}; background: {p.ground}; }}
 QRadioButton::indicator {{ border-radius: 8px; }}
-QCheckBox[role="deliberate"]::indicator {{ border-radius: 3px; }}
-QRadioButton::indicator:disabled, QCheckBox[role="deliberate"]::indicator:disabled {{ border-color: {p.seam}; background: {p.panel}; }}
-QRadioButton::indicator:focus, QCheckBox[role="deliberate"]::indicator:focus {{ border-color: {p.text}; }}
+QCheckBox::indicator {{ border-radius: 3px; }}
+QRadioButton::indicator:disabled, QCheckBox::indicator:disabled {{ border-color: {p.seam}; background: {p.panel}; }}
+QRadioButton::indicator:focus, QCheckBox::indicator:focus {{ border-color: {p.text}; }}
 QRadioButton::indicator:checked {{ background: qradialgradient(cx: 0.5, cy: 0.5, radius: 0.5, fx: 0.5, fy: 0.5,
     stop: 0 {p.accent}, stop: 0.55 {p.accent}, stop: 0.65 {p.ground}, stop: 1 {p.ground}); border-color: {p.accent}; }}
-QCheckBox[role="deliberate"]::indicator:checked {{ border-color: {p.accent}; image: url("{ticked}"); }}
+QCheckBox::indicator:checked {{ border-color: {p.accent}; image: url("{ticked}"); }}
+QListWidget::indicator {{ width: 14px; height: 14px; border: 1px solid {p.edge}; border-radius: 3px; background: {p.ground}; }}
+QListWidget::indicator:checked {{ border-color: {p.accent}; image: url("{ticked}"); }}
+QLineEdit {{ border: 1px solid {p.field_edge}; border-radius: 4px; padding: 1px 4px; background: {p.field}; }}
+QLineEdit:focus {{ border-color: {p.accent}; }}
+QLineEdit:disabled {{ color: {p.faint}; background: {p.panel}; }}
+QLineEdit#qt_spinbox_lineedit, QComboBox QLineEdit {{ border: none; padding: 0; background: transparent; }}
 QProgressBar {{ background: {p.raised}; border: none; border-radius: 3px; max-height: 6px; min-height: 6px; }}
 QProgressBar::chunk {{ background: {p.accent}; border-radius: 3px; }}
 QListWidget {{ background: transparent; border: none; outline: none; }}

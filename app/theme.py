@@ -69,7 +69,7 @@ def _qt_palette(colours: Palette) -> QPalette:
     for role, colour in (
         (QPalette.ColorRole.Window, colours.panel),
         (QPalette.ColorRole.WindowText, colours.text),
-        (QPalette.ColorRole.Base, colours.ground if colours is DARK else colours.raised),
+        (QPalette.ColorRole.Base, colours.field),
         (QPalette.ColorRole.AlternateBase, colours.panel),
         (QPalette.ColorRole.Text, colours.text),
         (QPalette.ColorRole.Button, colours.raised),

@@ -60,7 +60,7 @@ class AccuracyCard(QWidget):
         elif sphere is None:
             advice = " ".join((self.tr("No reference sphere was measured with this rig yet."), again))
         else:
-            self.deviation.show_number(f"{2 * sphere.size_um:+.1f}".replace("-", fmt.MINUS))
+            self.deviation.show_number(fmt.decimal(2 * sphere.size_um, 1, signed=True))
             self.dispersion.show_number(fmt.micrometres(sphere.dispersion_um))
             self.trend.show_values([2 * entry.figures["size"] for entry in sphere.recent])
             self.when.setText(self.tr("Reference sphere, {date} ({age})").format(date=fmt.day(sphere.last.date), age=fmt.ago(sphere.last.date)))
@@ -91,7 +91,7 @@ class Sparkline(QWidget):
     def show_values(self, values_um: list[float]) -> None:
         """In their order."""
         self._values = values_um
-        told = ", ".join(f"{value:+.1f}" for value in values_um)
+        told = ", ".join(fmt.decimal(value, 1, signed=True) for value in values_um)
         self.setAccessibleName(self.tr("Size deviation of the last tests in µm: {values}").format(values=told))
         self.setToolTip(self.accessibleName())
         self.update()

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QButtonGroup, QComboBox, QHBoxLayout, QLineEdit, Q
 
 from app.controllers.aim_snapshot import AimJob
 from app.services import Services
+from app.views import format as fmt
 from app.views.aim_picture import AimPicture
 from app.views.aim_words import as_filed_words, exposed_words, learned_words, pair_words, used_words
 from app.views.material_words import material_reasons, material_title
@@ -75,7 +76,6 @@ class AimPage(Page):
         box.addWidget(self._state)
         box.addWidget(self._bar)
         box.addWidget(seam())
-        box.addWidget(label(self.tr("Material"), "section"))
         self.material = QComboBox()
         self.material.setAccessibleName(self.tr("Material"))
         self.material.setMinimumHeight(30)
@@ -84,7 +84,7 @@ class AimPage(Page):
         self._exposed = label("", "bad", wrap=True)
         self.expose = button(self.tr("Automatic exposure"), "", self._aim.expose)
         self.expose.setToolTip(self.tr("Finds exposure and gain for the object: the beam visits some places of it"))
-        self.keep = button(self.tr("Keep as…"), "", self._name_it)
+        self.keep = button(self.tr("Keep as…"), "link", self._name_it)
         self.keep.setToolTip(self.tr("Keep what is set now as a material of your own"))
         self.name = QLineEdit()
         self.name.setPlaceholderText(self.tr("Name of the material"))
@@ -92,9 +92,10 @@ class AimPage(Page):
         self.name.setMaxLength(60)
         self.name.returnPressed.connect(self._keep)
         self.name.hide()
+        box.addLayout(row(label(self.tr("Material"), "section"), 1, self.keep))
         box.addWidget(self.material)
         box.addWidget(self._used)
-        box.addLayout(row(self.expose, self.keep, 1))
+        box.addWidget(self.expose)
         box.addWidget(self.name)
         box.addWidget(self._exposed)
         box.addWidget(seam())
@@ -133,10 +134,11 @@ class AimPage(Page):
         steps = []
         group = QButtonGroup(self)
         for step in STEPS_DEG:
-            made = button(f"{step:g}°", "choice", partial(self._step, step))
+            n = fmt.decimal(step, 0 if step >= 1 else 1)
+            made = button(f"{n}°", "choice", partial(self._step, step))
             made.setCheckable(True)
             made.setChecked(step == self.step_deg)
-            made.setAccessibleName(self.tr("Steps of {n} degrees").format(n=f"{step:g}"))
+            made.setAccessibleName(self.tr("Steps of {n} degrees").format(n=n))
             group.addButton(made)
             steps.append(made)
         head = row(label(self.tr("By hand"), "section"), 1, *steps, spacing=4)

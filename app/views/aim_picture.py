@@ -31,6 +31,8 @@ _LABELS = 8
 """Reasons that are written out; more would hide the picture."""
 _SHADE = QColor(16, 18, 20, 170)
 
+_MOST_ZOOM = 24.0
+_ZOOM = {"+": 1.5, "-": 1 / 1.5, "0": 0.0}
 _JOG = {
     Qt.Key.Key_Left: ("x_deg", 1),
     Qt.Key.Key_Right: ("x_deg", -1),
@@ -58,7 +60,9 @@ class AimPicture(CameraPreview):
         self.setMinimumHeight(150)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setToolTip(self.tr("Click: bring the spot there. Arrow keys: move the beam. Page Up and Page Down: turn the table. Wheel: zoom."))
+        self.setToolTip(
+            self.tr("Click: bring the spot there. Arrow keys: move the beam. Page Up and Page Down: turn the table. Wheel, + and −: zoom.")
+        )
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         return QSize(640, 312)
@@ -195,12 +199,22 @@ class AimPicture(CameraPreview):
             self.pointed.emit(x, y)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
+        if event.text() in _ZOOM:
+            self._zoom_to_spot(_ZOOM[event.text()])
+            return
         move = _JOG.get(Qt.Key(event.key()))
         if move is None:
             super().keyPressEvent(event)
             return
         axis, sign = move
         self.jogged.emit(axis, sign * (0.2 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1.0))
+
+    def _zoom_to_spot(self, factor: float) -> None:
+        """About the accepted spot, or the middle of what is shown; a factor of 0 shows the whole picture."""
+        self._zoom = min(_MOST_ZOOM, max(1.0, self._zoom * factor))
+        if self._image is not None and self._spot is not None:
+            self._middle = QPointF((self._spot.x_px + 0.5) / self._image.width(), (self._spot.y_px + 0.5) / self._image.height())
+        self._keep_inside()
 
     def focusInEvent(self, event: QFocusEvent) -> None:  # noqa: N802 - Qt's name
         super().focusInEvent(event)

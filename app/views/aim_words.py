@@ -8,6 +8,7 @@ from PySide6.QtCore import QCoreApplication
 
 from app.controllers.aim_snapshot import AimJob, AimSnapshot
 from app.translation import QT_TRANSLATE_NOOP
+from app.views import format as fmt
 from app.views.material_words import material_title
 from app.views.reasons import reason_text
 
@@ -88,5 +89,5 @@ def learned_words(snapshot: AimSnapshot) -> str:
 
 
 def _both(values: tuple[float, float]) -> str:
-    left, right = (f"{value:.3g}" for value in values)
+    left, right = (fmt.decimal(value, 0 if value == round(value) else 2 if abs(value) < 3 else 1) for value in values)
     return left if left == right else QCoreApplication.translate("aim", _PAIR).format(left=left, right=right)

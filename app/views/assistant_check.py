@@ -36,7 +36,6 @@ class CheckStep(QWidget):
             wrap=True,
         )
         self.agreed = QCheckBox(self.tr("Everybody near the rig is protected, and nothing is in the way of beam and table"))
-        self.agreed.setProperty("role", "deliberate")
         self.agreed.toggled.connect(lambda _: self.show_snapshot(assistant.snapshot))
         self.start = button(self.tr("Start the check"), "primary", assistant.check)
         self.open = button(self.tr("Only look and move by hand"), "", assistant.open)

@@ -109,7 +109,6 @@ class Corrections(QFrame):
         told = {} if config is None or findings is None else corrections_of(config, findings)
         for key, text in told.items():
             made = QCheckBox(text)
-            made.setProperty("role", "deliberate")
             made.setChecked(True)
             made.toggled.connect(self._show_taken)
             self._lines.addWidget(made)

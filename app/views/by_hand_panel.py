@@ -46,7 +46,7 @@ class ByHandPanel(QWidget):
             self.tr("3.  With a length bar: hold that likewise, both ends in sight."),
             self.tr("4.  Lay the board on the table and take your hands away: the table turns by itself."),
         )
-        self._begin = button(self.tr("Start"), "primary", self._begin_now, "calibrate", "on_accent")
+        self._begin = button(self.tr("Start"), "primary", self._begin_now, "calibrate")
         box = QVBoxLayout(self)
         box.setContentsMargins(36, 34, 36, 24)
         box.setSpacing(0)

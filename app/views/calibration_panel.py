@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QFrame, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from app.controllers.rig import RigController
 from app.faults import sentence_of
+from app.theme import icon
 from app.views import format as fmt
 from app.views.calibration_words import (
     age_of,
@@ -24,7 +25,7 @@ from app.views.calibration_words import (
 )
 from app.views.facts import Facts
 from app.views.file_dialogs import choose_new_file
-from app.views.parts import BigNumber, Lamp, button, label, row, seam
+from app.views.parts import BigNumber, Lamp, button, label, make_primary, row, seam
 
 
 class CalibrationPanel(QWidget):
@@ -45,7 +46,7 @@ class CalibrationPanel(QWidget):
         self.numbers, self.moved = Facts(), Facts()
         self._written = label("", "muted", wrap=True)
         self._written.hide()
-        self._calibrate = button(self.tr("Calibrate"), "primary", calibrate or rig.calibrate, "calibrate", "on_accent")
+        self._calibrate = button(self.tr("Calibrate"), "primary", calibrate or rig.calibrate, "calibrate")
         self._target = button(self.tr("Print the target…"), "", self._choose_target, "export")
         inside = QWidget()
         box = QVBoxLayout(inside)
@@ -103,6 +104,11 @@ class CalibrationPanel(QWidget):
     def state(self) -> str:
         """The word of the lamp."""
         return self._state.text
+
+    def lead(self, leads: bool) -> None:
+        """Whether calibrating is the page's next thing to do, or something else is."""
+        make_primary(self._calibrate, leads)
+        self._calibrate.setIcon(icon("calibrate", "on_accent" if leads else "text"))
 
     def show_calibration(self) -> None:
         """The rig's calibration, and what came of the last one."""

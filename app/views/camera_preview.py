@@ -157,8 +157,10 @@ class CameraPreview(QWidget):
         painter.setFont(font)
         area, sizes = self.rect().adjusted(8, 5, -8, -5), ""
         if self._spot is not None:
-            sizes = self.tr("σ {x:.2f} × {y:.2f} px · peak {peak} %").format(
-                x=self._spot.sigma_x_px, y=self._spot.sigma_y_px, peak=fmt.percent(self._spot.peak_dn / _FULL_SCALE_DN)
+            sizes = self.tr("σ {x} × {y} px · peak {peak} %").format(
+                x=fmt.decimal(self._spot.sigma_x_px, 2),
+                y=fmt.decimal(self._spot.sigma_y_px, 2),
+                peak=fmt.percent(self._spot.peak_dn / _FULL_SCALE_DN),
             )
         words = painter.fontMetrics()
         line = 18 if words.horizontalAdvance(self._name) + words.horizontalAdvance(sizes) + 12 > area.width() else 0

@@ -96,9 +96,9 @@ def where_words(place: CoveragePlace) -> str:
     translate = QCoreApplication.translate
     parts = []
     if place.side != "underside":
-        parts.append(translate("coverage", "{mm:.0f} mm up").format(mm=max(place.centroid_mm[2], 0.0)))
+        parts.append(translate("coverage", "{mm} mm up").format(mm=fmt.decimal(max(place.centroid_mm[2], 0.0), 0)))
     if place.side == "side":
-        parts.append(translate("coverage", "faces the laser at {deg:.0f}°").format(deg=place.table_deg))
+        parts.append(translate("coverage", "faces the laser at {deg}°").format(deg=fmt.decimal(place.table_deg, 0)))
     if place.worst_um is None:
         parts.append(translate("coverage", "no points"))
     elif place.reason is Reason.FEW_POINTS:
@@ -110,9 +110,9 @@ def help_words(place: CoveragePlace) -> str:
     """What would help."""
     translate = QCoreApplication.translate
     if place.tilt_deg is not None and place.tilt_deg > _OVER_DEG:
-        return translate("coverage", "Turn the object over, or tilt it by about {deg:.0f}°.").format(deg=place.tilt_deg)
+        return translate("coverage", "Turn the object over, or tilt it by about {deg}°.").format(deg=fmt.decimal(place.tilt_deg, 0))
     if place.tilt_deg is not None:
-        return translate("coverage", "Tilt the object by about {deg:.0f}°.").format(deg=place.tilt_deg)
+        return translate("coverage", "Tilt the object by about {deg}°.").format(deg=fmt.decimal(place.tilt_deg, 0))
     if place.reason in _HELP:
         return _tr(_HELP[place.reason])
     return translate("coverage", "Put the object down in another way.")
@@ -120,7 +120,7 @@ def help_words(place: CoveragePlace) -> str:
 
 def area_text(place: CoveragePlace) -> str:
     """Its area, short."""
-    return QCoreApplication.translate("coverage", "{mm2:.1f} mm²").format(mm2=place.area_mm2)
+    return QCoreApplication.translate("coverage", "{mm2} mm²").format(mm2=fmt.decimal(place.area_mm2, 1))
 
 
 def remount_words(advice: RemountAdvice) -> str:

@@ -12,7 +12,7 @@ from app.views import format as fmt
 from app.views.check_list import CheckList
 from app.views.delivery_words import READY_SIGNS, check_sentence, profile_name, readiness_word
 from app.views.page import Page
-from app.views.parts import SideBadge, button, column, label, row, seam
+from app.views.parts import SideBadge, button, column, label, make_primary, row, seam
 from app.views.profile_panel import ProfilePanel
 from scanner_core.delivery.check import Check, CheckVerdict, Readiness
 
@@ -163,6 +163,7 @@ class DeliverPage(Page):
         self._bar.setValue(0 if delivery.progress is None else round(1000 * delivery.progress.fraction))
         self.stop.setVisible(busy)
         self.again.setVisible(not busy and found is None)
+        make_primary(self.again, not delivery.ready_to_check)
         self._show_profiles()
         self._show_files()
 
@@ -249,7 +250,7 @@ class DeliverPage(Page):
         able = found is not None and not delivery.checking and not delivery.writing
         allowed = able and (not not_ready or self.anyway.isChecked()) and (not exists or self.replace.isChecked())
         self.primary.setText(self.tr("Deliver anyway") if not_ready and self.anyway.isChecked() else self.tr("Deliver"))
-        self.primary.setVisible(last is None)
+        self.primary.setVisible(last is None and there)
         self.primary.setEnabled(allowed)
         for part in (self.open, self.another, self.next):
             part.setVisible(last is not None)

@@ -88,7 +88,7 @@ def check_value(check: Check) -> str:
         return ""
     value = check.value
     whole = not check.unit or value >= 99.95 or (check.unit == "um" and value >= 9.95)
-    number = fmt.count(round(value)) if whole else f"{value:.1f}"
+    number = fmt.count(round(value)) if whole else fmt.decimal(value, 1)
     return f"{number} {check.unit.replace('um', 'µm')}".strip()
 
 

@@ -165,8 +165,9 @@ class DeviceList(QWidget):
     def _show_turntable(self, rig: RigSnapshot) -> None:
         shown, motion = self.rows["turntable"], rig.motion
         angle = "–" if motion is None else f"{fmt.decimal(motion.table_deg, 1)}°"
-        shown.show_state("idle" if motion is None else "warn" if rig.needs_homing else "good", angle)
-        shown.show_device(self.tr("position unknown: find the reference") if rig.needs_homing else "")
+        unknown = rig.needs_homing and not rig.simulated  # a computed table begins where it is thought to be
+        shown.show_state("idle" if motion is None else "warn" if unknown else "good", angle)
+        shown.show_device(self.tr("position unknown: find the reference") if unknown else "")
 
     def _state_word(self, state: MotionState) -> str:
         return {

@@ -92,15 +92,18 @@ class DistanceChart(QWidget):
         if first < 0:
             first, second = 0.0, max(second, wide[0] + 8)
         for at, left, words, (_, dash, _) in zip(places, (first, second), said, marks, strict=True):
+            line = QPointF(at, _HEAD - 3.0), QPointF(at, plot.bottom())
+            painter.setPen(QPen(QColor(look.panel), 4))  # so that the mark is seen on the bars too
+            painter.drawLine(*line)
             painter.setPen(QPen(QColor(look.text), 1.5, dash))
-            painter.drawLine(QPointF(at, _HEAD - 3.0), QPointF(at, plot.bottom()))
+            painter.drawLine(*line)
             painter.setPen(QColor(look.text))
             painter.drawText(QPointF(left, 11.0), words)
 
 
 def _length(value_um: float) -> str:
     """7.3 µm, 240 µm, 1.2 mm."""
-    return f"{fmt.micrometres(value_um)} µm" if value_um < 1000 else f"{value_um / 1000:.1f} mm"
+    return f"{fmt.micrometres(value_um)} µm" if value_um < 1000 else f"{fmt.decimal(value_um / 1000, 1)} mm"
 
 
 def _place(value_um: float, plot: QRectF) -> float:

@@ -121,6 +121,7 @@ class PointsPanel(QWidget):
     # -------------------------------------------------------------------------------- inside
     def _bind(self, part: QPushButton, text: str, key: str, call: object) -> None:
         shortcut = QShortcut(QKeySequence(key), self)
+        shortcut.setWhatsThis(text)
         assert callable(call)
         shortcut.activated.connect(lambda: call())
         part.setToolTip(f"{text} ({key})")

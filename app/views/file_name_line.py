@@ -28,7 +28,6 @@ class FileNameLine(QWidget):
         self.template.textEdited.connect(lambda _: self.show_order(self._values))
         self.template.editingFinished.connect(lambda: preferences.edit("name_template", self.template.text()))
         self.patient = QCheckBox(self.tr("The patient code may stand in file names"))
-        self.patient.setProperty("role", "deliberate")
         self.patient.setChecked(settings.code_in_names)
         self.patient.toggled.connect(lambda on: preferences.edit("code_in_names", on))
         preferences.changed.connect(self._show_setting)

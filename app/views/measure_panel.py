@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QButtonGroup, QPushButton, QVBoxLayout, QWidget
 
 from app.services import Services
+from app.views import format as fmt
 from app.views import measure_words
 from app.views.length_field import LengthField
 from app.views.parts import BigNumber, button, column, label, row, scrolled, seam
@@ -187,8 +189,8 @@ class MeasurePanel(QWidget):
         self.section.setVisible(way == "section" and mesh is not None)
         found = self._section
         area = None if found is None else found.area_mm2
-        self._area.show_number("–" if area is None else f"{area:.1f}")
-        self._perimeter.show_number("–" if found is None else f"{found.perimeter_mm:.2f}")
+        self._area.show_number("–" if area is None else fmt.decimal(area, 1))
+        self._perimeter.show_number("–" if found is None else fmt.decimal(found.perimeter_mm, 2))
         words = {"section": self.tr("Keep this section"), "canal": self.tr("Measure the canal"), "volume": self.tr("Measure the volume")}
         self.do.setText(words.get(way, ""))
         self.do.setVisible(way in words and mesh is not None and not busy)
@@ -222,7 +224,8 @@ class MeasurePanel(QWidget):
                 gone.deleteLater()
         items = self._measurements.items
         for number, item in enumerate(items):
-            words = measure_words.title(item), measure_words.value(item), measure_words.rest(item)
+            earlier = item.get("mesh") != self._measurements.mesh
+            words = measure_words.title(item), measure_words.value(item), self._rest(item, earlier=earlier)
             self._rows.addWidget(_Row(number + 1, *words, self._remover(number)))
         if not items:
             self._rows.addWidget(label(self.tr("Nothing yet."), "faint"))
@@ -230,6 +233,10 @@ class MeasurePanel(QWidget):
         self.copy.setEnabled(bool(items))
         self._show()
         self.looks_changed.emit()
+
+    def _rest(self, item: Mapping[str, Any], *, earlier: bool) -> str:
+        told = measure_words.rest(item)
+        return self.tr("{told}. Of another surface than the one that is shown.").format(told=told) if earlier else told
 
     def _remover(self, number: int) -> QPushButton:
         made = button(self.tr("Remove"), "link", partial(self._measurements.remove, number))

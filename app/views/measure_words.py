@@ -28,10 +28,10 @@ def value(item: Mapping[str, Any]) -> str:
     """The number that counts."""
     kind = item["kind"]
     if kind in ("distance", "canal"):
-        return QCoreApplication.translate("measure", "{mm} mm").format(mm=f"{float(item['length_mm']):.2f}")
+        return QCoreApplication.translate("measure", "{mm} mm").format(mm=fmt.decimal(float(item["length_mm"]), 2))
     if kind == "section":
         area = item["area_mm2"]
-        return fmt.NO_VALUE if area is None else QCoreApplication.translate("measure", "{mm2} mm²").format(mm2=f"{float(area):.1f}")
+        return fmt.NO_VALUE if area is None else QCoreApplication.translate("measure", "{mm2} mm²").format(mm2=fmt.decimal(float(area), 1))
     return QCoreApplication.translate("measure", "{mm3} mm³").format(mm3=f"{float(item['volume_mm3']):.0f}")
 
 
@@ -41,11 +41,13 @@ def rest(item: Mapping[str, Any]) -> str:
     if kind == "distance":
         return _uncertain(item["uncertainty_mm"])
     if kind == "section":
-        told = QCoreApplication.translate("measure", "perimeter {mm} mm").format(mm=f"{float(item['perimeter_mm']):.2f}")
+        told = QCoreApplication.translate("measure", "perimeter {mm} mm").format(mm=fmt.decimal(float(item["perimeter_mm"]), 2))
         return (
             told
             if item["area_mm2"] is not None
-            else QCoreApplication.translate("measure", "perimeter {mm} mm; the section is open").format(mm=f"{float(item['perimeter_mm']):.2f}")
+            else QCoreApplication.translate("measure", "perimeter {mm} mm; the section is open").format(
+                mm=fmt.decimal(float(item["perimeter_mm"]), 2)
+            )
         )
     if kind == "canal":
         return (

@@ -34,6 +34,9 @@ def give_role(made: QWidget, role: str) -> None:
         made.setProperty("role", role)
         made.style().unpolish(made)
         made.style().polish(made)
+        drawing = made.property("drawing")
+        if isinstance(made, QPushButton) and drawing:
+            made.setIcon(icon(drawing, _on_button(role, "text")))
 
 
 def make_primary(made: QWidget, primary: bool) -> None:
@@ -57,10 +60,16 @@ def button(text: str, role: str, clicked: Callable[[], object], drawing: str = "
     if role:
         made.setProperty("role", role)
     if drawing:
-        made.setIcon(icon(drawing, colour))
+        made.setProperty("drawing", drawing)
+        made.setIcon(icon(drawing, _on_button(role, colour)))
     made.clicked.connect(lambda: clicked())
     made.setCursor(Qt.CursorShape.PointingHandCursor)
     return made
+
+
+def _on_button(role: str, colour: str) -> str:
+    """The colour of the drawing on a button of that role."""
+    return "on_accent" if role == "primary" else colour
 
 
 def number_field(low: int, high: int, step: int, edited: Callable[[int], None], *, suffix: str = "", special: str = "") -> QSpinBox:
@@ -180,15 +189,13 @@ class SideBadge(QLabel):
         self.setVisible(bool(side))
         if not side:
             return
-        word = QCoreApplication.translate("draft", SIDES[side])
         self.setProperty("role", "badge")
         self.setProperty("side", side)
         self.style().unpolish(self)
         self.style().polish(self)
-        self.setText(word)
-        self.updateGeometry()
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        self.updateGeometry()  # the style has a margin that was not there before
+        self.setText(QCoreApplication.translate("draft", SIDES[side]))
+        QCoreApplication.sendEvent(self, QEvent(QEvent.Type.StyleChange))  # else the frame keeps the width that it had without one
 
 
 class Lamp(QWidget):

@@ -130,10 +130,12 @@ class PlanBar(QWidget):
             half = QRectF(full.left(), full.top() + full.height() / 2, full.width(), full.height() / 2)
             painter.fillRect(half, QColor(look.warning))
         else:
-            painter.fillRect(low if view.state is ViewState.COMING else full, QColor(look.hovered))
+            painter.fillRect(low, QColor(look.edge))
         if view.state is ViewState.DOING and view.wanted:
             share = min(1.0, view.measured / view.wanted)
             painter.fillRect(QRectF(full.left(), full.bottom() - share * full.height(), full.width(), share * full.height()), QColor(look.accent))
+            painter.setPen(QColor(look.edge))
+            painter.drawRect(full.adjusted(0.5, 0.5, -0.5, -0.5))
         sign = _SIGNS.get(view.state)
         if sign is not None:
             painter.setPen(QColor(look.warning if bad else look.text))

@@ -111,6 +111,7 @@ class Rail(QWidget):
             before, after = (name or self.tr("none yet") for name in names)
             self._pair.setText(self.tr("Before: {before}\nAfter: {after}").format(before=before, after=after))
             self._pair.setToolTip(self._pair.text())
+            self._pair.setFixedHeight(self._pair.heightForWidth(self.width() - 30))
             return
         if values is None:
             self._order.setText(self.tr("No order open"))

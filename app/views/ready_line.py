@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.controllers.readiness import Readiness, ReadinessController, Remedy
-from app.views.parts import Lamp, button, label, row
+from app.views.parts import Lamp, button, label, make_primary, row
 from app.views.ready_words import ready_sentence, remedy_words
 
 _MOODS = {Readiness.UNKNOWN: "idle", Readiness.READY: "good", Readiness.OBSTACLE: "warn"}
@@ -18,8 +18,10 @@ class ReadyLine(QWidget):
     """Follows the controller by itself.  `go` opens another page; `calibrate` begins a calibration where the page can."""
 
     def __init__(self, ready: ReadinessController, go: Callable[[str], object], calibrate: Callable[[], object] | None = None) -> None:
+        """With `calibrate` the line belongs to the rig's own page, where its button is what is to be done next."""
         super().__init__()
         self._ready, self._go, self._calibrate = ready, go, calibrate
+        self._leads = calibrate is not None
         self._lamp = Lamp()
         self._sentence = label("", wrap=True)
         self._sentence.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
@@ -55,6 +57,8 @@ class ReadyLine(QWidget):
         self.remedy.setText(remedy_words(snapshot.remedy))
         self.remedy.setVisible(snapshot.remedy is not Remedy.NONE)
         self.remedy.setEnabled(not snapshot.checking)
+        if self._leads:
+            make_primary(self.remedy, snapshot.remedy is not Remedy.NONE)
 
     def _act(self) -> None:
         remedy = self._ready.snapshot.remedy

@@ -7,6 +7,7 @@ from PySide6.QtCore import QCoreApplication
 from app.controllers.readiness import Readiness, ReadySnapshot, Remedy
 from app.faults import sentence_of
 from app.translation import QT_TRANSLATE_NOOP
+from app.views import format as fmt
 
 _OBSTACLES = {
     "laser_lit": QT_TRANSLATE_NOOP("ready", "The controller reports that the laser is lit, and nobody has asked for it."),
@@ -64,5 +65,5 @@ def _fields(fields: dict[str, object]) -> dict[str, object]:
         elif isinstance(value, tuple):
             fields[name] = f"{value[0]} × {value[1]}"
         elif isinstance(value, float):
-            fields[name] = f"{value:.1f}"
+            fields[name] = fmt.decimal(value, 1)
     return fields

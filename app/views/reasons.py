@@ -43,7 +43,7 @@ _AT_SPOT = {
     "cut_by_edge": QT_TRANSLATE_NOOP("spot", "cut by the edge"),
     "ambiguous": QT_TRANSLATE_NOOP("spot", "one of several"),
     "outshone": QT_TRANSLATE_NOOP("spot", "reflection: much dimmer"),
-    "epipolar": QT_TRANSLATE_NOOP("spot", "not seen by the other camera"),
+    "epipolar": QT_TRANSLATE_NOOP("spot", "off the other camera's line"),
     "outside_volume": QT_TRANSLATE_NOOP("spot", "outside the volume"),
     "table": QT_TRANSLATE_NOOP("spot", "on the table"),
 }

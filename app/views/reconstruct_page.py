@@ -14,7 +14,7 @@ from app.views.processing_rows import ProcessingRows
 from app.views.reconstruction_phases import ReconstructionPhases
 from app.views.reconstruction_waiting import ReconstructionWaiting
 from app.views.reconstruction_wishes import ReconstructionWishes
-from app.views.reconstruction_words import other_warnings, verdict
+from app.views.reconstruction_words import other_remarks, verdict
 from scanner_core.geometry.distance_histogram import CLASSES
 from scanner_core.reconstruction.forecast import Carried, carried_after, carried_by
 
@@ -198,11 +198,11 @@ class _Facts(QWidget):
         self._grid = QGridLayout()
         self._grid.setColumnStretch(0, 1)
         self._grid.setVerticalSpacing(5)
-        self._warnings = label("", "bad", wrap=True)
+        self._remarks = label("", "bad", wrap=True)
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.addLayout(self._grid)
-        box.addWidget(self._warnings)
+        box.addWidget(self._remarks)
         self._names = (self.tr("Closed"), self.tr("Points to surface"), self.tr("Noise of the points"), self.tr("Outliers rejected"), self.tr("Time"))
         self._values = [label("") for _ in self._names]
         for line, (name, value) in enumerate(zip(self._names, self._values, strict=True)):
@@ -217,13 +217,13 @@ class _Facts(QWidget):
             self.tr("{n} µm rms").format(n=fmt.micrometres(_number(report, "residual_rms_um"))),
             self.tr("{n} µm").format(n=fmt.micrometres(_number(report, "noise_sigma_um"))),
             fmt.count(int(_number(report, "outliers_rejected") or 0)),
-            self.tr("{n:.1f} s").format(n=_number(report, "seconds") or 0.0),
+            self.tr("{n} s").format(n=fmt.decimal(_number(report, "seconds") or 0.0, 1)),
         )
         for value, words in zip(self._values, said, strict=True):
             value.setText(words)
-        warnings = other_warnings(report)
-        self._warnings.setText(warnings)
-        self._warnings.setVisible(bool(warnings))
+        remarks = other_remarks(report)
+        self._remarks.setText(remarks)
+        self._remarks.setVisible(bool(remarks))
 
 
 def _number(report: dict[str, object], key: str) -> float | None:

@@ -78,11 +78,11 @@ class _PhaseLine(QWidget):
         self.show_phase(active=False, seconds=None)
 
     def show_phase(self, *, active: bool, seconds: float | None) -> None:
-        time = "" if seconds is None else self.tr("{n:.1f} s").format(n=seconds)
+        time = "" if seconds is None else self.tr("{n} s").format(n=fmt.decimal(seconds, 1))
         if (active, time) == self._shown:
             return
         self._shown = (active, time)
-        name, colour = ("play", "accent") if active else ("check", "accent") if time else ("note", "faint")
+        name, colour = ("play", "accent") if active else ("check", "accent") if time else ("pending", "faint")
         self._mark.show_sign(name, colour)
         self._title.setStyleSheet("font-weight: 600;" if active else "")
         self._time.setText(time)

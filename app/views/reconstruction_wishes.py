@@ -46,7 +46,7 @@ class ReconstructionWishes(QWidget):
         box.setSpacing(4)
         box.addWidget(label(self.tr("Detail"), "section"))
         box.addWidget(self.slider)
-        box.addLayout(row(label(self.tr("coarse"), "faint"), 1, label(self.tr("as the points"), "faint"), 1, label(self.tr("fine"), "faint")))
+        box.addLayout(row(label(self.tr("coarse"), "faint"), 1, label(self.tr("default"), "faint"), 1, label(self.tr("fine"), "faint")))
         box.addWidget(self.words)
         box.addWidget(self.unfold, alignment=Qt.AlignmentFlag.AlignLeft)
         box.addWidget(self.expert)
@@ -150,7 +150,7 @@ class _ExpertFields(QWidget):
         self._open.blockSignals(True)
         self._open.setChecked(values.open_base)
         self._open.blockSignals(False)
-        self.back.setEnabled(any(getattr(values, key) != getattr(_DEFAULT, key) for key in NAMES))
+        self.back.setVisible(any(getattr(values, key) != getattr(_DEFAULT, key) for key in NAMES))
 
 
 def _percent(ends: tuple[float, float]) -> tuple[int, int]:

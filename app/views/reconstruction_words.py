@@ -5,13 +5,15 @@ from __future__ import annotations
 from PySide6.QtCore import QCoreApplication
 
 from app.controllers.reconstruction import ReconstructionController
-from app.draft import SIDES, DraftValues
+from app.draft import DraftValues
 from app.views import format as fmt
+from app.views.order_words import side_word
 from scanner_core.reconstruction.forecast import Carried
+from scanner_core.reconstruction.remarks import RemarkKind
 
 _MEASURED_SHARE = 0.98
 _REJECTED_SHARE = 0.05
-_TOLD_HERE = ("% of the closed surface was not scanned", "% of the points do not belong to the surface")
+_TOLD_HERE = ("CAPPED", "OPEN", "REJECTED")
 
 
 def order_words(values: DraftValues) -> str:
@@ -20,7 +22,7 @@ def order_words(values: DraftValues) -> str:
     number = values.order or translate("reconstruction", "No order number")
     if not values.side:
         return number
-    return translate("reconstruction", "{order} · {side}").format(order=number, side=translate("draft", SIDES[values.side]))
+    return translate("reconstruction", "{order} · {side}").format(order=number, side=side_word(values.side))
 
 
 def reconstruction_words(job: ReconstructionController, *, with_count: bool = True) -> str:
@@ -57,11 +59,14 @@ def verdict(report: dict[str, object]) -> tuple[str, str]:
     return translate("reconstruction", "Closed and whole: points support all of it."), "good"
 
 
-def other_warnings(report: dict[str, object]) -> str:
-    """What else the reconstruction found, a line each; what the verdict tells is left out."""
-    warnings = report.get("warnings")
-    said = [str(warning) for warning in warnings] if isinstance(warnings, list) else []
-    return "\n".join(warning for warning in said if not any(part in warning for part in _TOLD_HERE))
+def other_remarks(report: dict[str, object]) -> str:
+    """What else the reconstruction remarked, a line each; what the verdict tells is left out."""
+    remarks, lines = report.get("remarks"), []
+    for remark in remarks if isinstance(remarks, list) else ():
+        kind, fields = remark.get("kind"), remark.get("fields")
+        if kind in RemarkKind.__members__ and kind not in _TOLD_HERE and isinstance(fields, dict):
+            lines.append(QCoreApplication.translate("remarks", RemarkKind[kind].value).format(**fields))
+    return "\n".join(lines)
 
 
 def wish_words(values: DraftValues, carried: Carried | None) -> str:

@@ -21,7 +21,7 @@ class RejectList(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._total = label("", "muted")
-        self._lines = [(label("", "muted"), label("", "muted")) for _ in range(SHOWN_REASONS)]
+        self._lines = [(label("", "muted", wrap=True), label("", "muted")) for _ in range(SHOWN_REASONS)]
         self.advice = label("", "faint", wrap=True)
         grid = QGridLayout()
         grid.setContentsMargins(0, 0, 0, 0)

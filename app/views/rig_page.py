@@ -8,6 +8,7 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
 from app.controllers.calibration import ByHand
+from app.controllers.readiness import Remedy
 from app.services import Services
 from app.views import format as fmt
 from app.views.board_watch_view import BoardWatchView
@@ -63,6 +64,7 @@ class RigPage(Page):
         box.addWidget(seam(upright=True))
         box.addWidget(self._rights, 5)
         services.rig.changed.connect(self._show_if_seen)
+        services.readiness.changed.connect(self._show_next)
         self._show()
 
     def entered(self) -> None:
@@ -152,6 +154,10 @@ class RigPage(Page):
             if not rig.connected:
                 preview.clear()
         self._show_calibration()
+
+    def _show_next(self) -> None:
+        """One thing is to be done next."""
+        self.calibration.lead(self.services.readiness.snapshot.remedy is Remedy.NONE)
 
     def _show_title(self) -> None:
         rig = self.services.rig.snapshot

@@ -31,7 +31,7 @@ STATUS_PERIOD_S = 0.1
 """Numbers change no more often than this: nobody reads faster."""
 PREVIEW_PERIOD_S = 0.1
 """A preview is repainted no more often than this: it is for the eye, the painting is for the points."""
-_PREVIEW_HEIGHT = 84
+_PREVIEW_HEIGHT = 60
 """The least; looking is what the Aim page is for."""
 
 
@@ -81,7 +81,8 @@ class ScanPage(Page):
         self._wishing = False
         self.start = button(self.tr("Start scan"), "primary", self._start)
         self._pause = button(self.tr("Pause"), "", lambda: self.intent.emit("pause_scan"))
-        self._stop = button(self.tr("Stop · laser off"), "laser", lambda: self.intent.emit("laser_off"))
+        self._stop = button(self.tr("Stop"), "laser", lambda: self.intent.emit("laser_off"))
+        self._stop.setToolTip(self.tr("Laser off at once, and the end of the scan; what was measured is kept (Esc)"))
         self.next = button(self.tr("Reconstruct"), "primary", lambda: self.wanted.emit("reconstruct"))
         self.missing = button(self.tr("Complete"), "", lambda: self.intent.emit("coverage"))
         self.missing.setToolTip(self.tr("Places that are not as certain as wanted, why, and what can be done about them (F8)"))

@@ -34,7 +34,7 @@ class ScanWish(QGridLayout):
         self.fields: dict[str, QSpinBox] = {"views": views, "points": points, "until_um": until}
         self._captions: dict[str, QLabel] = {}
         for line, (name, field) in enumerate(self.fields.items()):
-            caption = self._captions[name] = label("", "muted")
+            caption = self._captions[name] = label("", "muted", wrap=True)
             caption.setBuddy(field)
             field.setFixedWidth(_FIELD_WIDTH)
             self.addWidget(caption, line, 0)

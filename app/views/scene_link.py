@@ -16,6 +16,7 @@ from app.views.page import Page
 from app.views.point_colour import SurfaceColour
 from app.views.scan_words import status_words
 from app.views.stage import Stage
+from app.views.surface import Surface
 
 if TYPE_CHECKING:
     from app.views.scene_view import SceneView
@@ -47,7 +48,7 @@ class SceneLink(QObject):
         for told in (services.reconstruction.began, services.case.opened, services.acquisition.began, services.acquisition.ended):
             told.connect(self._follow_reconstruction)
         services.reconstruction.began.connect(self._begin_reconstruction)
-        services.reconstruction.grown.connect(lambda surface: self.call(lambda scene: scene.show_mesh(surface)))
+        services.reconstruction.grown.connect(self._grow)
         services.reconstruction.ended.connect(self._end_reconstruction)
 
     def put_scene(self, scene: SceneView) -> None:
@@ -127,7 +128,7 @@ class SceneLink(QObject):
 
     def _show_mesh(self) -> None:
         case = self._services.case
-        surface = case.surface
+        surface = None if self._services.acquisition.running else case.surface
         if surface is not None:
             self._actions["show_points"].setChecked(False)
         self.call(lambda scene: scene.show_mesh(surface))
@@ -175,11 +176,16 @@ class SceneLink(QObject):
 
     def _follow_reconstruction(self) -> None:
         """Whether the points of the open case are being reconstructed: only then the balloon is what is looked at."""
-        job = self._services.reconstruction
-        self.call(lambda scene: scene.set_live(job.mine or self._services.acquisition.running))
-        if job.mine != self._follows:
-            self._follows = job.mine
-            self.call(lambda scene: scene.set_points_quiet(job.mine))
+        job, scanning = self._services.reconstruction, self._services.acquisition.running
+        self.call(lambda scene: scene.set_live(job.mine or scanning))
+        follows = job.mine and not scanning  # into the same case again: the live points are what is looked at
+        if follows != self._follows:
+            self._follows = follows
+            self.call(lambda scene: scene.set_points_quiet(follows))
+
+    def _grow(self, surface: Surface) -> None:
+        if self._follows:
+            self.call(lambda scene: scene.show_mesh(surface))
 
     def _begin_reconstruction(self) -> None:
         if self._services.reconstruction.mine:

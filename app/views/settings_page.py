@@ -15,6 +15,7 @@ from app.language import LANGUAGES, system_language
 from app.services import Services
 from app.views import format as fmt
 from app.views.file_dialogs import choose_folder
+from app.views.file_name_line import FileNameLine
 from app.views.page import Page
 from app.views.parts import button, column, label, row, scrolled, seam
 from scanner_core.user_folders import log_folder
@@ -50,6 +51,9 @@ class SettingsPage(Page):
         for name in self._showing:
             self._show(name)
 
+    def entered(self) -> None:
+        self.names.show_order(self.services.draft.values)
+
     # -------------------------------------------------------------------------------- parts
     def _add_looks(self, box: QVBoxLayout) -> None:
         grid = self._section(box, self.tr("Looks"))
@@ -73,14 +77,10 @@ class SettingsPage(Page):
         grid = self._section(box, self.tr("Files"))
         self.case_folder = self._folder("case_folder", grid, self.tr("Cases"))
         self.export_folder = self._folder("export_folder", grid, self.tr("Exports"))
-        self.template = QLineEdit()
-        self.template.setMinimumHeight(32)
-        self.template.editingFinished.connect(self._name_files)
-        self._showing["name_template"] = lambda value: self.template.setText(str(value))
-        self._line(grid, self.tr("File names"), self.template)
-        names = self._switch("code_in_names", self.tr("The patient's code may stand in file names"))
-        note = label(self.tr("Off: a file that leaves the house tells the order, the side and the day, and no patient."), "faint", wrap=True)
-        self._line(grid, self.tr("Privacy"), names, note)
+        self.names = FileNameLine(self._preferences)
+        self.names.unfold(True)
+        note = label(self.tr("Without it a file that leaves the house tells the order, the side and the day, and no patient."), "faint", wrap=True)
+        self._line(grid, self.tr("File names"), self.names, note)
 
     def _add_scanning(self, box: QVBoxLayout) -> None:
         grid = self._section(box, self.tr("Scanning"))
@@ -168,10 +168,6 @@ class SettingsPage(Page):
         choose_folder(
             self, self.tr("Choose a folder"), getattr(self._preferences.settings, name), lambda path: self._preferences.edit(name, str(path))
         )
-
-    def _name_files(self) -> None:
-        self._preferences.edit("name_template", self.template.text().strip() or self._preferences.settings.name_template)
-        self._show("name_template")
 
 
 def _side_by_side(choices: dict[object, QPushButton]) -> QLayout:

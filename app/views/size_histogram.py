@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from collections import deque
 from collections.abc import Iterable
 
@@ -16,6 +17,8 @@ _SMALLEST_PX, _LARGEST_PX = 1.0, 2000.0
 _BINS = 44
 _KEPT = 600
 """Bright places that are counted: about ten seconds of both cameras."""
+_PERIOD_S = 0.2
+"""Bars change no more often than this: nobody reads faster."""
 _LOW, _HIGH = 0, 1
 _RANGES = ((1, 100), (2, 100_000))
 _GRIP = 9.0
@@ -35,6 +38,7 @@ class SizeHistogram(QWidget):
         self._limits: list[int] = [2, 600]
         self._chosen = _LOW
         self._gripped: int | None = None
+        self._painted_s = 0.0
         self.setMinimumHeight(112)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -56,7 +60,9 @@ class SizeHistogram(QWidget):
         """Areas in pixels, and whether each was accepted."""
         before = len(self._sizes)
         self._sizes.extend(sizes)
-        if self._sizes or before:
+        now_s = time.monotonic()
+        if (self._sizes or before) and now_s - self._painted_s > _PERIOD_S:
+            self._painted_s = now_s
             self.update()
 
     def clear(self) -> None:

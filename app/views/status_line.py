@@ -48,7 +48,7 @@ class StatusLine(QFrame):
         if rig.motion is None:
             self.turntable.show_state("idle", self.tr("Turntable"))
         else:
-            mood = "warn" if rig.needs_homing else "good"
+            mood = "warn" if rig.needs_homing and not rig.simulated else "good"
             self.turntable.show_state(mood, self.tr("Turntable {angle}°").format(angle=fmt.decimal(rig.motion.table_deg, 1)))
         calibration = rig.calibration
         if rig.unreadable:

@@ -53,6 +53,196 @@
     </message>
 </context>
 <context>
+    <name>AccuracyCard</name>
+    <message>
+        <source>95 % of the measured points lie within this width around the sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrated on {date}; {rms} µm rms at corners of the board that were left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter of the reference sphere as measured, less what its certificate says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How accurate is it?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It measures otherwise than in the tests before: calibrate, and test it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No reference sphere was measured with this rig yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the sphere on the table and run:
+{command}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference sphere, {date} ({age})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The Rig page says what is wrong with the rig file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig was calibrated since.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The test is {n} days old.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This rig is not calibrated. The Rig page does that in a few minutes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>µm D95</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>µm size deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>AimPage</name>
+    <message>
+        <source>Aim</source>
+        <translation>Anvisieren</translation>
+    </message>
+    <message>
+        <source>Automatic exposure</source>
+        <translation>Belichtung automatisch</translation>
+    </message>
+    <message>
+        <source>Beam down</source>
+        <translation>Strahl nach unten</translation>
+    </message>
+    <message>
+        <source>Beam left</source>
+        <translation>Strahl nach links</translation>
+    </message>
+    <message>
+        <source>Beam right</source>
+        <translation>Strahl nach rechts</translation>
+    </message>
+    <message>
+        <source>Beam up</source>
+        <translation>Strahl nach oben</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>Von Hand</translation>
+    </message>
+    <message>
+        <source>Camera left</source>
+        <translation>Kamera links</translation>
+    </message>
+    <message>
+        <source>Camera right</source>
+        <translation>Kamera rechts</translation>
+    </message>
+    <message>
+        <source>Finds exposure and gain for the object: the beam visits some places of it</source>
+        <translation>Sucht Belichtung und Verstärkung für das Objekt: Der Strahl fährt einige Stellen davon an</translation>
+    </message>
+    <message>
+        <source>Go on to the scan</source>
+        <translation>Weiter zum Scan</translation>
+    </message>
+    <message>
+        <source>Keep as…</source>
+        <translation>Merken als…</translation>
+    </message>
+    <message>
+        <source>Keep what is set now as a material of your own</source>
+        <translation>Die jetzigen Einstellungen als eigenes Material merken</translation>
+    </message>
+    <message>
+        <source>Laser off</source>
+        <translation>Laser aus</translation>
+    </message>
+    <message>
+        <source>Laser on. It goes dark on Esc, when this page is left, or in {seconds} s if nothing is touched.</source>
+        <translation>Laser an. Er erlischt mit Esc, beim Verlassen der Seite oder in {seconds} s ohne Bedienung.</translation>
+    </message>
+    <message>
+        <source>Learn</source>
+        <translation>Lernen</translation>
+    </message>
+    <message>
+        <source>Live: light the laser</source>
+        <translation>Live: Laser an</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Name of the material</source>
+        <translation>Name des Materials</translation>
+    </message>
+    <message>
+        <source>Progress of learning</source>
+        <translation>Fortschritt des Lernens</translation>
+    </message>
+    <message>
+        <source>Size of a spot, pixels</source>
+        <translation>Größe eines Lichtpunkts, Pixel</translation>
+    </message>
+    <message>
+        <source>Steps of {n} degrees</source>
+        <translation>Schritte von {n} Grad</translation>
+    </message>
+    <message>
+        <source>Table clockwise</source>
+        <translation>Teller im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Table counter-clockwise</source>
+        <translation>Teller gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>The laser is off. Goggles on, nobody looks into the beam: then light it.</source>
+        <translation>Der Laser ist aus. Schutzbrille auf, niemand blickt in den Strahl: dann einschalten.</translation>
+    </message>
+    <message>
+        <source>The rig is not free; the Rig page says why.</source>
+        <translation>Der Messplatz ist nicht frei; die Seite Messplatz sagt, warum.</translation>
+    </message>
+    <message>
+        <source>The spot is lit while this page is shown, and goes dark on Esc or when nobody touches anything for a while</source>
+        <translation>Der Laserpunkt leuchtet, solange diese Seite gezeigt wird, und erlischt mit Esc oder wenn eine Weile niemand etwas bedient</translation>
+    </message>
+    <message>
+        <source>Two seconds of live pictures while the beam moves a little: sizes of spots that both cameras agree on</source>
+        <translation>Zwei Sekunden Livebilder, während sich der Strahl ein wenig bewegt: Punktgrößen, in denen beide Kameras übereinstimmen</translation>
+    </message>
+</context>
+<context>
+    <name>AimPicture</name>
+    <message>
+        <source>Click: bring the spot there. Arrow keys: move the beam. Page Up and Page Down: turn the table. Wheel, + and −: zoom.</source>
+        <translation>Klick: Laserpunkt dorthin bringen. Pfeiltasten: Strahl bewegen. Bild auf und Bild ab: Teller drehen. Rad, + und −: Zoom.</translation>
+    </message>
+    <message>
+        <source>{camera}: {count} bright places, no spot accepted</source>
+        <translation>{camera}: {count} helle Stellen, kein Laserpunkt angenommen</translation>
+    </message>
+    <message>
+        <source>{camera}: {count} bright places, spot accepted</source>
+        <translation>{camera}: {count} helle Stellen, Laserpunkt angenommen</translation>
+    </message>
+</context>
+<context>
     <name>AlignmentPanel</name>
     <message>
         <source>Erase</source>
@@ -96,7 +286,7 @@
     </message>
     <message>
         <source>Uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheit</translation>
     </message>
     <message>
         <source>With a counterpart</source>
@@ -166,7 +356,7 @@
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Every serial port and every camera is asked who it is. A board may restart; nothing moves, and no laser is lit.</source>
@@ -202,7 +392,7 @@
     </message>
     <message>
         <source>Set up a rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatz einrichten</translation>
     </message>
     <message>
         <source>Still to be chosen: {what}.</source>
@@ -229,11 +419,11 @@
     <name>AssistantPictures</name>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera links</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera rechts</translation>
     </message>
     <message>
         <source>Live</source>
@@ -268,18 +458,45 @@
     </message>
 </context>
 <context>
+    <name>BaseShape</name>
+    <message>
+        <source> mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilt along x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilt along y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is below the plane goes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>BoardWatchView</name>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera links</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera rechts</translation>
     </message>
     <message>
         <source>Starting…</source>
-        <translation type="unfinished"></translation>
+        <translation>Beginnt…</translation>
     </message>
 </context>
 <context>
@@ -376,19 +593,19 @@
     </message>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera links</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera rechts</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Cancelling…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird abgebrochen…</translation>
     </message>
     <message>
         <source>Covered by the board</source>
@@ -432,7 +649,7 @@
     </message>
     <message>
         <source>{left} left</source>
-        <translation type="unfinished"></translation>
+        <translation>noch {left}</translation>
     </message>
     <message>
         <source>{near} to {far} mm</source>
@@ -518,11 +735,11 @@
     <name>CameraCard</name>
     <message>
         <source>Left</source>
-        <translation type="unfinished"></translation>
+        <translation>Links</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechts</translation>
     </message>
     <message>
         <source>{camera} is the {side} camera</source>
@@ -544,7 +761,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>σ {x:.2f} × {y:.2f} px · peak {peak} %</source>
+        <source>σ {x} × {y} px · peak {peak} %</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -595,6 +812,13 @@
     </message>
 </context>
 <context>
+    <name>CheckList</name>
+    <message>
+        <source>Checks</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>CheckStep</name>
     <message>
         <source>All {n} checks are good.</source>
@@ -602,11 +826,11 @@
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Cancelling…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird abgebrochen…</translation>
     </message>
     <message>
         <source>Check again</source>
@@ -646,6 +870,17 @@
     </message>
 </context>
 <context>
+    <name>ChosenView</name>
+    <message>
+        <source>Measure this view once more: after the last one while the scan runs, else at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo this view</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>CompareFoot</name>
     <message>
         <source>Align on the painted region</source>
@@ -653,11 +888,11 @@
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Cancelling…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird abgebrochen…</translation>
     </message>
     <message>
         <source>Click three points on each surface, in the same order and far from each other. Before: {b} of 3, after: {a} of 3.</source>
@@ -665,7 +900,7 @@
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen</translation>
     </message>
     <message>
         <source>Keep it in the open case</source>
@@ -689,7 +924,7 @@
     </message>
     <message>
         <source>Starting…</source>
-        <translation type="unfinished"></translation>
+        <translation>Beginnt…</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -736,7 +971,7 @@
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen</translation>
     </message>
     <message>
         <source>Findings</source>
@@ -823,7 +1058,7 @@
     </message>
     <message>
         <source>Left</source>
-        <translation type="unfinished"></translation>
+        <translation>Links</translation>
     </message>
     <message>
         <source>Lingual</source>
@@ -851,7 +1086,7 @@
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechts</translation>
     </message>
     <message>
         <source>Section</source>
@@ -926,79 +1161,291 @@
     <name>CoveragePage</name>
     <message>
         <source>% of all</source>
-        <translation type="unfinished"></translation>
+        <translation>% von allem</translation>
     </message>
     <message>
         <source>% of what can be seen</source>
-        <translation type="unfinished"></translation>
+        <translation>% des Sichtbaren</translation>
+    </message>
+    <message>
+        <source>Accept</source>
+        <translation>Annehmen</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Complete</source>
+        <translation>Ergänzen</translation>
     </message>
     <message>
         <source>Computing</source>
+        <translation>Berechnung</translation>
+    </message>
+    <message>
+        <source>Cut away what does not belong to the object before it becomes a surface</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Coverage</source>
-        <translation type="unfinished"></translation>
+        <source>Do not accept</source>
+        <translation>Nicht annehmen</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation type="unfinished">Bearbeiten</translation>
     </message>
     <message>
         <source>Every place is as certain as wanted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Stelle ist so sicher wie gewünscht.</translation>
     </message>
     <message>
         <source>Fill now</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt ergänzen</translation>
     </message>
     <message>
         <source>Find out</source>
-        <translation type="unfinished"></translation>
+        <translation>Feststellen</translation>
+    </message>
+    <message>
+        <source>Leave the chosen place as it is: the case keeps that, the certificate tells it (A; again to take it back)</source>
+        <translation>Die gewählte Stelle lassen, wie sie ist: Der Fall vermerkt es, der Prüfbericht nennt es (A; noch einmal nimmt es zurück)</translation>
     </message>
     <message>
         <source>Leave the object as it stands: the scan goes on where points are missing, until it is as wanted (Shift+F5)</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objekt stehen lassen: Der Scan geht dort weiter, wo Punkte fehlen, bis es ist wie gewünscht (Umschalt+F5)</translation>
     </message>
     <message>
         <source>Making a surface of the points…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus den Punkten wird eine Oberfläche…</translation>
     </message>
     <message>
         <source>Needs another mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Aufstellung nötig</translation>
     </message>
     <message>
         <source>Of a surface that was made of the points for this; the case has none yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einer Oberfläche, die dafür aus den Punkten gemacht wurde; der Fall hat noch keine.</translation>
     </message>
     <message>
         <source>Reason</source>
-        <translation type="unfinished"></translation>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>Reconstruct</source>
+        <translation>Rekonstruieren</translation>
     </message>
     <message>
         <source>Scan an object or open a case first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst ein Objekt scannen oder einen Fall öffnen.</translation>
     </message>
     <message>
         <source>Scan another mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu aufstellen und scannen</translation>
     </message>
     <message>
         <source>Standard uncertainty that is enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit, die genügt</translation>
     </message>
     <message>
         <source>Uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheit</translation>
     </message>
     <message>
         <source>Within</source>
+        <translation>Innerhalb</translation>
+    </message>
+    <message>
+        <source>{n} open, {mm2:.0f} mm² together</source>
+        <translation>{n} offen, zusammen {mm2:.0f} mm²</translation>
+    </message>
+    <message>
+        <source>{open}; {n} accepted</source>
+        <translation>{open}; {n} angenommen</translation>
+    </message>
+</context>
+<context>
+    <name>CropShape</name>
+    <message>
+        <source> mm</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{n} places, {mm2:.0f} mm² together</source>
+        <source>What is inside the box stays.</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z to</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>DeliverPage</name>
+    <message>
+        <source>All {passed} checks passed.</source>
+        <translation>Alle {passed} Prüfungen bestanden.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>Prüfung läuft…</translation>
+    </message>
+    <message>
+        <source>Closed, and free of self-intersections</source>
+        <translation>Geschlossen und ohne Selbstdurchdringung</translation>
+    </message>
+    <message>
+        <source>Deliver</source>
+        <translation>Ausliefern</translation>
+    </message>
+    <message>
+        <source>Deliver anyway</source>
+        <translation>Trotzdem ausliefern</translation>
+    </message>
+    <message>
+        <source>Deliver it although it is not ready</source>
+        <translation>Ausliefern, obwohl es nicht bereit ist</translation>
+    </message>
+    <message>
+        <source>Deliver once more</source>
+        <translation>Erneut ausliefern</translation>
+    </message>
+    <message>
+        <source>Delivered</source>
+        <translation>Ausgeliefert</translation>
+    </message>
+    <message>
+        <source>Edit the profile</source>
+        <translation>Profil bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation>Bearbeiten…</translation>
+    </message>
+    <message>
+        <source>Failed: {failed}. Remarks: {remarks}. Passed: {passed}.</source>
+        <translation>Nicht bestanden: {failed}. Hinweise: {remarks}. Bestanden: {passed}.</translation>
+    </message>
+    <message>
+        <source>How it was measured</source>
+        <translation>Wie gemessen wurde</translation>
+    </message>
+    <message>
+        <source>In {folder}</source>
+        <translation>In {folder}</translation>
+    </message>
+    <message>
+        <source>Next order</source>
+        <translation>Nächster Auftrag</translation>
+    </message>
+    <message>
+        <source>No surface yet</source>
+        <translation>Noch keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>Not checked</source>
+        <translation>Nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Open an order or begin one, then scan and reconstruct it.</source>
+        <translation>Einen Auftrag öffnen oder anlegen, dann scannen und rekonstruieren.</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Orders</source>
+        <translation>Aufträge</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Reconstruct</source>
+        <translation>Rekonstruieren</translation>
+    </message>
+    <message>
+        <source>Reconstruct first</source>
+        <translation>Zuerst rekonstruieren</translation>
+    </message>
+    <message>
+        <source>Remarks: {remarks}. Passed: {passed}.</source>
+        <translation>Hinweise: {remarks}. Bestanden: {passed}.</translation>
+    </message>
+    <message>
+        <source>Replace the existing files</source>
+        <translation>Vorhandene Dateien ersetzen</translation>
+    </message>
+    <message>
+        <source>The certificate says so, in words and in its JSON.</source>
+        <translation>Der Prüfbericht sagt es, in Worten und in seinem JSON.</translation>
+    </message>
+    <message>
+        <source>The check was cancelled.</source>
+        <translation>Die Prüfung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>There is no surface to deliver yet.</source>
+        <translation>Es gibt noch keine Oberfläche zum Ausliefern.</translation>
+    </message>
+    <message>
+        <source>These files exist already. With {rev} in the name every delivery gets its own number.</source>
+        <translation>Diese Dateien gibt es schon. Mit {rev} im Namen erhält jede Lieferung ihre eigene Nummer.</translation>
+    </message>
+    <message>
+        <source>Whether it mirrors the other ear</source>
+        <translation>Ob es das andere Ohr spiegelt</translation>
+    </message>
+    <message>
+        <source>Written to {folder}</source>
+        <translation>Geschrieben nach {folder}</translation>
+    </message>
+    <message>
+        <source>{counted}
+Delivered before, on {day}: {name}</source>
+        <translation>{counted}
+Zuvor ausgeliefert am {day}: {name}</translation>
+    </message>
+    <message>
+        <source>{place}, with {others}</source>
+        <translation>{place}, mit {others}</translation>
+    </message>
+    <message>
+        <source>{written}, with {others}</source>
+        <translation>{written}, mit {others}</translation>
     </message>
 </context>
 <context>
@@ -1032,11 +1479,11 @@
     <name>DeviceList</name>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera links</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera rechts</translation>
     </message>
     <message>
         <source>Controller</source>
@@ -1192,6 +1639,29 @@
     </message>
 </context>
 <context>
+    <name>DistanceChart</name>
+    <message>
+        <source>95 % {length}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of the points from the surface</source>
+        <translation>Abstand der Punkte zur Oberfläche</translation>
+    </message>
+    <message>
+        <source>Half of the points are nearer to the surface than the first mark, 95 of 100 nearer than the second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half of the points are within {median} of the surface, 95 of 100 within {p95}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>half {length}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>DropTarget</name>
     <message>
         <source>Choose a file…</source>
@@ -1223,70 +1693,50 @@
     </message>
 </context>
 <context>
-    <name>ExportPage</name>
+    <name>EditPage</name>
     <message>
-        <source>Choose a folder</source>
-        <translation type="unfinished"></translation>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation type="unfinished"></translation>
+        <source>Go on to the surface</source>
+        <translation>Weiter zur Oberfläche</translation>
     </message>
     <message>
-        <source>Folder</source>
-        <translation type="unfinished"></translation>
+        <source>Leave them in</source>
+        <translation>Darin lassen</translation>
     </message>
     <message>
-        <source>Folder for exported files</source>
-        <translation type="unfinished"></translation>
+        <source>Measure</source>
+        <translation>Messen</translation>
     </message>
     <message>
-        <source>Format</source>
-        <translation type="unfinished"></translation>
+        <source>Points</source>
+        <translation>Punkte</translation>
     </message>
     <message>
-        <source>In braces: {fields}</source>
-        <translation type="unfinished"></translation>
+        <source>Reading the points…</source>
+        <translation>Punkte werden gelesen…</translation>
     </message>
     <message>
-        <source>Name</source>
-        <translation type="unfinished"></translation>
+        <source>Reconstruct</source>
+        <translation>Rekonstruieren</translation>
     </message>
     <message>
-        <source>Reconstruct first: there is no surface yet.</source>
-        <translation type="unfinished"></translation>
+        <source>Scan an object or open a case first.</source>
+        <translation>Zuerst ein Objekt scannen oder einen Fall öffnen.</translation>
     </message>
     <message>
-        <source>Replace the existing file</source>
-        <translation type="unfinished"></translation>
+        <source>Take out {n} points</source>
+        <translation>{n} Punkte herausnehmen</translation>
     </message>
     <message>
-        <source>Scan first: there are no points yet.</source>
-        <translation type="unfinished"></translation>
+        <source>The surface was made when other points were taken out. Reconstruct it again.</source>
+        <translation>Als die Oberfläche entstand, waren andere Punkte herausgenommen. Neu rekonstruieren.</translation>
     </message>
     <message>
-        <source>Show in its folder</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Template of the name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This file exists already. With {rev} in the name every export gets its own number.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Written: {name}, {size:.1f} MB</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{n} points, millimetres</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{n} triangles, {size} mm</source>
-        <translation type="unfinished"></translation>
+        <source>{n} points</source>
+        <translation>{n} Punkte</translation>
     </message>
 </context>
 <context>
@@ -1352,6 +1802,37 @@
     </message>
 </context>
 <context>
+    <name>FileNameLine</name>
+    <message>
+        <source>Both files would have one name: put {side} into the template.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the file names…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In braces: {fields}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Template of the file names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The patient code may stand in file names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no field {unknown}; the fields are {fields}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{field} is left out: no patient in file names unless that is switched on below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>FindStep</name>
     <message>
         <source>Cameras</source>
@@ -1375,7 +1856,7 @@
     </message>
     <message>
         <source>Looking…</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche…</translation>
     </message>
     <message>
         <source>No camera was found on this machine. Plug both cameras in, each into a USB port of its own, and look again.</source>
@@ -1587,15 +2068,74 @@
 <context>
     <name>HomePage</name>
     <message>
-        <source> points</source>
-        <translation type="unfinished"></translation>
+        <source>A scan is running.</source>
+        <translation>Ein Scan läuft.</translation>
     </message>
     <message>
-        <source> views</source>
-        <translation type="unfinished"></translation>
+        <source>A scan is running: the order can wait in the list.</source>
+        <translation>Ein Scan läuft: Der Auftrag kann in der Liste warten.</translation>
     </message>
+    <message>
+        <source>Del; the file is moved, never deleted</source>
+        <translation>Entf; die Datei wird verschoben, nie gelöscht</translation>
+    </message>
+    <message>
+        <source>Enter makes a new order {number}.</source>
+        <translation>Eingabe legt den neuen Auftrag {number} an.</translation>
+    </message>
+    <message>
+        <source>Enter opens the order of that number, or begins a new one.</source>
+        <translation>Eingabe öffnet den Auftrag mit dieser Nummer oder legt einen neuen an.</translation>
+    </message>
+    <message>
+        <source>Enter opens {order}.</source>
+        <translation>Eingabe öffnet {order}.</translation>
+    </message>
+    <message>
+        <source>Enter, or a double click</source>
+        <translation>Eingabe oder Doppelklick</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>Suche…</translation>
+    </message>
+    <message>
+        <source>No order has that in it.</source>
+        <translation>Kein Auftrag enthält das.</translation>
+    </message>
+    <message>
+        <source>No orders yet. They stand here as soon as they are entered.</source>
+        <translation>Noch keine Aufträge. Sie stehen hier, sobald sie erfasst sind.</translation>
+    </message>
+    <message>
+        <source>Open another case…</source>
+        <translation>Anderen Fall öffnen…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>This order is being scanned.</source>
+        <translation>Dieser Auftrag wird gerade gescannt.</translation>
+    </message>
+    <message>
+        <source>Wait for its end or stop it first (Esc).</source>
+        <translation>Das Ende abwarten oder zuerst stoppen (Esc).</translation>
+    </message>
+    <message>
+        <source>{n} orders, the newest first. Arrow down goes into the list.</source>
+        <translation>{n} Aufträge, der neueste zuerst. Pfeil nach unten führt in die Liste.</translation>
+    </message>
+</context>
+<context>
+    <name>HomeStart</name>
     <message>
         <source>A scan is running.</source>
+        <translation>Ein Scan läuft.</translation>
+    </message>
+    <message>
+        <source>An ear on the virtual rig: nothing has to be connected, and nothing is overwritten</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1603,111 +2143,39 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Changes of the order are kept in this case.</source>
+        <source>Change the order</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How accurate is it?</source>
+        <source>Left and right: two cases with one order number</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Measured on {date} at corners of the board that were not used to calibrate. The laser spot adds its own noise: every surface states the error that is expected of it.</source>
+        <source>New dental model</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>New case</source>
+        <source>New ear impression</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No cases yet. Every scan makes one.</source>
+        <source>New ear pair</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>On the table</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open another case…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open case</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Opening the rig…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Order number</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Patient code</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ready.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ready. The scan makes a new case.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Recent cases</source>
+        <source>Open now</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Rig</source>
+        <translation>Messplatz</translation>
+    </message>
+    <message>
+        <source>Try a demo order</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Scan plan</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Side</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Start scan</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The Rig page calibrates it in a few minutes.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The Rig page says what is wrong with the rig file.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The order goes with every file that leaves this program.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The rig has to be calibrated first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a code, not the name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>as on the order form</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not calibrated</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>µm rms error of the calibration</source>
+        <source>{rig}, virtual; on the table: {specimen}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1739,7 +2207,7 @@
     </message>
     <message>
         <source>Resume</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortsetzen</translation>
     </message>
     <message>
         <source>Take what was measured for the whole, and open the case.</source>
@@ -1774,23 +2242,23 @@
     <name>JogPanel</name>
     <message>
         <source>Beam down</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahl nach unten</translation>
     </message>
     <message>
         <source>Beam left</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahl nach links</translation>
     </message>
     <message>
         <source>Beam right</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahl nach rechts</translation>
     </message>
     <message>
         <source>Beam up</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahl nach oben</translation>
     </message>
     <message>
         <source>By hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Hand</translation>
     </message>
     <message>
         <source>Show the spot</source>
@@ -1798,7 +2266,7 @@
     </message>
     <message>
         <source>Steps of {n} degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte von {n} Grad</translation>
     </message>
     <message>
         <source>Stop moving</source>
@@ -1810,21 +2278,85 @@
     </message>
     <message>
         <source>Table clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>Teller im Uhrzeigersinn</translation>
     </message>
     <message>
         <source>Table counter-clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>Teller gegen den Uhrzeigersinn</translation>
     </message>
 </context>
 <context>
     <name>Legend</name>
     <message>
-        <source>not scanned</source>
+        <source>Age</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>scanned</source>
+        <source>Colours: {name}, {low} to {high}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Density, points/mm²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Epipolar residual, σ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard uncertainty, µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Support by points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Surface by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the colours mean; click to choose  (K: the next one)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>filled in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>newest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>oldest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} and more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} s ago</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1859,14 +2391,18 @@
     <name>MainWindow</name>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wiederholen</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rückgängig</translation>
     </message>
     <message>
         <source>A scan is running.</source>
+        <translation>Ein Scan läuft.</translation>
+    </message>
+    <message>
+        <source>Both ears are measured: {left} points on the left one, {right} on the right one.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1874,11 +2410,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It is kept in its case; open that to see it.</source>
+        <source>Each is an order of its own now; both stand in the worklist.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is kept in its case.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Open a case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1887,6 +2431,133 @@
     </message>
     <message>
         <source>Wait for its end or stop it first (Esc).</source>
+        <translation>Das Ende abwarten oder zuerst stoppen (Esc).</translation>
+    </message>
+</context>
+<context>
+    <name>MeasurePanel</name>
+    <message>
+        <source> mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Across x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Across y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Canal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Click a place, or move the plane.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click the second place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click two places on the surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click two points. Sections, canal and volume are measured on the surface: reconstruct it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the highest point, or click the tip of the canal.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep this section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure the canal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure the volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No canal was found there. Click the tip of the canal on the surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove measurement {n}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan an object or open a case first.</source>
+        <translation>Zuerst ein Objekt scannen oder einen Fall öffnen.</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface is not closed, so it encloses no volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the closed surface encloses.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm perimeter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm² area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{told}. Of another surface than the one that is shown.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1902,11 +2573,11 @@
     </message>
     <message>
         <source>Another mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Aufstellung</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>How the mounts lie</source>
@@ -1930,11 +2601,11 @@
     </message>
     <message>
         <source>Pick three points</source>
-        <translation type="unfinished"></translation>
+        <translation>Drei Punkte wählen</translation>
     </message>
     <message>
         <source>Reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>Rekonstruieren</translation>
     </message>
     <message>
         <source>Registration</source>
@@ -1942,7 +2613,7 @@
     </message>
     <message>
         <source>Scan another mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu aufstellen und scannen</translation>
     </message>
     <message>
         <source>Scan this mount</source>
@@ -1958,6 +2629,123 @@
     </message>
     <message>
         <source>Tip the virtual object</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>OrderForm</name>
+    <message>
+        <source>Back to the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Enter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every change is kept in the case, and can be undone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep it in the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make both orders, scan the first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the order and scan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Patient code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The order has no number yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which jaw is it?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which side is it?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a code, not the name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as on the order form</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>OrderList</name>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Orders</source>
+        <translation>Aufträge</translation>
+    </message>
+    <message>
+        <source>Remove from the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>OutlierShape</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>How many times the usual distance to its neighbours a point may lie off them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking at every point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points that are far from their neighbours, off their surface, or in a small group of their own.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1989,7 +2777,7 @@
     </message>
     <message>
         <source>Pick three points</source>
-        <translation type="unfinished"></translation>
+        <translation>Drei Punkte wählen</translation>
     </message>
     <message>
         <source>Points of the mount to be joined</source>
@@ -2028,9 +2816,126 @@
     </message>
 </context>
 <context>
+    <name>PlaceEntry</name>
+    <message>
+        <source>✓ Accepted as it is: {why}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>PlaceList</name>
     <message>
         <source>Places that are not as certain as wanted</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PlanBar</name>
+    <message>
+        <source>Plan: {done} of {count} views are done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View {number} at {angle:.0f}°: {state}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>being measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>far fewer points than its neighbours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to come</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>will be measured once more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{points} of {wanted} points, {rejected} rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{points} points, {rejected} rejected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{told}; measured twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PointsPanel</name>
+    <message>
+        <source>Also what lies behind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring all back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bring points back instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Crop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut the base</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Many at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Otherwise only what is in front, as it is seen, is taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outliers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show what was taken out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take out what is left, and bring back what was taken out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of {n} points taken out</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2088,188 +2993,308 @@
     </message>
 </context>
 <context>
+    <name>ProfilePanel</name>
+    <message>
+        <source>Certificate beside it (PDF and JSON)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy as my own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every change counts at once; Ctrl+Z takes it back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder for exported files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In braces: {fields}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured points beside it (XYZ)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>This profile belongs to the program. Copy it to change it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without its base (open surface)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Rail</name>
     <message>
         <source>Before: {before}
 After: {after}</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorher: {before}
+Nachher: {after}</translation>
     </message>
     <message>
         <source>Esc, from every page</source>
-        <translation type="unfinished"></translation>
+        <translation>Esc, auf jeder Seite</translation>
     </message>
     <message>
         <source>Laser on · stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser an · Stopp</translation>
     </message>
     <message>
         <source>No order number</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Auftragsnummer</translation>
+    </message>
+    <message>
+        <source>No order open</source>
+        <translation>Kein Auftrag offen</translation>
     </message>
     <message>
         <source>Stop · laser off</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp · Laser aus</translation>
     </message>
     <message>
         <source>Stop · laser?</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp · Laser?</translation>
     </message>
     <message>
         <source>Stops every movement and switches the laser off, from every page (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>Stoppt jede Bewegung und schaltet den Laser aus, auf jeder Seite (Esc)</translation>
     </message>
     <message>
         <source>none yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch keine</translation>
     </message>
 </context>
 <context>
     <name>ReadyLine</name>
     <message>
         <source>Attention</source>
-        <translation type="unfinished"></translation>
+        <translation>Achtung</translation>
     </message>
     <message>
         <source>Checking</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfung</translation>
     </message>
     <message>
         <source>Ready</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereit</translation>
     </message>
 </context>
 <context>
     <name>ReconstructPage</name>
     <message>
         <source>% supported</source>
-        <translation type="unfinished"></translation>
+        <translation>% belegt</translation>
+    </message>
+    <message>
+        <source>As many orders wait as can be kept in mind. Take one out, or wait for the next to begin.</source>
+        <translation>Es warten so viele Aufträge, wie der Speicher fasst. Einen herausnehmen oder warten, bis der nächste beginnt.</translation>
+    </message>
+    <message>
+        <source>Back to the result</source>
+        <translation>Zurück zum Ergebnis</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cancelling…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Closed</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Compute the points anew…</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte neu berechnen…</translation>
     </message>
     <message>
         <source>Coverage</source>
-        <translation type="unfinished"></translation>
+        <translation>Abdeckung</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation type="unfinished"></translation>
+        <source>Deliver</source>
+        <translation>Ausliefern</translation>
     </message>
     <message>
-        <source>Noise of the points</source>
-        <translation type="unfinished"></translation>
+        <source>Distance of the points from the surface</source>
+        <translation>Abstand der Punkte zur Oberfläche</translation>
     </message>
     <message>
-        <source>Outliers rejected</source>
-        <translation type="unfinished"></translation>
+        <source>Finishes the surface as it is now: whole and closed, but coarser than the points allow.</source>
+        <translation>Stellt die Oberfläche so fertig, wie sie ist: ganz und geschlossen, aber gröber, als die Punkte erlauben.</translation>
+    </message>
+    <message>
+        <source>It waits</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>Other settings…</source>
+        <translation>Andere Einstellungen…</translation>
     </message>
     <message>
         <source>Places that are not as certain as wanted, why, and what can be done about them (F8)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Points to surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellen, die nicht so sicher sind wie gewünscht, warum, und was dagegen hilft (F8)</translation>
     </message>
     <message>
         <source>Reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>Rekonstruieren</translation>
     </message>
     <message>
         <source>Reconstruct again</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu rekonstruieren</translation>
     </message>
     <message>
-        <source>Scan an object or open a case first.</source>
-        <translation type="unfinished"></translation>
+        <source>Reconstruct next</source>
+        <translation>Als Nächstes</translation>
     </message>
     <message>
-        <source>Self-intersections</source>
-        <translation type="unfinished"></translation>
+        <source>Scan first, or open a case with points.</source>
+        <translation>Zuerst scannen oder einen Fall mit Punkten öffnen.</translation>
     </message>
     <message>
-        <source>Starting…</source>
-        <translation type="unfinished"></translation>
+        <source>Stop here and keep</source>
+        <translation>Hier beenden</translation>
     </message>
     <message>
         <source>The surface is kept in the case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche ist im Fall gesichert.</translation>
     </message>
     <message>
-        <source>Time</source>
-        <translation type="unfinished"></translation>
+        <source>These points wait for their turn.</source>
+        <translation>Diese Punkte warten, bis sie an der Reihe sind.</translation>
     </message>
     <message>
-        <source>Tolerance</source>
-        <translation type="unfinished"></translation>
+        <source>mm³ volume</source>
+        <translation>mm³ Volumen</translation>
     </message>
     <message>
-        <source>Triangles, at most</source>
-        <translation type="unfinished"></translation>
+        <source>triangles</source>
+        <translation>Dreiecke</translation>
     </message>
     <message>
-        <source>When it is set, the surface gets as many triangles as this tolerance needs.</source>
-        <translation type="unfinished"></translation>
+        <source>{points} points are ready.</source>
+        <translation>{points} Punkte sind bereit.</translation>
     </message>
     <message>
-        <source>automatic</source>
-        <translation type="unfinished"></translation>
+        <source>µm expected error</source>
+        <translation>µm erwarteter Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>ReconstructionPhases</name>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Wird abgebrochen…</translation>
     </message>
     <message>
-        <source>no</source>
+        <source>Finishing what there is…</source>
+        <translation>Vorhandenes wird fertiggestellt…</translation>
+    </message>
+    <message>
+        <source>Looking at the points…</source>
+        <translation>Punkte werden durchgesehen…</translation>
+    </message>
+    <message>
+        <source>Progress of the reconstruction</source>
+        <translation>Fortschritt der Rekonstruktion</translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation>Beginnt…</translation>
+    </message>
+    <message>
+        <source>{left} left</source>
+        <translation>noch {left}</translation>
+    </message>
+</context>
+<context>
+    <name>ReconstructionWaiting</name>
+    <message>
+        <source>Waiting</source>
+        <translation>Wartend</translation>
+    </message>
+</context>
+<context>
+    <name>ReconstructionWishes</name>
+    <message>
+        <source>Detail</source>
+        <translation>Detailgrad</translation>
+    </message>
+    <message>
+        <source>Expert…</source>
+        <translation>Experte…</translation>
+    </message>
+    <message>
+        <source>Hide expert settings</source>
+        <translation>Experteneinstellungen ausblenden</translation>
+    </message>
+    <message>
+        <source>The middle is the default: as many triangles as the points carry. Each step halves or doubles them.</source>
+        <translation>Die Mitte ist die Vorgabe: so viele Dreiecke, wie die Punkte tragen. Jeder Schritt halbiert oder verdoppelt sie.</translation>
+    </message>
+    <message>
+        <source>coarse</source>
+        <translation>grob</translation>
+    </message>
+    <message>
+        <source>default</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>fine</source>
+        <translation>fein</translation>
+    </message>
+</context>
+<context>
+    <name>RejectList</name>
+    <message>
+        <source>Rejected</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>other</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not set</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>triangles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{left} left</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{n:.1f} s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{n} µm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{n} µm rms</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{points} points are ready.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>µm expected error</source>
+        <source>{count}  ·  {share} %</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2285,291 +3310,345 @@ After: {after}</source>
     </message>
 </context>
 <context>
+    <name>RemovedStrip</name>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order} was removed; its file is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>RigChoice</name>
     <message>
         <source>A mesh as specimen</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Netz als Prüfling</translation>
     </message>
     <message>
         <source>Mesh file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Netzdatei…</translation>
     </message>
     <message>
         <source>Meshes (*.stl *.ply *.obj *.vtp *.3mf)</source>
-        <translation type="unfinished"></translation>
+        <translation>Netze (*.stl *.ply *.obj *.vtp *.3mf)</translation>
     </message>
     <message>
         <source>On the table</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf dem Teller</translation>
     </message>
     <message>
         <source>Open a rig file</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatzdatei öffnen</translation>
     </message>
     <message>
         <source>Open a rig file (TOML); it can be dropped here, too</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Messplatzdatei (TOML) öffnen; sie kann auch hierher gezogen werden</translation>
     </message>
     <message>
         <source>Own rig…</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigener Messplatz…</translation>
     </message>
     <message>
         <source>Rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatz</translation>
     </message>
     <message>
         <source>Rig files (*.toml)</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatzdateien (*.toml)</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo</translation>
     </message>
 </context>
 <context>
     <name>RigPage</name>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera links</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera rechts</translation>
     </message>
     <message>
         <source>Finds ports and cameras, checks them by what the cameras see, and writes a rig file</source>
-        <translation type="unfinished"></translation>
+        <translation>Findet Anschlüsse und Kameras, prüft sie an dem, was die Kameras sehen, und schreibt eine Messplatzdatei</translation>
     </message>
     <message>
         <source>Set up a rig…</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatz einrichten…</translation>
     </message>
     <message>
         <source>Two cameras, a laser and a turntable, computed frame by frame; the rest is the real program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Kameras, ein Laser und ein Drehteller, Bild für Bild berechnet; alles Übrige ist das echte Programm.</translation>
     </message>
     <message>
         <source>Virtual rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Virtueller Messplatz</translation>
     </message>
     <message>
         <source>{rig} (virtual rig)</source>
-        <translation type="unfinished"></translation>
+        <translation>{rig} (virtueller Messplatz)</translation>
     </message>
 </context>
 <context>
     <name>ScanPage</name>
     <message>
         <source>  (and {count} more)</source>
-        <translation type="unfinished"></translation>
+        <translation>  (und {count} weitere)</translation>
     </message>
     <message>
         <source>1 place cannot be seen from this mount</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Stelle ist in dieser Aufstellung nicht sichtbar</translation>
     </message>
     <message>
         <source>A fault: the laser is off</source>
-        <translation type="unfinished"></translation>
+        <translation>Störung: Der Laser ist aus</translation>
     </message>
     <message>
         <source>Another mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Aufstellung</translation>
     </message>
     <message>
         <source>Bringing the views together…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansichten werden zusammengeführt…</translation>
+    </message>
+    <message>
+        <source>By how much the first view lay beside itself when it was measured again at the end of the turn</source>
+        <translation>Um wie viel die erste Ansicht neben sich selbst lag, als sie am Ende der Drehung noch einmal gemessen wurde</translation>
     </message>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera links</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera rechts</translation>
+    </message>
+    <message>
+        <source>Closing the turn: the first view is measured again and compared.</source>
+        <translation>Drehung schließen: Die erste Ansicht wird noch einmal gemessen und verglichen.</translation>
     </message>
     <message>
         <source>Coarse pass: view {view} of {views}</source>
-        <translation type="unfinished"></translation>
+        <translation>Grober Durchgang: Ansicht {view} von {views}</translation>
     </message>
     <message>
-        <source>Complete: {views} views</source>
-        <translation type="unfinished"></translation>
+        <source>Complete</source>
+        <translation>Ergänzen</translation>
     </message>
     <message>
         <source>Computing where more points are needed…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Coverage</source>
-        <translation type="unfinished"></translation>
+        <translation>Berechnet, wo mehr Punkte nötig sind…</translation>
     </message>
     <message>
         <source>Ended by a fault; what was measured is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch eine Störung beendet; das Gemessene ist gesichert</translation>
     </message>
     <message>
         <source>Finding the object, view {view} of {views}</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt wird gesucht, Ansicht {view} von {views}</translation>
+    </message>
+    <message>
+        <source>Laser off at once, and the end of the scan; what was measured is kept (Esc)</source>
+        <translation>Laser sofort aus und Ende des Scans; das Gemessene bleibt erhalten (Esc)</translation>
+    </message>
+    <message>
+        <source>Measured once more, because they were weak: {views}</source>
+        <translation>Noch einmal gemessen, weil sie schwach waren: {views}</translation>
     </message>
     <message>
         <source>Opening the rig…</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatz wird geöffnet…</translation>
     </message>
     <message>
         <source>Pass {number}, where it is needed: view {view} of {views}</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgang {number}, wo nötig: Ansicht {view} von {views}</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Pause</translation>
     </message>
     <message>
-        <source>Paused in view {view} of {views}; the laser is dark</source>
-        <translation type="unfinished"></translation>
+        <source>Paused in view {view} of {views}. The laser is dark, beam and table rest, all points so far are kept; it goes on with the next row.</source>
+        <translation>Pause in Ansicht {view} von {views}. Der Laser ist dunkel, Strahl und Teller ruhen, alle bisherigen Punkte sind gesichert; weiter geht es mit der nächsten Zeile.</translation>
+    </message>
+    <message>
+        <source>Pausing: the row that is being swept is finished first.</source>
+        <translation>Pause folgt: Die begonnene Zeile wird noch beendet.</translation>
     </message>
     <message>
         <source>Places that are not as certain as wanted, why, and what can be done about them (F8)</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellen, die nicht so sicher sind wie gewünscht, warum, und was dagegen hilft (F8)</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>Points at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte höchstens</translation>
     </message>
     <message>
         <source>Ready to scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereit zum Scannen</translation>
     </message>
     <message>
         <source>Reconstruct</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>Rekonstruieren</translation>
     </message>
     <message>
         <source>Resume</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortsetzen</translation>
     </message>
     <message>
         <source>Scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Scannen</translation>
     </message>
     <message>
         <source>Scan again</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu scannen</translation>
+    </message>
+    <message>
+        <source>Scan again…</source>
+        <translation>Neu scannen…</translation>
     </message>
     <message>
         <source>Scan until below</source>
-        <translation type="unfinished"></translation>
+        <translation>Scannen bis unter</translation>
     </message>
     <message>
         <source>Scan until {wanted} µm</source>
-        <translation type="unfinished"></translation>
+        <translation>Scannen bis {wanted} µm</translation>
     </message>
     <message>
         <source>Set the object down in another way and scan it into the same case (F9)</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objekt anders aufstellen und in denselben Fall scannen (F9)</translation>
     </message>
     <message>
         <source>Standard uncertainty of the surface. With a value, the scan goes on where the surface is less certain, until it is below it everywhere that light can reach or the points are spent. Without one, the points are spread evenly.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Oberfläche. Mit einem Wert scannt das Programm dort weiter, wo die Oberfläche unsicherer ist, bis sie überall darunter liegt, wo Licht hinkommt, oder die Punkte verbraucht sind. Ohne Wert werden die Punkte gleichmäßig verteilt.</translation>
     </message>
     <message>
         <source>Start scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Scan starten</translation>
     </message>
     <message>
         <source>Starting…</source>
-        <translation type="unfinished"></translation>
+        <translation>Beginnt…</translation>
     </message>
     <message>
-        <source>Stop · laser off</source>
-        <translation type="unfinished"></translation>
+        <source>Still far fewer points than their neighbours: {views}</source>
+        <translation>Immer noch weit weniger Punkte als ihre Nachbarn: {views}</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
     </message>
     <message>
         <source>Stopped; what was measured is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Gestoppt; das Gemessene ist gesichert</translation>
     </message>
     <message>
         <source>The rig has to be calibrated first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Messplatz muss zuerst kalibriert werden.</translation>
     </message>
     <message>
         <source>The rig is not ready; the Rig page says why.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Messplatz ist nicht bereit; die Seite Messplatz sagt, warum.</translation>
+    </message>
+    <message>
+        <source>The scan is complete.</source>
+        <translation>Der Scan ist vollständig.</translation>
     </message>
     <message>
         <source>View {view} of {views}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht {view} von {views}</translation>
+    </message>
+    <message>
+        <source>View {view} once more</source>
+        <translation>Ansicht {view} noch einmal</translation>
     </message>
     <message>
         <source>Views</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>Whether the turn closes is not known: too few points of the first view were seen again.</source>
+        <translation>Ob sich die Drehung schließt, ist nicht bekannt: Zu wenige Punkte der ersten Ansicht wurden wiedergesehen.</translation>
     </message>
     <message>
         <source>all points are spent</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Punkte sind verbraucht</translation>
     </message>
     <message>
         <source>even spread</source>
-        <translation type="unfinished"></translation>
+        <translation>gleichmäßig</translation>
     </message>
     <message>
-        <source>left</source>
-        <translation type="unfinished"></translation>
+        <source>min:s</source>
+        <translation>min:s</translation>
+    </message>
+    <message>
+        <source>min:s left</source>
+        <translation>min:s noch</translation>
     </message>
     <message>
         <source>more points would not help</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr Punkte würden nicht helfen</translation>
     </message>
     <message>
         <source>no further view fits into this scan</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>other</source>
-        <translation type="unfinished"></translation>
+        <translation>keine weitere Ansicht passt in diesen Scan</translation>
     </message>
     <message>
         <source>points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>points / s</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte / s</translation>
     </message>
     <message>
         <source>{count} places cannot be seen from this mount</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Stellen sind in dieser Aufstellung nicht sichtbar</translation>
     </message>
     <message>
         <source>{points} points  ·  view {view} of {views}</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} Punkte  ·  Ansicht {view} von {views}</translation>
     </message>
     <message>
         <source>{share} % within {wanted} µm</source>
-        <translation type="unfinished"></translation>
+        <translation>{share} % innerhalb {wanted} µm</translation>
     </message>
     <message>
         <source>{share} % within {wanted} µm so far</source>
-        <translation type="unfinished"></translation>
+        <translation>bisher {share} % innerhalb {wanted} µm</translation>
+    </message>
+    <message>
+        <source>µm closure</source>
+        <translation>µm Schlussfehler</translation>
+    </message>
+</context>
+<context>
+    <name>ScanTray</name>
+    <message>
+        <source>Both ears on the pair tray</source>
+        <translation>Beide Ohren auf dem Paarträger</translation>
+    </message>
+    <message>
+        <source>The left ear on seat L, the right one on seat R, the arrow at the table&apos;s zero: one run measures both for their orders</source>
+        <translation>Linkes Ohr auf Sitz L, rechtes auf Sitz R, der Pfeil am Nullpunkt des Tellers: Ein Lauf misst beide für ihre Aufträge</translation>
     </message>
 </context>
 <context>
     <name>SceneLink</name>
     <message>
         <source>{n} points</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} Punkte</translation>
     </message>
     <message>
         <source>{n} triangles</source>
@@ -2674,15 +3753,7 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Off: a file that leaves the house tells the order, the side and the day, and no patient.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Open the folder</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Privacy</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2703,7 +3774,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Show the surface while it is scanned</source>
@@ -2718,10 +3789,6 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The patient&apos;s code may stand in file names</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The window changes its language when the scan or the reconstruction has ended and the program starts again.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2731,6 +3798,10 @@ After: {after}</source>
     </message>
     <message>
         <source>Theme</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without it a file that leaves the house tells the order, the side and the day, and no patient.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2770,6 +3841,36 @@ After: {after}</source>
     </message>
     <message>
         <source>What it does</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SizeHistogram</name>
+    <message>
+        <source>Drag a limit, or choose it with up and down and move it with left and right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Live shows how large spots are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size of a spot: {low} to {high} pixels, {chosen}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest size chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smallest size chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Sparkline</name>
+    <message>
+        <source>Size deviation of the last tests in µm: {values}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2820,6 +3921,10 @@ After: {after}</source>
     </message>
     <message>
         <source>Not calibrated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the order that is being reconstructed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2913,7 +4018,7 @@ After: {after}</source>
     <name>SurfaceCard</name>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -2969,7 +4074,7 @@ After: {after}</source>
     </message>
     <message>
         <source>none yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch keine</translation>
     </message>
     <message>
         <source>{size} mm</source>
@@ -3116,6 +4221,17 @@ After: {after}</source>
     </message>
 </context>
 <context>
+    <name>WedgeField</name>
+    <message>
+        <source>Order number, by barcode or keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan or type an order number</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>WindowHelp</name>
     <message>
         <source>At the end stands a file for the next machine, with its checks in plain words.</source>
@@ -3241,134 +4357,270 @@ After: {after}</source>
     </message>
 </context>
 <context>
+    <name>_ExpertFields</name>
+    <message>
+        <source>As many triangles as it takes that 95 of 100 facets keep this tolerance; goes before the number of triangles.</source>
+        <translation>So viele Dreiecke, dass 95 von 100 Facetten diese Toleranz einhalten; geht vor der Zahl der Dreiecke.</translation>
+    </message>
+    <message>
+        <source>Back to the defaults</source>
+        <translation>Zurück zu den Vorgaben</translation>
+    </message>
+    <message>
+        <source>Density of the points, of that which they have among themselves, from which on the surface counts as measured. Default 45 %.</source>
+        <translation>Punktdichte, gemessen an der Dichte der Punkte unter sich, ab der die Oberfläche als gemessen gilt. Vorgabe 45 %.</translation>
+    </message>
+    <message>
+        <source>Goes before the slider.</source>
+        <translation>Geht vor dem Regler.</translation>
+    </message>
+    <message>
+        <source>Leave open what was not scanned</source>
+        <translation>Nicht Gescanntes offen lassen</translation>
+    </message>
+    <message>
+        <source>Of every random choice: the same points and seed give the same surface. Default 0.</source>
+        <translation>Jeder zufälligen Wahl: Gleiche Punkte und gleicher Startwert ergeben dieselbe Oberfläche. Vorgabe 0.</translation>
+    </message>
+    <message>
+        <source>Pass-band</source>
+        <translation>Durchlassbereich</translation>
+    </message>
+    <message>
+        <source>Rounds of Taubin&apos;s filter in the last phase. Default 3; many of them inflate the surface.</source>
+        <translation>Runden des Taubin-Filters in der letzten Phase. Vorgabe 3; viele davon blähen die Oberfläche auf.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Smoothing rounds</source>
+        <translation>Glättungsrunden</translation>
+    </message>
+    <message>
+        <source>Support from</source>
+        <translation>Belegt ab</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Triangles, at most</source>
+        <translation>Dreiecke, höchstens</translation>
+    </message>
+    <message>
+        <source>Waves longer than this share of the highest spatial frequency stay. Default 10 %.</source>
+        <translation>Wellen, die länger sind als dieser Anteil der höchsten Ortsfrequenz, bleiben. Vorgabe 10 %.</translation>
+    </message>
+    <message>
+        <source>Without it the surface is closed, as printing needs it; what is bridged is marked as not scanned.</source>
+        <translation>Ohne das wird die Oberfläche geschlossen, wie der Druck sie braucht; Überbrücktes wird als nicht gescannt markiert.</translation>
+    </message>
+    <message>
+        <source>by detail</source>
+        <translation>nach Detailgrad</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+</context>
+<context>
+    <name>_Facts</name>
+    <message>
+        <source>Closed</source>
+        <translation>Geschlossen</translation>
+    </message>
+    <message>
+        <source>Noise of the points</source>
+        <translation>Rauschen der Punkte</translation>
+    </message>
+    <message>
+        <source>Outliers rejected</source>
+        <translation>Ausreißer verworfen</translation>
+    </message>
+    <message>
+        <source>Points to surface</source>
+        <translation>Punkte zur Oberfläche</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>{n} s</source>
+        <translation>{n} s</translation>
+    </message>
+    <message>
+        <source>{n} µm</source>
+        <translation>{n} µm</translation>
+    </message>
+    <message>
+        <source>{n} µm rms</source>
+        <translation>{n} µm rms</translation>
+    </message>
+</context>
+<context>
+    <name>_Line</name>
+    <message>
+        <source>{order}: do not reconstruct</source>
+        <translation>{order}: nicht rekonstruieren</translation>
+    </message>
+    <message>
+        <source>{order}: one place forward</source>
+        <translation>{order}: einen Platz nach vorn</translation>
+    </message>
+</context>
+<context>
+    <name>_PhaseLine</name>
+    <message>
+        <source>{n} s</source>
+        <translation>{n} s</translation>
+    </message>
+</context>
+<context>
     <name>actions</name>
     <message>
         <source>&amp;About Impronta</source>
-        <translation type="unfinished"></translation>
+        <translation>Über &amp;Impronta</translation>
     </message>
     <message>
         <source>&amp;Case</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fall</translation>
     </message>
     <message>
-        <source>&amp;Coverage</source>
-        <translation type="unfinished"></translation>
+        <source>&amp;Colours: the next</source>
+        <translation>&amp;Farben: die nächste</translation>
+    </message>
+    <message>
+        <source>&amp;Complete</source>
+        <translation>&amp;Ergänzen</translation>
+    </message>
+    <message>
+        <source>&amp;Deliver…</source>
+        <translation>Aus&amp;liefern…</translation>
     </message>
     <message>
         <source>&amp;Edges</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kanten</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bearbeiten</translation>
     </message>
     <message>
         <source>&amp;Fill now</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Jetzt ergänzen</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Einpassen</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hilfe</translation>
     </message>
     <message>
         <source>&amp;Help on this page</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hilfe zu dieser Seite</translation>
     </message>
     <message>
         <source>&amp;Keyboard shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tastenkürzel</translation>
     </message>
     <message>
         <source>&amp;New case</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Neuer Fall</translation>
     </message>
     <message>
         <source>&amp;Open case…</source>
-        <translation type="unfinished"></translation>
+        <translation>Fall ö&amp;ffnen…</translation>
     </message>
     <message>
         <source>&amp;Pause or resume</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Pause oder weiter</translation>
     </message>
     <message>
         <source>&amp;Points</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Punkte</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Beenden</translation>
     </message>
     <message>
         <source>&amp;Reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rekonstruieren</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wiederholen</translation>
     </message>
     <message>
         <source>&amp;Scan</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Scan</translation>
     </message>
     <message>
         <source>&amp;Start scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Scan &amp;starten</translation>
     </message>
     <message>
         <source>&amp;Support bundle…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Support-Paket…</translation>
     </message>
     <message>
         <source>&amp;Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Oberfläche</translation>
     </message>
     <message>
         <source>&amp;Top</source>
-        <translation type="unfinished"></translation>
+        <translation>Von o&amp;ben</translation>
     </message>
     <message>
         <source>&amp;Tour</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rundgang</translation>
     </message>
     <message>
         <source>&amp;Uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Unsicherheit</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rückgängig</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ansicht</translation>
     </message>
     <message>
         <source>Another &amp;mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue &amp;Aufstellung</translation>
     </message>
     <message>
         <source>F&amp;ront</source>
-        <translation type="unfinished"></translation>
+        <translation>Von &amp;vorn</translation>
     </message>
     <message>
         <source>Scan &amp;this mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Aufstellung s&amp;cannen</translation>
     </message>
     <message>
         <source>Set up a ri&amp;g…</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplat&amp;z einrichten…</translation>
     </message>
     <message>
         <source>Stop and &amp;laser off</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp und &amp;Laser aus</translation>
     </message>
 </context>
 <context>
@@ -3398,10 +4650,6 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Reconstructing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Scanning</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3411,14 +4659,105 @@ After: {after}</source>
     </message>
 </context>
 <context>
+    <name>aim</name>
+    <message>
+        <source>As it was set on the Aim page.</source>
+        <translation>Wie auf der Seite Anvisieren eingestellt.</translation>
+    </message>
+    <message>
+        <source>As the rig file says</source>
+        <translation>Laut Messplatzdatei</translation>
+    </message>
+    <message>
+        <source>Automatic exposure</source>
+        <translation>Belichtung automatisch</translation>
+    </message>
+    <message>
+        <source>Both cameras saw too few spots to learn from: bring the spot to a place that both see.</source>
+        <translation>Beide Kameras sahen zu wenige Lichtpunkte zum Lernen: Laserpunkt an eine Stelle bringen, die beide sehen.</translation>
+    </message>
+    <message>
+        <source>Both cameras see the spot.</source>
+        <translation>Beide Kameras sehen den Laserpunkt.</translation>
+    </message>
+    <message>
+        <source>Bringing the spot there…</source>
+        <translation>Laserpunkt fährt dorthin…</translation>
+    </message>
+    <message>
+        <source>Change limits of the spot&apos;s size</source>
+        <translation>Grenzen der Punktgröße ändern</translation>
+    </message>
+    <message>
+        <source>Choose material</source>
+        <translation>Material wählen</translation>
+    </message>
+    <message>
+        <source>Finding the exposure…</source>
+        <translation>Belichtung wird gesucht…</translation>
+    </message>
+    <message>
+        <source>Learn the spot&apos;s size</source>
+        <translation>Punktgröße lernen</translation>
+    </message>
+    <message>
+        <source>Learned from {spots} spots; {strays} reflections were seen beside them.</source>
+        <translation>Aus {spots} Lichtpunkten gelernt; daneben wurden {strays} Reflexe gesehen.</translation>
+    </message>
+    <message>
+        <source>Learning: the beam moves a little…</source>
+        <translation>Lernen: Der Strahl bewegt sich ein wenig…</translation>
+    </message>
+    <message>
+        <source>Live lights the laser and shows what the cameras make of its spot.</source>
+        <translation>Live schaltet den Laser ein und zeigt, wie die Kameras seinen Lichtpunkt beurteilen.</translation>
+    </message>
+    <message>
+        <source>Looking for the object…</source>
+        <translation>Objekt wird gesucht…</translation>
+    </message>
+    <message>
+        <source>Moving…</source>
+        <translation>In Bewegung…</translation>
+    </message>
+    <message>
+        <source>No point here: {reason}.</source>
+        <translation>Hier kein Punkt: {reason}.</translation>
+    </message>
+    <message>
+        <source>The background is too bright: switch off the lamp or close the lid.</source>
+        <translation>Der Hintergrund ist zu hell: Lampe ausschalten oder Deckel schließen.</translation>
+    </message>
+    <message>
+        <source>The rig is not calibrated: each camera is judged alone.</source>
+        <translation>Der Messplatz ist nicht kalibriert: Jede Kamera wird für sich beurteilt.</translation>
+    </message>
+    <message>
+        <source>Too bright even at the shortest exposure: close the apertures.</source>
+        <translation>Selbst bei kürzester Belichtung zu hell: Blenden schließen.</translation>
+    </message>
+    <message>
+        <source>Too dark even at the longest exposure: look at the laser and the lens caps, or open the apertures.</source>
+        <translation>Selbst bei längster Belichtung zu dunkel: Laser und Objektivdeckel prüfen oder Blenden öffnen.</translation>
+    </message>
+    <message>
+        <source>{left} and {right}</source>
+        <translation>{left} und {right}</translation>
+    </message>
+    <message>
+        <source>{material}: {exposure} ms, {gain} dB, spots of {low} to {high} pixels</source>
+        <translation>{material}: {exposure} ms, {gain} dB, Lichtpunkte von {low} bis {high} Pixel</translation>
+    </message>
+</context>
+<context>
     <name>assistant</name>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera links</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera rechts</translation>
     </message>
     <message>
         <source>Correct the steps of beam X: it moves {percent} % of what it is told.</source>
@@ -4153,210 +5492,653 @@ After: {after}</source>
     <name>coverage</name>
     <message>
         <source>Dust it with a matt powder, or expose shorter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit mattem Puder bestäuben oder kürzer belichten.</translation>
     </message>
     <message>
         <source>Dust it with a matt white powder, or expose longer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit mattem weißem Puder bestäuben oder länger belichten.</translation>
     </message>
     <message>
         <source>Fill it now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt ergänzen.</translation>
     </message>
     <message>
         <source>Following the light to every place…</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem Licht wird an jede Stelle gefolgt…</translation>
     </message>
     <message>
         <source>Looking for a better way to set the object down…</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine bessere Aufstellung wird gesucht…</translation>
     </message>
     <message>
         <source>Move the object to the middle of the table.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objekt in die Mitte des Tellers stellen.</translation>
     </message>
     <message>
         <source>On the side</source>
-        <translation type="unfinished"></translation>
+        <translation>An der Seite</translation>
     </message>
     <message>
         <source>On top</source>
-        <translation type="unfinished"></translation>
+        <translation>Oben</translation>
     </message>
     <message>
         <source>Put the object down in another way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objekt anders aufstellen.</translation>
     </message>
     <message>
         <source>Reading the case…</source>
-        <translation type="unfinished"></translation>
+        <translation>Fall wird gelesen…</translation>
     </message>
     <message>
-        <source>Tilt the object by about {deg:.0f}°.</source>
-        <translation type="unfinished"></translation>
+        <source>Tilt the object by about {deg}°.</source>
+        <translation>Das Objekt um etwa {deg}° kippen.</translation>
     </message>
     <message>
-        <source>Turn the object over, or tilt it by about {deg:.0f}°.</source>
-        <translation type="unfinished"></translation>
+        <source>Turn the object over, or tilt it by about {deg}°.</source>
+        <translation>Das Objekt umdrehen oder um etwa {deg}° kippen.</translation>
     </message>
     <message>
         <source>Turn the object upside down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objekt auf den Kopf stellen.</translation>
     </message>
     <message>
         <source>Underneath</source>
-        <translation type="unfinished"></translation>
+        <translation>Unten</translation>
     </message>
     <message>
         <source>With the table at {turn:.0f}°, tip the top of the object by about {tip:.0f}° towards the cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei Teller auf {turn:.0f}° die Oberseite des Objekts um etwa {tip:.0f}° zu den Kameras kippen.</translation>
     </message>
     <message>
         <source>as wanted</source>
-        <translation type="unfinished"></translation>
+        <translation>wie gewünscht</translation>
     </message>
     <message>
-        <source>faces the laser at {deg:.0f}°</source>
-        <translation type="unfinished"></translation>
+        <source>faces the laser at {deg}°</source>
+        <translation>steht {deg}° zum Laser</translation>
     </message>
     <message>
         <source>hidden from the laser by the object</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Objekt vor dem Laser verdeckt</translation>
     </message>
     <message>
         <source>hidden from the left camera by the object</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Objekt vor der linken Kamera verdeckt</translation>
     </message>
     <message>
         <source>hidden from the right camera by the object</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Objekt vor der rechten Kamera verdeckt</translation>
     </message>
     <message>
         <source>looks down or lies on the table</source>
-        <translation type="unfinished"></translation>
+        <translation>blickt nach unten oder liegt auf dem Teller</translation>
     </message>
     <message>
         <source>never seen by both cameras at once</source>
-        <translation type="unfinished"></translation>
+        <translation>nie von beiden Kameras zugleich gesehen</translation>
     </message>
     <message>
         <source>no points</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Punkte</translation>
     </message>
     <message>
         <source>outside of the pictures or the volume</source>
-        <translation type="unfinished"></translation>
+        <translation>außerhalb der Bilder oder des Messvolumens</translation>
     </message>
     <message>
         <source>seen too flatly at every angle</source>
-        <translation type="unfinished"></translation>
+        <translation>aus jedem Winkel zu flach gesehen</translation>
     </message>
     <message>
         <source>the spot is too bright there</source>
-        <translation type="unfinished"></translation>
+        <translation>der Laserpunkt ist dort zu hell</translation>
     </message>
     <message>
         <source>the spot is too dark there</source>
-        <translation type="unfinished"></translation>
+        <translation>der Laserpunkt ist dort zu dunkel</translation>
     </message>
     <message>
         <source>too few points</source>
-        <translation type="unfinished"></translation>
+        <translation>zu wenige Punkte</translation>
     </message>
     <message>
         <source>up to {um} µm</source>
-        <translation type="unfinished"></translation>
+        <translation>bis {um} µm</translation>
     </message>
     <message>
         <source>{gained:.0f} of {unreached:.0f} mm² that are hidden now come into view; {share:.0f} % of what is seen then is known already.</source>
+        <translation>{gained:.0f} von {unreached:.0f} mm², die jetzt verdeckt sind, werden sichtbar; {share:.0f} % des dann Sichtbaren sind schon bekannt.</translation>
+    </message>
+    <message>
+        <source>{mm2} mm²</source>
+        <translation>{mm2} mm²</translation>
+    </message>
+    <message>
+        <source>{mm} mm up</source>
+        <translation>{mm} mm hoch</translation>
+    </message>
+</context>
+<context>
+    <name>delivery</name>
+    <message>
+        <source>2-manifold</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{mm2:.1f} mm²</source>
+        <source>3MF, carries its unit</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{mm:.0f} mm up</source>
+        <source>A person accepted {count} holes or thin places as they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A person took out {count} measured points, {percent} % of all.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A person took out {count} measured points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accepted places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All triangles face outwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another ear of this order is labelled {side} too, and yet the two mirror each other. Is one of them labelled wrongly?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Archive (PLY with uncertainty, and points)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As it was scanned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration {id} of {date} had expired {days} days before the scan. Calibrate, compute the points anew or scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration {id} of {date} was off by {error_um} µm on corners that it had not seen, more than {limit_um} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration {id} of {date} was valid at the scan for {days} more days only; calibrate before the next order.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration {id} of {date} was valid at the scan, but no known length has verified its scale.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration {id} of {date} was valid at the scan, its scale verified; held-out error {error_um} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Canal tip up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Geschlossen</translation>
+    </message>
+    <message>
+        <source>Closure of the turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Abdeckung</translation>
+    </message>
+    <message>
+        <source>Dental model (STL, occlusal plane XY)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ear shell laboratory (STL)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every edge and every vertex lies on one sheet of surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every edge belongs to two triangles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expected error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Facing outwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far this surface is off is not recorded; it was not reconstructed by this program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It consists of {count} separate pieces. Remove what does not belong to the object, and reconstruct again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is one piece.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {longest_mm} x {middle_mm} x {shortest_mm} mm large, as {kind} is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {longest_mm} x {middle_mm} x {shortest_mm} mm large; {kind} is {least_mm} to {most_mm} mm long. Are unit and type right?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {longest_mm} x {middle_mm} x {shortest_mm} mm large; {kind} is {least_mm} to {most_mm} mm long. Is it whole, and alone?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It mirrors the other ear: {mirrored_um} µm apart mirrored, {direct_um} µm as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks on the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Modelling (OBJ)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mount {mount} is not part of the surface: it could not be brought together with the others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mounts</source>
+        <translation>Aufstellungen</translation>
+    </message>
+    <message>
+        <source>No hole or thin place had to be accepted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No measured point was taken out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No self-intersections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No size is expected of an object of this type; it is {longest_mm} x {middle_mm} x {shortest_mm} mm large.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No triangle runs through another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not checked: the other ear of this order is not there yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not ready</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Occlusal plane XY, +Z to occlusal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of which points this surface was made is not recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One shell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only {percent} % of the surface beside its base rests on measured points: too much of it is a guess. Scan the rest first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only {percent} % of the surface beside its base rests on measured points; the rest is a guess. Fill the holes, or say so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PLY, with uncertainty and support</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points taken out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Printing (3MF)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Ready, with remarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first view was not measured again, and the views of the turn agree only to {closure_um} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first view was not measured again; the views of the turn agree to {closure_um} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first view, measured again after the turn, lies {closure_um} µm off, more than {limit_um} µm: something moved a little.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first view, measured again at the end of the turn, lies {closure_um} µm beside its first measurement.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks on the table&apos;s rim kept their distances to {marks_um} µm only, more than {limit_um} µm: something moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks on the table&apos;s rim kept their distances to {marks_um} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The measured surface is expected to be off by {error_um} µm rms; the points scatter by {residual_um} µm about it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The order does not say which ear it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The order does not say which jaw it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points were changed after this surface was made of them. Reconstruct again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scan had no marks on the table&apos;s rim to watch over it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface has {count} open edges; a printer may fill it wrongly. Reconstruct again with closed holes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface is expected to be off by {error_um} µm rms, more than {limit_um} µm. More points, or a calibration, would help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface is expected to be off by {error_um} µm rms: too much for a shell. Calibrate, and scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface touches itself at {count} places. Reconstruct again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface was made of the points as they are now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The turn does not close: the first view, measured again, lies {closure_um} µm off. Object or camera moved; scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The two ears do not mirror each other ({direct_um} µm apart as they are, {mirrored_um} µm mirrored). Is one labelled wrongly?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no other side to compare with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is one mount; nothing had to be brought together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangles face inwards or against their neighbours. Reconstruct again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up to date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether it mirrors the other ear cannot be told ({mirrored_um} µm apart mirrored, {direct_um} µm as it is). Look at both.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the turn closes was not measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which part of this surface was measured is not recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With which calibration this surface was measured is not recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a dental arch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an ear impression</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not checked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} mounts lie on each other to {residual_um} µm only, more than {limit_um} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} mounts lie on each other to {residual_um} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} triangles run through others. Reconstruct again, with less detail if need be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{percent} % of the surface beside its base rests on measured points.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>draft</name>
     <message>
+        <source>Accept a place as it is</source>
+        <translation>Stelle annehmen, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Back to the defaults</source>
+        <translation>Zurück zu den Vorgaben</translation>
+    </message>
+    <message>
         <source>Both</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide</translation>
+    </message>
+    <message>
+        <source>Bring points back</source>
+        <translation>Punkte zurückholen</translation>
+    </message>
+    <message>
+        <source>Change detail</source>
+        <translation>Detailgrad ändern</translation>
     </message>
     <message>
         <source>Change number of points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktzahl ändern</translation>
     </message>
     <message>
         <source>Change number of triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl der Dreiecke ändern</translation>
     </message>
     <message>
         <source>Change number of views</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl der Ansichten ändern</translation>
+    </message>
+    <message>
+        <source>Change open or closed base</source>
+        <translation>Basis offen oder geschlossen</translation>
+    </message>
+    <message>
+        <source>Change pass-band</source>
+        <translation>Durchlassbereich ändern</translation>
+    </message>
+    <message>
+        <source>Change seed</source>
+        <translation>Startwert ändern</translation>
     </message>
     <message>
         <source>Change side</source>
-        <translation type="unfinished"></translation>
+        <translation>Seite ändern</translation>
+    </message>
+    <message>
+        <source>Change smoothing</source>
+        <translation>Glättung ändern</translation>
+    </message>
+    <message>
+        <source>Change support threshold</source>
+        <translation>Beleggrenze ändern</translation>
     </message>
     <message>
         <source>Change tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Toleranz ändern</translation>
     </message>
     <message>
         <source>Change type</source>
-        <translation type="unfinished"></translation>
+        <translation>Typ ändern</translation>
     </message>
     <message>
         <source>Change wanted uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewünschte Unsicherheit ändern</translation>
     </message>
     <message>
         <source>Dental model</source>
-        <translation type="unfinished"></translation>
+        <translation>Dentalmodell</translation>
     </message>
     <message>
         <source>Dental model, after treatment</source>
-        <translation type="unfinished"></translation>
+        <translation>Dentalmodell, nach Behandlung</translation>
     </message>
     <message>
         <source>Dental model, before treatment</source>
-        <translation type="unfinished"></translation>
+        <translation>Dentalmodell, vor Behandlung</translation>
+    </message>
+    <message>
+        <source>Do not accept a place</source>
+        <translation>Stelle nicht annehmen</translation>
     </message>
     <message>
         <source>Ear impression</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohrabformung</translation>
     </message>
     <message>
         <source>Edit order number</source>
-        <translation type="unfinished"></translation>
+        <translation>Auftragsnummer ändern</translation>
     </message>
     <message>
         <source>Edit patient code</source>
-        <translation type="unfinished"></translation>
+        <translation>Patientencode ändern</translation>
     </message>
     <message>
         <source>Left</source>
-        <translation type="unfinished"></translation>
+        <translation>Links</translation>
     </message>
     <message>
         <source>Lower jaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterkiefer</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
     </message>
     <message>
         <source>Other</source>
-        <translation type="unfinished"></translation>
+        <translation>Anderes</translation>
+    </message>
+    <message>
+        <source>Remove a measurement</source>
+        <translation>Messung entfernen</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Split the pair tray</source>
+        <translation>Paarträger aufteilen</translation>
+    </message>
+    <message>
+        <source>Take points out</source>
+        <translation>Punkte herausnehmen</translation>
     </message>
     <message>
         <source>Upper jaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberkiefer</translation>
     </message>
 </context>
 <context>
@@ -4367,7 +6149,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Laser off</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser aus</translation>
     </message>
     <message>
         <source>Laser unknown</source>
@@ -4375,33 +6157,6 @@ After: {after}</source>
     </message>
     <message>
         <source>Laser: no rig</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>export</name>
-    <message>
-        <source>Modelling programs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Printing and milling; binary, millimetres</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Printing; carries its unit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The registered measured points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>With uncertainty and support of every vertex</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4423,11 +6178,39 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>1 hour ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 minute ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>just now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>today</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>yesterday</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} days ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{n} days old</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} hours ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{n} minutes ago</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4447,10 +6230,6 @@ After: {after}</source>
     </message>
     <message>
         <source>Both cameras live, with the laser spot that is accepted and every spot that is not.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose what receives it, look at the name, and write. The name never holds the patient&apos;s.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4483,10 +6262,6 @@ After: {after}</source>
     </message>
     <message>
         <source>Lengths are in millimetres between measured points, areas in square millimetres within the section.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lengths in the file are millimetres. The revision counts up, so that no file is overwritten.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4570,10 +6345,6 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The surface is checked and leaves the program as a file for the next machine.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>This page shows the cameras, the laser, the table and their calibration.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4606,7 +6377,7 @@ After: {after}</source>
     <name>keys</name>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen</translation>
     </message>
     <message>
         <source>Everywhere</source>
@@ -4634,7 +6405,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Pick three points</source>
-        <translation type="unfinished"></translation>
+        <translation>Drei Punkte wählen</translation>
     </message>
     <message>
         <source>Press the control in hand</source>
@@ -4646,6 +6417,180 @@ After: {after}</source>
     </message>
     <message>
         <source>Turn the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>materials</name>
+    <message>
+        <source>A clipped top hides where the peak is, and on gloss it is seldom in the middle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A dim halo without its spot must not be taken for one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A higher threshold keeps the foot of the halo, which is no part of the beam, out of the spot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A little light spreads inside of the plaster and comes out around the spot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alginate or another wet, glossy impression under a thin coat of white powder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alginate, scan-sprayed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dry plaster does not mirror; what is less bright by four is light from a neighbouring wall.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ear impression silicone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Glare flattens the top of a spot on a wet place: fewer clipped pixels are borne than on a matt surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Glossy plastic</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light goes in and comes out around: the peak is lower than on silicone that scatters as much.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Matt, light silicone that has set; coloured ones may need more light.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirrored light is drawn out along the surface: spots that are longer than three times their width are doubtful here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirrored spots are nearly as bright as true ones: the frame alone decides nothing, the other camera does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plaster</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plaster scatters back about 0.8 of the light where silicone scatters 0.5: the same peak comes in 0.65 of the time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Printed models, varnish, enamel; spray it where you can.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set silicone hardly mirrors: four times as bright tells the spot from the few reflections.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skin-like</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The halo of the light that comes out around the spot is wider than the spot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The part that is mirrored is lost to both cameras or blinds one: between plaster and silicone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The powder is as white as plaster where the coat covers; a little more light for where it is thin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig&apos;s own exposure is made for a matt, light surface that scatters back about half of the light, as silicone does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walls of the canal are seen at up to 80 degrees: their spots are drawn out, and still good.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Translucent and reddish: skin, wax, flesh-coloured silicone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the coat is thin the wet surface mirrors: only what is clearly the brightest is taken, the rest is left to the other camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>White gypsum, as dental models and casts are made of.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>measure</name>
+    <message>
+        <source>Canal length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most ±{mm3} mm³; surface {mm2} mm²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from end to end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from the tip to where it opens</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its uncertainty is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>perimeter {mm} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>perimeter {mm} mm; the section is open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surface {mm2} mm²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{mm2} mm²</source>
+        <translation>{mm2} mm²</translation>
+    </message>
+    <message>
+        <source>{mm3} mm³</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{mm} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>± {um} µm, standard uncertainty of both places</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4691,64 +6636,80 @@ After: {after}</source>
 <context>
     <name>pages</name>
     <message>
+        <source>Aim</source>
+        <translation>Anvisieren</translation>
+    </message>
+    <message>
         <source>Another mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Aufstellung</translation>
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen</translation>
     </message>
     <message>
-        <source>Coverage</source>
-        <translation type="unfinished"></translation>
+        <source>Complete</source>
+        <translation>Ergänzen</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation type="unfinished"></translation>
+        <source>Deliver</source>
+        <translation>Ausliefern</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
     </message>
     <message>
         <source>Home</source>
-        <translation type="unfinished"></translation>
+        <translation>Start</translation>
     </message>
     <message>
         <source>Live point cloud</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktwolke live</translation>
+    </message>
+    <message>
+        <source>Missing places</source>
+        <translation>Fehlende Stellen</translation>
     </message>
     <message>
         <source>Mounts</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufstellungen</translation>
     </message>
     <message>
         <source>Pick three points</source>
-        <translation type="unfinished"></translation>
+        <translation>Drei Punkte wählen</translation>
+    </message>
+    <message>
+        <source>Points to be reconstructed</source>
+        <translation>Punkte für die Rekonstruktion</translation>
     </message>
     <message>
         <source>Reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>Rekonstruieren</translation>
     </message>
     <message>
         <source>Rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatz</translation>
     </message>
     <message>
         <source>Scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Scannen</translation>
     </message>
     <message>
         <source>Set up a rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatz einrichten</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche</translation>
     </message>
     <message>
-        <source>What is exported</source>
-        <translation type="unfinished"></translation>
+        <source>What is delivered</source>
+        <translation>Was ausgeliefert wird</translation>
     </message>
 </context>
 <context>
@@ -4790,6 +6751,10 @@ After: {after}</source>
     </message>
     <message>
         <source>another pattern of file names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>change of the export profiles</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4837,7 +6802,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Laser off</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser aus</translation>
     </message>
     <message>
         <source>Not now</source>
@@ -5004,6 +6969,140 @@ After: {after}</source>
     </message>
 </context>
 <context>
+    <name>reconstruction</name>
+    <message>
+        <source>About {triangles} triangles, expected error about {n} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About {triangles} triangles, expected error about {n} µm: rounder, but no more certain.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About {triangles} triangles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As many triangles as a tolerance of {n} µm needs (set under Expert).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed and whole: points support all of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed and whole; {share} % of the points did not belong to it and were left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed; {share} % of it was not scanned and is only bridged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept early: closed and whole, but coarser than the points allow.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left open where nothing was scanned, as it was asked for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No order number</source>
+        <translation>Keine Auftragsnummer</translation>
+    </message>
+    <message>
+        <source>The points carry the number of triangles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order} · {side}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order}: being finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order}: reconstructing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order}: reconstructing, {left} left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order}: reconstructing, {left} left, {count} waiting</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>reject_advice</name>
+    <message>
+        <source>Check the trigger cable of the cameras (Rig).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Focus the lenses on the object (Aim).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lengthen the exposure (Aim), or dust the object with a matt white powder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the object to the middle of the table.</source>
+        <translation>Das Objekt in die Mitte des Tellers stellen.</translation>
+    </message>
+    <message>
+        <source>Normal at the edges of the object, where the beam passes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal at the edges; if there are many, defocus the lenses a little (Aim).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal in small numbers; if there are many, check the calibration (Rig).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal on steep flanks; another mount turns them towards the laser.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal: the beam met a mark of the table&apos;s rim.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Normal: the beam met the table beside the object.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures come damaged: plug each camera into a USB port of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures get lost: plug each camera into a USB port of its own, and close other programs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shorten the exposure (Aim), or dust shiny places with a matt powder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Something mirrors the laser: dust it with matt powder, or cover what shines beside the object.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch off lamps, keep the sun away, close the lid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The object stands in the camera&apos;s way: another mount shows what is hidden.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>remedies</name>
     <message>
         <source>A reset was sent to switch the laser off; see that it is dark, check cable and power, then try again.</source>
@@ -5110,7 +7209,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Ear impression</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohrabformung</translation>
     </message>
     <message>
         <source>Heart</source>
@@ -5640,6 +7739,10 @@ After: {after}</source>
     </message>
     <message>
         <source>It contradicts the others: the loop of mounts would close with an error of {closure_um} um.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is left out of the list; correct the file or remove it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6271,6 +8374,10 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The material {path} cannot be used: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The mesh of {path} does not say how certain it is.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6392,6 +8499,10 @@ After: {after}</source>
     </message>
     <message>
         <source>The rig file {path} cannot be used: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig file&apos;s own settings are used; set exposure and sizes on the Aim page again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6559,6 +8670,10 @@ After: {after}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>What was set while aiming cannot be read ({path}: {reason}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Whether the table lost steps cannot be judged on this object: {reason}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6658,7 +8773,39 @@ After: {after}</source>
 <context>
     <name>spot</name>
     <message>
+        <source>cut by the edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drawn out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>no spot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off the other camera&apos;s line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one of several</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>outside the volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>overexposed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reflection: much dimmer</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6675,6 +8822,18 @@ After: {after}</source>
     </message>
     <message>
         <source>spot too wide: focus the lens</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too dim</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too large: {area} px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too small: {area} px</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6698,7 +8857,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Sizes of the cases</source>
@@ -6734,6 +8893,69 @@ After: {after}</source>
     </message>
     <message>
         <source>Without folders, recent cases and orders.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>worklist</name>
+    <message>
+        <source>Being scanned</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Damaged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Deliver it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delivered</source>
+        <translation>Ausgeliefert</translation>
+    </message>
+    <message>
+        <source>Go on with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Made by a newer version</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open in another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstruct it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reconstructed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scan it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scanned</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

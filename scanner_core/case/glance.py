@@ -75,12 +75,18 @@ def glance_of(store: CaseStore) -> CaseGlance:
             points += measured if isinstance(measured, int) else 0
     mesh, times = store.mesh_id(), store.first_and_last_time()
     if mesh is not None:
-        state = OrderState.DELIVERED if store.value(DELIVERY) else OrderState.RECONSTRUCTED
+        state = OrderState.DELIVERED if _delivered(store, mesh) else OrderState.RECONSTRUCTED
     elif ends and ends[-1].id not in left_out and _interrupted(ends[-1].kind, ends[-1].finish_reason):
         state = OrderState.INTERRUPTED
     else:
         state = OrderState.SCANNED if points else OrderState.NEW
     return CaseGlance(store.path, store.order(), state, *times, points, mesh)
+
+
+def _delivered(store: CaseStore, mesh: int) -> bool:
+    """Whether it was this surface that was delivered, not one before it."""
+    kept = store.value(DELIVERY)
+    return isinstance(kept, dict) and kept.get("mesh_id", mesh) == mesh
 
 
 def _interrupted(kind: str, reason: str | None) -> bool:

@@ -160,7 +160,7 @@ def _pictures(page: Page, certificate: Certificate) -> None:
     page.y_mm += _PICTURE_MM[1] + 7.0
     if len(marked):
         page.text(MARGIN_MM, page.y_mm + 1.2, "Orange: rests on no measured point.", 7, colour=GREY)
-        page.y_mm += 3.4
+        page.y_mm += 6.0
 
 
 def _guessed(mesh: TriangleMesh) -> NDArray[np.int64]:

@@ -6,11 +6,13 @@ from dataclasses import dataclass
 from datetime import datetime
 
 from scanner_core.acquisition.mark_visits import MarksReport, case_marks
+from scanner_core.case.closure import closure_um
 from scanner_core.case.glance import DELIVERY
 from scanner_core.case.points import case_calibration, case_rig
 from scanner_core.case.processing import chosen_processing
 from scanner_core.case.records import MountPose, Order, ScanRecord
 from scanner_core.case.store import CaseStore
+from scanner_core.coverage.accepted import accepted_places
 from scanner_core.errors import ImprontaError
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.optics.calibration_age import CalibrationAge, calibration_age
@@ -98,8 +100,8 @@ def read_facts(store: CaseStore) -> CaseFacts:
     removed = _table(processing.get("removed")).get("count", 0)
     points = report.get("points", 0)
     rig, virtual, calibration = _measured_with(store, scans, provenance)
-    reports = [[record.report for record in store.registrations(scan.id)] for scan in scans]
-    closures = [told for scan in reports if (told := _newest(scan, "closure_um")) is not None]
+    registrations = [record.report for record in store.registrations(scans[-1].id)] if scans else []
+    closures = [told for scan in scans if (told := closure_um(store, scan.id)) is not None]
     return CaseFacts(
         order=store.order(),
         mesh=mesh,
@@ -112,12 +114,12 @@ def read_facts(store: CaseStore) -> CaseFacts:
         mounts=tuple(store.mount_poses().values()),
         mount_count=len({scan.mount for scan in scans}),
         closure_um=max(closures, default=None),
-        views_um=_newest(reports[-1], "residual_after_um") if reports else None,
+        views_um=_newest(registrations, "residual_after_um"),
         marks=case_marks(store, [scan.id for scan in scans]) if scans else None,
         points=points if isinstance(points, int) else 0,
         removed=removed if isinstance(removed, int) else 0,
         current=_is_current(store, provenance),
-        accepted=_accepted(store),
+        accepted=len(accepted_places(store)),
         delivered=_table(store.value(DELIVERY)),
     )
 
@@ -158,12 +160,6 @@ def _is_current(store: CaseStore, provenance: dict[str, object]) -> bool | None:
     now = {name: chosen.get(name) for name in made}
     removed = _table(chosen.get("removed")).get("count", 0), _table(before.get("removed")).get("count", 0)
     return scans == used and made == now and removed[0] == removed[1]
-
-
-def _accepted(store: CaseStore) -> int:
-    """Places that a person accepted in the coverage."""
-    value = store.value("accepted")
-    return len(value) if isinstance(value, list) else 0
 
 
 def _newest(reports: list[dict[str, object]], name: str) -> float | None:

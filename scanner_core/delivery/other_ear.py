@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from scanner_core.case.glance import glance, look_into
 from scanner_core.case.records import Order
-from scanner_core.case.store import SUFFIX, CaseStore
+from scanner_core.case.store import SUFFIX
 from scanner_core.delivery.check import Check, CheckVerdict
 from scanner_core.delivery.side import DECIDED, SideFit, SideMatch, match_sides
 from scanner_core.errors import ImprontaError
@@ -96,11 +97,12 @@ def _newest_cases(path: Path) -> list[Path]:
 
 
 def _ear_of(place: Path, order: Order) -> OtherEar | None:
+    told = glance(place)
+    found = told.order
+    if told.mesh is None or found.number != order.number or found.type != EAR or found.side not in ("left", "right"):
+        return None
     try:
-        with CaseStore.open(place, read_only=True) as store:
-            found = store.order()
-            if found.number != order.number or found.type != EAR or found.side not in ("left", "right"):
-                return None
+        with look_into(place) as store:
             return OtherEar(place, found.side, store.mesh()[0])
     except (ImprontaError, OSError):
         return None

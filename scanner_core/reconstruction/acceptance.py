@@ -22,6 +22,7 @@ from scipy.spatial import cKDTree
 from scanner_core.errors import ReconstructionError
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.weld import weld
+from scanner_core.reconstruction.remarks import Remark, RemarkKind
 
 Array = NDArray[np.float64]
 Labels = NDArray[np.int64]
@@ -81,14 +82,14 @@ class Accepted:
     index : (m,) int64, which points of the cloud they are; the first of equal ones
     centre_mm : (3,) middle of the box around them, in the object frame
     strays : points that were left out because they lie far from the object
-    warnings : sentences for the report
+    remarks : for the report
     """
 
     points: Array
     index: Labels
     centre_mm: Array
     strays: int
-    warnings: tuple[str, ...]
+    remarks: tuple[Remark, ...]
 
 
 def accept(given: NDArray[np.floating], seed: int, check: Callable[[], None]) -> Accepted:
@@ -113,9 +114,9 @@ def accept(given: NDArray[np.floating], seed: int, check: Callable[[], None]) ->
     check()
     if len(distinct) < LEAST_POINTS:
         raise ReconstructionError("E-REC-01", points=f"{len(distinct)} different", least=LEAST_POINTS)
-    warnings = []
+    remarks = []
     if len(distinct) < len(everything):
-        warnings.append(f"{_percent(1 - len(distinct) / len(everything))} of the points repeat others exactly; each place was counted once.")
+        remarks.append(Remark(RemarkKind.COPIES, {"share": _percent(1 - len(distinct) / len(everything))}))
 
     # Far from the origin squares and products lose the digits that matter, so all that follows is about a middle.
     near = distinct - np.median(distinct, axis=0)
@@ -127,8 +128,8 @@ def accept(given: NDArray[np.floating], seed: int, check: Callable[[], None]) ->
         raise ReconstructionError("E-REC-01", points=f"{len(kept)} connected", least=LEAST_POINTS)
     lost = int(np.count_nonzero(strays))
     if lost:
-        share = _percent(lost / len(distinct))
-        warnings.append(f"{lost} points ({share}) lie more than {link:.3g} mm from the object; they were left out as strays.")
+        fields = {"count": str(lost), "share": _percent(lost / len(distinct)), "link_mm": f"{link:.3g}"}
+        remarks.append(Remark(RemarkKind.STRAYS, fields))
     low, high = kept.min(axis=0), kept.max(axis=0)
     centre = 0.5 * (low + high)
     extent = float((high - low).max())
@@ -137,8 +138,8 @@ def accept(given: NDArray[np.floating], seed: int, check: Callable[[], None]) ->
     check()
     if _is_flat(points, noise):
         raise ReconstructionError("E-REC-02", reason="they lie in a plane or on a line")
-    warnings += _size_warnings(extent) + _place_warnings(centre, extent) + _step_warnings(kept, centre, min(noise, spacing))
-    return Accepted(points, first[~strays], centre, lost, tuple(warnings))
+    remarks += _size_remarks(extent) + _place_remarks(centre, extent) + _step_remarks(kept, centre, min(noise, spacing))
+    return Accepted(points, first[~strays], centre, lost, tuple(remarks))
 
 
 def _on_grid(points: Array, extent_mm: float) -> Array:
@@ -340,31 +341,28 @@ def check_fit(mesh: TriangleMesh, supported: Mask, noise_mm: float, *, standing:
         raise ReconstructionError("E-REC-03", reason="no part of it can be confirmed by the points", do="scan the object more densely")
 
 
-# --------------------------------------------------------------------------------------------- warnings
+# --------------------------------------------------------------------------------------------- remarks
 
 
-def _size_warnings(extent_mm: float) -> list[str]:
+def _size_remarks(extent_mm: float) -> list[Remark]:
     """For a largest extent that no anatomical part has."""
     if extent_mm > _LARGE_MM:
-        return [
-            f"The object is {extent_mm:.4g} mm large, more than any anatomical part: if the coordinates are micrometres, divide them by 1000; "
-            "if they are millimetres, use --units mm."
-        ]
+        return [Remark(RemarkKind.LARGE, {"extent_mm": f"{extent_mm:.4g}"})]
     if extent_mm >= _SMALL_MM:
         return []
     unit, option = min((("metres", "m", 1000.0), ("inches", "inch", 25.4)), key=lambda unit: abs(np.log(extent_mm * unit[2] / _TYPICAL_MM)))[:2]
-    return [f"The object is only {extent_mm:.3g} mm large, less than an anatomical part: if the coordinates are {unit}, use --units {option}."]
+    return [Remark(RemarkKind.SMALL, {"extent_mm": f"{extent_mm:.3g}", "unit": unit, "option": option})]
 
 
-def _place_warnings(centre_mm: Array, extent_mm: float) -> list[str]:
+def _place_remarks(centre_mm: Array, extent_mm: float) -> list[Remark]:
     """For an origin so far away that single precision loses digits."""
     away = float(np.linalg.norm(centre_mm))
     if away <= min(_FAR_EXTENTS * extent_mm, _FAR_MM):
         return []
-    return [f"The object lies {away:.4g} mm from the origin; it was computed about its centre, so that no precision was lost."]
+    return [Remark(RemarkKind.FAR, {"away_mm": f"{away:.4g}"})]
 
 
-def _step_warnings(points: Array, centre_mm: Array, matters_mm: float) -> list[str]:
+def _step_remarks(points: Array, centre_mm: Array, matters_mm: float) -> list[Remark]:
     """For coordinates that were in single precision far from the origin, whatever their unit was: steps of 2^-24 to 2^-23 of their size."""
     steps = []
     for axis in range(3):
@@ -374,10 +372,7 @@ def _step_warnings(points: Array, centre_mm: Array, matters_mm: float) -> list[s
             steps.append(step)
     if not steps or max(steps) <= 0.1 * matters_mm:
         return []
-    return [
-        f"The coordinates are rounded to steps of {max(steps):.3g} mm, single precision far from the origin; "
-        "export the points in double precision, or nearer to the origin."
-    ]
+    return [Remark(RemarkKind.ROUNDED, {"step_mm": f"{max(steps):.3g}"})]
 
 
 def _sampled(points: Array, seed: int) -> Array:

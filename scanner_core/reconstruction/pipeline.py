@@ -22,6 +22,7 @@ from scanner_core.reconstruction.pace import Pace
 from scanner_core.reconstruction.parameters import ReconstructionParameters
 from scanner_core.reconstruction.refine import MOST_UNREACHED, Refinement
 from scanner_core.reconstruction.region import enclosed_region
+from scanner_core.reconstruction.remarks import Remark, RemarkKind
 from scanner_core.reconstruction.repair import repaired
 from scanner_core.reconstruction.report import Phase, Reconstruction, ReconstructionReport
 from scanner_core.reconstruction.smooth import smooth
@@ -71,7 +72,7 @@ def reconstruct(
     scale = measure_scale(points, tree, parameters.seed)
     pace.report(0.25)
     table = None if parameters.table_mm is None else parameters.table_mm - float(centre[2])
-    aside: tuple[str, ...] = ()
+    aside: tuple[Remark, ...] = ()
     try:
         balloon = _inflated(points, scale, pace, table)
     except ReconstructionError as error:
@@ -79,7 +80,7 @@ def reconstruct(
             raise
         # Standing it on the table has made a body that no balloon fills: take the shape that the points alone enclose.
         balloon = _inflated(points, scale, pace, None)
-        aside = ("The body that stands on the table could not be filled; the base was closed by what the points alone enclose.",)
+        aside = (Remark(RemarkKind.NOT_STANDING, {}),)
 
     pace.enter("refine")
     fit = Refinement(observations, scale, parameters, pace).run(balloon.mesh)
@@ -128,7 +129,7 @@ def reconstruct(
         facet_sag_um=1e3 * facet_sag_mm(mesh),
         stopped_early=fit.stopped_early,
         distances=distances,
-        warnings=accepted.warnings + _warnings(float(within.sum() / area.sum()), rejected / float(seen.counts.sum()), parameters.open_holes) + aside,
+        remarks=accepted.remarks + _remarks(float(within.sum() / area.sum()), rejected / float(seen.counts.sum()), parameters.open_holes) + aside,
     )
     pace.report(1.0, finished, force=True)
     return Reconstruction(finished, report)
@@ -192,11 +193,10 @@ def _finished(mesh: TriangleMesh, supported: Mask, uncertainty: Array, centre: A
     return TriangleMesh(finished.vertices[used], renumbered.reshape(-1, 3).astype(np.int64), kept)
 
 
-def _warnings(supported_share: float, rejected_share: float, open_holes: bool) -> tuple[str, ...]:
-    warnings = []
+def _remarks(supported_share: float, rejected_share: float, open_holes: bool) -> tuple[Remark, ...]:
+    remarks = []
     if supported_share < 0.98:
-        what = "left open" if open_holes else "capped and marked as unsupported"
-        warnings.append(f"{100 * (1 - supported_share):.0f} % of the closed surface was not scanned; it is {what}.")
+        remarks.append(Remark(RemarkKind.OPEN if open_holes else RemarkKind.CAPPED, {"share": f"{100 * (1 - supported_share):.0f}"}))
     if rejected_share > 0.05:
-        warnings.append(f"{100 * rejected_share:.0f} % of the points do not belong to the surface and were rejected.")
-    return tuple(warnings)
+        remarks.append(Remark(RemarkKind.REJECTED, {"share": f"{100 * rejected_share:.0f}"}))
+    return tuple(remarks)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from scanner_core.geometry.distance_histogram import DistanceHistogram
 from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.reconstruction.remarks import Remark
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +47,12 @@ class ReconstructionReport:
     facet_sag_um: float
     stopped_early: bool = False
     distances: DistanceHistogram | None = None
-    warnings: tuple[str, ...] = field(default=())
+    remarks: tuple[Remark, ...] = ()
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What is remarked, as sentences."""
+        return tuple(remark.words() for remark in self.remarks)
 
     def as_dict(self) -> dict[str, object]:
         """For JSON."""
@@ -70,6 +76,7 @@ class ReconstructionReport:
             "stopped_early": self.stopped_early,
             "distances": None if self.distances is None else self.distances.as_dict(),
             "warnings": list(self.warnings),
+            "remarks": [remark.as_dict() for remark in self.remarks],
         }
 
 

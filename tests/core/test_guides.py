@@ -51,8 +51,8 @@ def _commands(text: str) -> Iterator[str]:
     yield from re.findall(r"^    impronta (.+)$", text, re.MULTILINE)
 
 
-def test_the_five_pages_are_there() -> None:
-    assert [page.stem for page in PAGES] == ["build", "cameras", "first-scan", "laser-safety", "wiring"]
+def test_the_pages_are_there() -> None:
+    assert [page.stem for page in PAGES] == ["build", "cameras", "delivery", "first-scan", "laser-safety", "wiring"]
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)

@@ -42,7 +42,7 @@ def _inside_a_control(widget: QWidget) -> bool:
     """A part of a list's or a combo box's own making."""
     above = widget.parentWidget()
     while above is not None:
-        if isinstance(above, QComboBox | QAbstractSpinBox) or type(above).__name__ == "QComboBoxPrivateContainer":
+        if isinstance(above, QComboBox | QAbstractSpinBox | QLineEdit) or type(above).__name__ == "QComboBoxPrivateContainer":
             return True
         above = above.parentWidget()
     return False

@@ -198,3 +198,11 @@ def test_limits_are_moved_by_keys_and_by_the_pointer(application: QApplication) 
     histogram.show_limits(90, 95)
     QTest.keyClick(histogram, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
     assert told[-1] == (90, 91)  # never past the other one
+
+
+def test_a_move_beyond_the_limits_is_told_and_the_spot_stays(page: AimPage, shared_program: Program) -> None:
+    _lit(page)
+    page.services.aiming.jog(x_deg=90.0)
+    until(lambda: shared_program.window.banner.text != "", 10, "the sentence")
+    until(lambda: _idle(page) and page.services.rig.emission is Emission.LIT, 10, "the spot is still lit")
+    shared_program.window.banner.dismiss()

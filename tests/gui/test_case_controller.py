@@ -102,7 +102,9 @@ def test_a_mesh_is_not_written_twice_when_its_case_was_opened_again(desk: Desk) 
     desk.case.keep_mesh(TETRAHEDRON, {"report": {}}, desk.first)  # before it is open again
     until(lambda: desk.case.surface is not None, 20, "the mesh")
     desk.case.close()
-    wait_ms(100)
+    closed: list[bool] = []
+    desk.case.after(lambda: closed.append(True))
+    until(lambda: closed, 20, "the file is closed")
     assert _meshes(desk.first) == 1
     assert desk.told == []
 

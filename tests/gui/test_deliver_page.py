@@ -39,7 +39,8 @@ def shown(program: Program, page: DeliverPage, mesh: TriangleMesh, path: Path) -
 def test_without_a_surface_it_says_what_to_do(shared_program: Program, page: DeliverPage) -> None:
     shared_program.window.show_page("deliver")
     assert page.again.text() == "Orders"
-    assert not page.primary.isEnabled()
+    assert not page.primary.isVisible()
+    assert page.again.property("role") == "primary"
     page.again.click()
     assert shared_program.window.page_id == "home"
 

@@ -61,14 +61,13 @@ def test_a_reset_is_one_step(shared_program: Program, shared_settings: Path) -> 
     assert {name: getattr(again, name) for name in STEPS} == {name: getattr(changed, name) for name in STEPS}
 
 
-def test_an_empty_pattern_of_names_is_not_taken(shared_program: Program, shared_settings: Path) -> None:
+def test_the_pattern_of_names_shows_what_it_gives_and_is_kept(shared_program: Program, shared_settings: Path) -> None:
     page = _page(shared_program)
-    page.template.setText("{order}-{rev}")
-    page.template.editingFinished.emit()
+    page.names.template.setText("{order}-{rev}")
+    page.names.template.textEdited.emit("{order}-{rev}")
+    page.names.template.editingFinished.emit()
     assert load_settings(shared_settings).name_template == "{order}-{rev}"
-    page.template.setText(" ")
-    page.template.editingFinished.emit()
-    assert page.template.text() == "{order}-{rev}"
+    assert page.names.names.text().endswith("-1.stl")
 
 
 def test_the_window_is_made_anew_in_another_language(program: Program, application: QApplication, settings_file: Path) -> None:

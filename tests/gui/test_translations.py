@@ -90,6 +90,13 @@ def test_a_language_brings_its_decimal_mark_and_goes_again(application: QApplica
     assert QCoreApplication.translate("QPlatformTheme", "Cancel") == "Cancel"
 
 
+def test_every_number_with_decimals_has_the_persons_mark() -> None:
+    """``fmt.decimal`` writes them; Python's own format knows only the point."""
+    format_of_python = re.compile(r"\{[^{}]*:[+]?\.[1-9]f\}")
+    files = [path for path in sorted((ROOT / "app").rglob("*.py")) if path.name != "format.py"]
+    assert not [f"{path.name}: {found[0]}" for path in files for found in format_of_python.finditer(path.read_text(encoding="utf-8"))]
+
+
 def test_the_systems_first_language_that_the_window_speaks_is_taken(monkeypatch: pytest.MonkeyPatch) -> None:
     class System:
         languages: tuple[str, ...] = ()

@@ -89,8 +89,10 @@ def test_a_surface_and_its_delivery(store: CaseStore) -> None:
     _scan(store, "scan", 5, FinishReason.COMPLETED)
     store.put_mesh(TETRAHEDRON, {})
     assert glance_of(store).state is OrderState.RECONSTRUCTED
-    store.edit(DELIVERY, {"files": ["a.stl"]}, "Delivered")
-    assert _told(store).state is OrderState.DELIVERED
+    store.edit(DELIVERY, {"files": ["a.stl"], "mesh_id": store.mesh_id()}, "Delivered")
+    assert glance_of(store).state is OrderState.DELIVERED
+    store.put_mesh(TETRAHEDRON, {})  # another one, which nobody has got yet
+    assert _told(store).state is OrderState.RECONSTRUCTED
 
 
 def test_a_case_that_is_open_here_or_elsewhere(store: CaseStore) -> None:

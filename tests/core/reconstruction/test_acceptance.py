@@ -13,6 +13,7 @@ from scanner_core.errors import ReconstructionError
 from scanner_core.jobs.progress import Cancelled
 from scanner_core.reconstruction.acceptance import Accepted, accept, check_fit
 from scanner_core.reconstruction.parameters import ReconstructionParameters
+from scanner_core.reconstruction.remarks import RemarkKind
 from scanner_core.virtual.specimens import load_specimen
 from tests.core.reconstruction.shapes import impression, run, sampled, unit_sphere
 
@@ -65,7 +66,7 @@ def test_points_that_repeat_are_counted_once() -> None:
     again = np.concatenate([points, points[::-1], points[:100]])
     accepted = taken(again)
     np.testing.assert_allclose(accepted.points + accepted.centre_mm, points, atol=1e-5)
-    assert any("repeat others exactly" in warning for warning in accepted.warnings)
+    assert [remark.kind for remark in accepted.remarks] == [RemarkKind.COPIES]
     assert refused(np.repeat(ball(49), 100, axis=0)).code == "E-REC-01"
     assert refused(np.zeros((500, 3))).code == "E-REC-01"
     assert "1 different points" in str(refused(np.zeros((500, 3))))
@@ -145,7 +146,7 @@ def test_a_small_far_group_is_left_out_with_a_warning(gap: float) -> None:
     assert accepted.strays == 150
     assert len(accepted.points) == 4000
     np.testing.assert_allclose(accepted.centre_mm, 0.5 * (points.min(axis=0) + points.max(axis=0)))
-    assert any("150 points (3.6 %)" in warning and "strays" in warning for warning in accepted.warnings)
+    assert any("150 points (3.6 %)" in remark.words() and "strays" in remark.words() for remark in accepted.remarks)
 
 
 def test_left_out_strays_are_counted_and_do_not_move_the_mesh() -> None:
@@ -315,7 +316,7 @@ def test_a_dental_arch_without_its_base_is_a_body() -> None:
 
 
 def told(points: Array) -> str:
-    return " ".join(taken(points).warnings)
+    return " ".join(remark.words() for remark in taken(points).remarks)
 
 
 def test_sizes_of_other_units() -> None:

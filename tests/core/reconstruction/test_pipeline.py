@@ -83,7 +83,7 @@ def test_report_has_the_keys_of_the_command_line(ear: Reconstruction) -> None:
     assert set(report) == {
         "points", "outliers_rejected", "noise_sigma_um", "vertices", "triangles", "closed", "genus", "self_intersections",
         "supported_area_fraction", "residual_rms_um", "expected_error_rms_um", "phases", "seconds", "peak_memory_mb", "warnings",
-        "volume_mm3", "facet_sag_um", "stopped_early", "distances",
+        "volume_mm3", "facet_sag_um", "stopped_early", "distances", "remarks",
     }  # fmt: skip
     assert [p.name for p in ear.report.phases] == ["inflate", "refine", "smooth"]
     assert report["triangles"] == len(ear.mesh.triangles)
