@@ -6681,8 +6681,8 @@ Dopo: {after}</translation>
         <translation>Scelta di tre punti</translation>
     </message>
     <message>
-        <source>Points to be reconstructed</source>
-        <translation>Punti da ricostruire</translation>
+        <source>Points and measurements</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Reconstruct</source>
