@@ -116,130 +116,130 @@
     <name>AimPage</name>
     <message>
         <source>Aim</source>
-        <translation type="unfinished"></translation>
+        <translation>Anvisieren</translation>
     </message>
     <message>
         <source>Automatic exposure</source>
-        <translation type="unfinished"></translation>
+        <translation>Belichtung automatisch</translation>
     </message>
     <message>
         <source>Beam down</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahl nach unten</translation>
     </message>
     <message>
         <source>Beam left</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahl nach links</translation>
     </message>
     <message>
         <source>Beam right</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahl nach rechts</translation>
     </message>
     <message>
         <source>Beam up</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahl nach oben</translation>
     </message>
     <message>
         <source>By hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Hand</translation>
     </message>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera links</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera rechts</translation>
     </message>
     <message>
         <source>Finds exposure and gain for the object: the beam visits some places of it</source>
-        <translation type="unfinished"></translation>
+        <translation>Sucht Belichtung und Verstärkung für das Objekt: Der Strahl fährt einige Stellen davon an</translation>
     </message>
     <message>
         <source>Go on to the scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter zum Scan</translation>
     </message>
     <message>
         <source>Keep as…</source>
-        <translation type="unfinished"></translation>
+        <translation>Merken als…</translation>
     </message>
     <message>
         <source>Keep what is set now as a material of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>Die jetzigen Einstellungen als eigenes Material merken</translation>
     </message>
     <message>
         <source>Laser off</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser aus</translation>
     </message>
     <message>
         <source>Laser on. It goes dark on Esc, when this page is left, or in {seconds} s if nothing is touched.</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser an. Er erlischt mit Esc, beim Verlassen der Seite oder in {seconds} s ohne Bedienung.</translation>
     </message>
     <message>
         <source>Learn</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernen</translation>
     </message>
     <message>
         <source>Live: light the laser</source>
-        <translation type="unfinished"></translation>
+        <translation>Live: Laser an</translation>
     </message>
     <message>
         <source>Material</source>
-        <translation type="unfinished"></translation>
+        <translation>Material</translation>
     </message>
     <message>
         <source>Name of the material</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Materials</translation>
     </message>
     <message>
         <source>Progress of learning</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt des Lernens</translation>
     </message>
     <message>
         <source>Size of a spot, pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe eines Lichtpunkts, Pixel</translation>
     </message>
     <message>
         <source>Steps of {n} degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte von {n} Grad</translation>
     </message>
     <message>
         <source>Table clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>Teller im Uhrzeigersinn</translation>
     </message>
     <message>
         <source>Table counter-clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>Teller gegen den Uhrzeigersinn</translation>
     </message>
     <message>
         <source>The laser is off. Goggles on, nobody looks into the beam: then light it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus. Schutzbrille auf, niemand blickt in den Strahl: dann einschalten.</translation>
     </message>
     <message>
         <source>The rig is not free; the Rig page says why.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Messplatz ist nicht frei; die Seite Messplatz sagt, warum.</translation>
     </message>
     <message>
         <source>The spot is lit while this page is shown, and goes dark on Esc or when nobody touches anything for a while</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laserpunkt leuchtet, solange diese Seite gezeigt wird, und erlischt mit Esc oder wenn eine Weile niemand etwas bedient</translation>
     </message>
     <message>
         <source>Two seconds of live pictures while the beam moves a little: sizes of spots that both cameras agree on</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Sekunden Livebilder, während sich der Strahl ein wenig bewegt: Punktgrößen, in denen beide Kameras übereinstimmen</translation>
     </message>
 </context>
 <context>
     <name>AimPicture</name>
     <message>
         <source>Click: bring the spot there. Arrow keys: move the beam. Page Up and Page Down: turn the table. Wheel, + and −: zoom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick: Laserpunkt dorthin bringen. Pfeiltasten: Strahl bewegen. Bild auf und Bild ab: Teller drehen. Rad, + und −: Zoom.</translation>
     </message>
     <message>
         <source>{camera}: {count} bright places, no spot accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>{camera}: {count} helle Stellen, kein Laserpunkt angenommen</translation>
     </message>
     <message>
         <source>{camera}: {count} bright places, spot accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>{camera}: {count} helle Stellen, Laserpunkt angenommen</translation>
     </message>
 </context>
 <context>
@@ -286,7 +286,7 @@
     </message>
     <message>
         <source>Uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheit</translation>
     </message>
     <message>
         <source>With a counterpart</source>
@@ -356,7 +356,7 @@
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Every serial port and every camera is asked who it is. A board may restart; nothing moves, and no laser is lit.</source>
@@ -392,7 +392,7 @@
     </message>
     <message>
         <source>Set up a rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatz einrichten</translation>
     </message>
     <message>
         <source>Still to be chosen: {what}.</source>
@@ -419,11 +419,11 @@
     <name>AssistantPictures</name>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera links</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera rechts</translation>
     </message>
     <message>
         <source>Live</source>
@@ -488,15 +488,15 @@
     <name>BoardWatchView</name>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera links</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera rechts</translation>
     </message>
     <message>
         <source>Starting…</source>
-        <translation type="unfinished"></translation>
+        <translation>Beginnt…</translation>
     </message>
 </context>
 <context>
@@ -593,19 +593,19 @@
     </message>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera links</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera rechts</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Cancelling…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird abgebrochen…</translation>
     </message>
     <message>
         <source>Covered by the board</source>
@@ -649,7 +649,7 @@
     </message>
     <message>
         <source>{left} left</source>
-        <translation type="unfinished"></translation>
+        <translation>noch {left}</translation>
     </message>
     <message>
         <source>{near} to {far} mm</source>
@@ -735,11 +735,11 @@
     <name>CameraCard</name>
     <message>
         <source>Left</source>
-        <translation type="unfinished"></translation>
+        <translation>Links</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechts</translation>
     </message>
     <message>
         <source>{camera} is the {side} camera</source>
@@ -826,11 +826,11 @@
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Cancelling…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird abgebrochen…</translation>
     </message>
     <message>
         <source>Check again</source>
@@ -888,11 +888,11 @@
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Cancelling…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird abgebrochen…</translation>
     </message>
     <message>
         <source>Click three points on each surface, in the same order and far from each other. Before: {b} of 3, after: {a} of 3.</source>
@@ -900,7 +900,7 @@
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen</translation>
     </message>
     <message>
         <source>Keep it in the open case</source>
@@ -924,7 +924,7 @@
     </message>
     <message>
         <source>Starting…</source>
-        <translation type="unfinished"></translation>
+        <translation>Beginnt…</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -971,7 +971,7 @@
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen</translation>
     </message>
     <message>
         <source>Findings</source>
@@ -1058,7 +1058,7 @@
     </message>
     <message>
         <source>Left</source>
-        <translation type="unfinished"></translation>
+        <translation>Links</translation>
     </message>
     <message>
         <source>Lingual</source>
@@ -1086,7 +1086,7 @@
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechts</translation>
     </message>
     <message>
         <source>Section</source>
@@ -1161,99 +1161,107 @@
     <name>CoveragePage</name>
     <message>
         <source>% of all</source>
-        <translation type="unfinished"></translation>
+        <translation>% von allem</translation>
     </message>
     <message>
         <source>% of what can be seen</source>
-        <translation type="unfinished"></translation>
+        <translation>% des Sichtbaren</translation>
     </message>
     <message>
         <source>Accept</source>
-        <translation type="unfinished"></translation>
+        <translation>Annehmen</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Complete</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergänzen</translation>
     </message>
     <message>
         <source>Computing</source>
+        <translation>Berechnung</translation>
+    </message>
+    <message>
+        <source>Cut away what does not belong to the object before it becomes a surface</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Do not accept</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht annehmen</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation type="unfinished">Bearbeiten</translation>
     </message>
     <message>
         <source>Every place is as certain as wanted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Stelle ist so sicher wie gewünscht.</translation>
     </message>
     <message>
         <source>Fill now</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt ergänzen</translation>
     </message>
     <message>
         <source>Find out</source>
-        <translation type="unfinished"></translation>
+        <translation>Feststellen</translation>
     </message>
     <message>
         <source>Leave the chosen place as it is: the case keeps that, the certificate tells it (A; again to take it back)</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählte Stelle lassen, wie sie ist: Der Fall vermerkt es, der Prüfbericht nennt es (A; noch einmal nimmt es zurück)</translation>
     </message>
     <message>
         <source>Leave the object as it stands: the scan goes on where points are missing, until it is as wanted (Shift+F5)</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objekt stehen lassen: Der Scan geht dort weiter, wo Punkte fehlen, bis es ist wie gewünscht (Umschalt+F5)</translation>
     </message>
     <message>
         <source>Making a surface of the points…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus den Punkten wird eine Oberfläche…</translation>
     </message>
     <message>
         <source>Needs another mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Aufstellung nötig</translation>
     </message>
     <message>
         <source>Of a surface that was made of the points for this; the case has none yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einer Oberfläche, die dafür aus den Punkten gemacht wurde; der Fall hat noch keine.</translation>
     </message>
     <message>
         <source>Reason</source>
-        <translation type="unfinished"></translation>
+        <translation>Grund</translation>
     </message>
     <message>
         <source>Reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>Rekonstruieren</translation>
     </message>
     <message>
         <source>Scan an object or open a case first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst ein Objekt scannen oder einen Fall öffnen.</translation>
     </message>
     <message>
         <source>Scan another mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu aufstellen und scannen</translation>
     </message>
     <message>
         <source>Standard uncertainty that is enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit, die genügt</translation>
     </message>
     <message>
         <source>Uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Unsicherheit</translation>
     </message>
     <message>
         <source>Within</source>
-        <translation type="unfinished"></translation>
+        <translation>Innerhalb</translation>
     </message>
     <message>
         <source>{n} open, {mm2:.0f} mm² together</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} offen, zusammen {mm2:.0f} mm²</translation>
     </message>
     <message>
         <source>{open}; {n} accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>{open}; {n} angenommen</translation>
     </message>
 </context>
 <context>
@@ -1295,148 +1303,149 @@
     <name>DeliverPage</name>
     <message>
         <source>All {passed} checks passed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle {passed} Prüfungen bestanden.</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Check</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfen</translation>
     </message>
     <message>
         <source>Checking…</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfung läuft…</translation>
     </message>
     <message>
         <source>Closed, and free of self-intersections</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschlossen und ohne Selbstdurchdringung</translation>
     </message>
     <message>
         <source>Deliver</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausliefern</translation>
     </message>
     <message>
         <source>Deliver anyway</source>
-        <translation type="unfinished"></translation>
+        <translation>Trotzdem ausliefern</translation>
     </message>
     <message>
         <source>Deliver it although it is not ready</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausliefern, obwohl es nicht bereit ist</translation>
     </message>
     <message>
         <source>Deliver once more</source>
-        <translation type="unfinished"></translation>
+        <translation>Erneut ausliefern</translation>
     </message>
     <message>
         <source>Delivered</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgeliefert</translation>
     </message>
     <message>
         <source>Edit the profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil bearbeiten</translation>
     </message>
     <message>
         <source>Edit…</source>
-        <translation type="unfinished"></translation>
+        <translation>Bearbeiten…</translation>
     </message>
     <message>
         <source>Failed: {failed}. Remarks: {remarks}. Passed: {passed}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht bestanden: {failed}. Hinweise: {remarks}. Bestanden: {passed}.</translation>
     </message>
     <message>
         <source>How it was measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie gemessen wurde</translation>
     </message>
     <message>
         <source>In {folder}</source>
-        <translation type="unfinished"></translation>
+        <translation>In {folder}</translation>
     </message>
     <message>
         <source>Next order</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächster Auftrag</translation>
     </message>
     <message>
         <source>No surface yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Oberfläche</translation>
     </message>
     <message>
         <source>Not checked</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht geprüft</translation>
     </message>
     <message>
         <source>Open an order or begin one, then scan and reconstruct it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Auftrag öffnen oder anlegen, dann scannen und rekonstruieren.</translation>
     </message>
     <message>
         <source>Open folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner öffnen</translation>
     </message>
     <message>
         <source>Orders</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufträge</translation>
     </message>
     <message>
         <source>Profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Profil</translation>
     </message>
     <message>
         <source>Progress</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt</translation>
     </message>
     <message>
         <source>Reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>Rekonstruieren</translation>
     </message>
     <message>
         <source>Reconstruct first</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst rekonstruieren</translation>
     </message>
     <message>
         <source>Remarks: {remarks}. Passed: {passed}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinweise: {remarks}. Bestanden: {passed}.</translation>
     </message>
     <message>
         <source>Replace the existing files</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorhandene Dateien ersetzen</translation>
     </message>
     <message>
         <source>The certificate says so, in words and in its JSON.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Prüfbericht sagt es, in Worten und in seinem JSON.</translation>
     </message>
     <message>
         <source>The check was cancelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Prüfung wurde abgebrochen.</translation>
     </message>
     <message>
         <source>There is no surface to deliver yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt noch keine Oberfläche zum Ausliefern.</translation>
     </message>
     <message>
         <source>These files exist already. With {rev} in the name every delivery gets its own number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Dateien gibt es schon. Mit {rev} im Namen erhält jede Lieferung ihre eigene Nummer.</translation>
     </message>
     <message>
         <source>Whether it mirrors the other ear</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob es das andere Ohr spiegelt</translation>
     </message>
     <message>
         <source>Written to {folder}</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschrieben nach {folder}</translation>
     </message>
     <message>
         <source>{counted}
 Delivered before, on {day}: {name}</source>
-        <translation type="unfinished"></translation>
+        <translation>{counted}
+Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>{place}, with {others}</source>
-        <translation type="unfinished"></translation>
+        <translation>{place}, mit {others}</translation>
     </message>
     <message>
         <source>{written}, with {others}</source>
-        <translation type="unfinished"></translation>
+        <translation>{written}, mit {others}</translation>
     </message>
 </context>
 <context>
@@ -1470,11 +1479,11 @@ Delivered before, on {day}: {name}</source>
     <name>DeviceList</name>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera links</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera rechts</translation>
     </message>
     <message>
         <source>Controller</source>
@@ -1637,7 +1646,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Distance of the points from the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand der Punkte zur Oberfläche</translation>
     </message>
     <message>
         <source>Half of the points are nearer to the surface than the first mark, 95 of 100 nearer than the second.</source>
@@ -1687,47 +1696,47 @@ Delivered before, on {day}: {name}</source>
     <name>EditPage</name>
     <message>
         <source>Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>Bearbeiten</translation>
     </message>
     <message>
         <source>Go on to the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter zur Oberfläche</translation>
     </message>
     <message>
         <source>Leave them in</source>
-        <translation type="unfinished"></translation>
+        <translation>Darin lassen</translation>
     </message>
     <message>
         <source>Measure</source>
-        <translation type="unfinished"></translation>
+        <translation>Messen</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>Reading the points…</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte werden gelesen…</translation>
     </message>
     <message>
         <source>Reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>Rekonstruieren</translation>
     </message>
     <message>
         <source>Scan an object or open a case first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst ein Objekt scannen oder einen Fall öffnen.</translation>
     </message>
     <message>
         <source>Take out {n} points</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} Punkte herausnehmen</translation>
     </message>
     <message>
         <source>The surface was made when other points were taken out. Reconstruct it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Als die Oberfläche entstand, waren andere Punkte herausgenommen. Neu rekonstruieren.</translation>
     </message>
     <message>
         <source>{n} points</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} Punkte</translation>
     </message>
 </context>
 <context>
@@ -1847,7 +1856,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Looking…</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche…</translation>
     </message>
     <message>
         <source>No camera was found on this machine. Plug both cameras in, each into a USB port of its own, and look again.</source>
@@ -2060,70 +2069,70 @@ Delivered before, on {day}: {name}</source>
     <name>HomePage</name>
     <message>
         <source>A scan is running.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Scan läuft.</translation>
     </message>
     <message>
         <source>A scan is running: the order can wait in the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Scan läuft: Der Auftrag kann in der Liste warten.</translation>
     </message>
     <message>
         <source>Del; the file is moved, never deleted</source>
-        <translation type="unfinished"></translation>
+        <translation>Entf; die Datei wird verschoben, nie gelöscht</translation>
     </message>
     <message>
         <source>Enter makes a new order {number}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingabe legt den neuen Auftrag {number} an.</translation>
     </message>
     <message>
         <source>Enter opens the order of that number, or begins a new one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingabe öffnet den Auftrag mit dieser Nummer oder legt einen neuen an.</translation>
     </message>
     <message>
         <source>Enter opens {order}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingabe öffnet {order}.</translation>
     </message>
     <message>
         <source>Enter, or a double click</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingabe oder Doppelklick</translation>
     </message>
     <message>
         <source>Looking…</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche…</translation>
     </message>
     <message>
         <source>No order has that in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Auftrag enthält das.</translation>
     </message>
     <message>
         <source>No orders yet. They stand here as soon as they are entered.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Aufträge. Sie stehen hier, sobald sie erfasst sind.</translation>
     </message>
     <message>
         <source>Open another case…</source>
-        <translation type="unfinished"></translation>
+        <translation>Anderen Fall öffnen…</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>This order is being scanned.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Auftrag wird gerade gescannt.</translation>
     </message>
     <message>
         <source>Wait for its end or stop it first (Esc).</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ende abwarten oder zuerst stoppen (Esc).</translation>
     </message>
     <message>
         <source>{n} orders, the newest first. Arrow down goes into the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} Aufträge, der neueste zuerst. Pfeil nach unten führt in die Liste.</translation>
     </message>
 </context>
 <context>
     <name>HomeStart</name>
     <message>
         <source>A scan is running.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Scan läuft.</translation>
     </message>
     <message>
         <source>An ear on the virtual rig: nothing has to be connected, and nothing is overwritten</source>
@@ -2159,7 +2168,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatz</translation>
     </message>
     <message>
         <source>Try a demo order</source>
@@ -2198,7 +2207,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Resume</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortsetzen</translation>
     </message>
     <message>
         <source>Take what was measured for the whole, and open the case.</source>
@@ -2233,23 +2242,23 @@ Delivered before, on {day}: {name}</source>
     <name>JogPanel</name>
     <message>
         <source>Beam down</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahl nach unten</translation>
     </message>
     <message>
         <source>Beam left</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahl nach links</translation>
     </message>
     <message>
         <source>Beam right</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahl nach rechts</translation>
     </message>
     <message>
         <source>Beam up</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahl nach oben</translation>
     </message>
     <message>
         <source>By hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Hand</translation>
     </message>
     <message>
         <source>Show the spot</source>
@@ -2257,7 +2266,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Steps of {n} degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte von {n} Grad</translation>
     </message>
     <message>
         <source>Stop moving</source>
@@ -2269,11 +2278,11 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Table clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>Teller im Uhrzeigersinn</translation>
     </message>
     <message>
         <source>Table counter-clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>Teller gegen den Uhrzeigersinn</translation>
     </message>
 </context>
 <context>
@@ -2382,15 +2391,15 @@ Delivered before, on {day}: {name}</source>
     <name>MainWindow</name>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wiederholen</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rückgängig</translation>
     </message>
     <message>
         <source>A scan is running.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Scan läuft.</translation>
     </message>
     <message>
         <source>Both ears are measured: {left} points on the left one, {right} on the right one.</source>
@@ -2422,7 +2431,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Wait for its end or stop it first (Esc).</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ende abwarten oder zuerst stoppen (Esc).</translation>
     </message>
 </context>
 <context>
@@ -2445,7 +2454,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Click a place, or move the plane.</source>
@@ -2513,7 +2522,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Remove measurement {n}</source>
@@ -2521,7 +2530,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Scan an object or open a case first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst ein Objekt scannen oder einen Fall öffnen.</translation>
     </message>
     <message>
         <source>Section</source>
@@ -2547,6 +2556,10 @@ Delivered before, on {day}: {name}</source>
         <source>mm² area</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>{told}. Of another surface than the one that is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>MountsPage</name>
@@ -2560,11 +2573,11 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Another mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Aufstellung</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>How the mounts lie</source>
@@ -2588,11 +2601,11 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Pick three points</source>
-        <translation type="unfinished"></translation>
+        <translation>Drei Punkte wählen</translation>
     </message>
     <message>
         <source>Reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>Rekonstruieren</translation>
     </message>
     <message>
         <source>Registration</source>
@@ -2600,7 +2613,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Scan another mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu aufstellen und scannen</translation>
     </message>
     <message>
         <source>Scan this mount</source>
@@ -2706,7 +2719,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Orders</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufträge</translation>
     </message>
     <message>
         <source>Remove from the list</source>
@@ -2717,7 +2730,7 @@ Delivered before, on {day}: {name}</source>
     <name>OutlierShape</name>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>How many times the usual distance to its neighbours a point may lie off them</source>
@@ -2764,7 +2777,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Pick three points</source>
-        <translation type="unfinished"></translation>
+        <translation>Drei Punkte wählen</translation>
     </message>
     <message>
         <source>Points of the mount to be joined</source>
@@ -3035,7 +3048,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>This profile belongs to the program. Copy it to change it.</source>
@@ -3055,214 +3068,215 @@ Delivered before, on {day}: {name}</source>
     <message>
         <source>Before: {before}
 After: {after}</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorher: {before}
+Nachher: {after}</translation>
     </message>
     <message>
         <source>Esc, from every page</source>
-        <translation type="unfinished"></translation>
+        <translation>Esc, auf jeder Seite</translation>
     </message>
     <message>
         <source>Laser on · stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser an · Stopp</translation>
     </message>
     <message>
         <source>No order number</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Auftragsnummer</translation>
     </message>
     <message>
         <source>No order open</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Auftrag offen</translation>
     </message>
     <message>
         <source>Stop · laser off</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp · Laser aus</translation>
     </message>
     <message>
         <source>Stop · laser?</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp · Laser?</translation>
     </message>
     <message>
         <source>Stops every movement and switches the laser off, from every page (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>Stoppt jede Bewegung und schaltet den Laser aus, auf jeder Seite (Esc)</translation>
     </message>
     <message>
         <source>none yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch keine</translation>
     </message>
 </context>
 <context>
     <name>ReadyLine</name>
     <message>
         <source>Attention</source>
-        <translation type="unfinished"></translation>
+        <translation>Achtung</translation>
     </message>
     <message>
         <source>Checking</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfung</translation>
     </message>
     <message>
         <source>Ready</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereit</translation>
     </message>
 </context>
 <context>
     <name>ReconstructPage</name>
     <message>
         <source>% supported</source>
-        <translation type="unfinished"></translation>
+        <translation>% belegt</translation>
     </message>
     <message>
         <source>As many orders wait as can be kept in mind. Take one out, or wait for the next to begin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es warten so viele Aufträge, wie der Speicher fasst. Einen herausnehmen oder warten, bis der nächste beginnt.</translation>
     </message>
     <message>
         <source>Back to the result</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zum Ergebnis</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Compute the points anew…</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte neu berechnen…</translation>
     </message>
     <message>
         <source>Coverage</source>
-        <translation type="unfinished"></translation>
+        <translation>Abdeckung</translation>
     </message>
     <message>
         <source>Deliver</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausliefern</translation>
     </message>
     <message>
         <source>Distance of the points from the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand der Punkte zur Oberfläche</translation>
     </message>
     <message>
         <source>Finishes the surface as it is now: whole and closed, but coarser than the points allow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellt die Oberfläche so fertig, wie sie ist: ganz und geschlossen, aber gröber, als die Punkte erlauben.</translation>
     </message>
     <message>
         <source>It waits</source>
-        <translation type="unfinished"></translation>
+        <translation>Wartet</translation>
     </message>
     <message>
         <source>Other settings…</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Einstellungen…</translation>
     </message>
     <message>
         <source>Places that are not as certain as wanted, why, and what can be done about them (F8)</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellen, die nicht so sicher sind wie gewünscht, warum, und was dagegen hilft (F8)</translation>
     </message>
     <message>
         <source>Reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>Rekonstruieren</translation>
     </message>
     <message>
         <source>Reconstruct again</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu rekonstruieren</translation>
     </message>
     <message>
         <source>Reconstruct next</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Nächstes</translation>
     </message>
     <message>
         <source>Scan first, or open a case with points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst scannen oder einen Fall mit Punkten öffnen.</translation>
     </message>
     <message>
         <source>Stop here and keep</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier beenden</translation>
     </message>
     <message>
         <source>The surface is kept in the case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche ist im Fall gesichert.</translation>
     </message>
     <message>
         <source>These points wait for their turn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Punkte warten, bis sie an der Reihe sind.</translation>
     </message>
     <message>
         <source>mm³ volume</source>
-        <translation type="unfinished"></translation>
+        <translation>mm³ Volumen</translation>
     </message>
     <message>
         <source>triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreiecke</translation>
     </message>
     <message>
         <source>{points} points are ready.</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} Punkte sind bereit.</translation>
     </message>
     <message>
         <source>µm expected error</source>
-        <translation type="unfinished"></translation>
+        <translation>µm erwarteter Fehler</translation>
     </message>
 </context>
 <context>
     <name>ReconstructionPhases</name>
     <message>
         <source>Cancelling…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird abgebrochen…</translation>
     </message>
     <message>
         <source>Finishing what there is…</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorhandenes wird fertiggestellt…</translation>
     </message>
     <message>
         <source>Looking at the points…</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte werden durchgesehen…</translation>
     </message>
     <message>
         <source>Progress of the reconstruction</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt der Rekonstruktion</translation>
     </message>
     <message>
         <source>Starting…</source>
-        <translation type="unfinished"></translation>
+        <translation>Beginnt…</translation>
     </message>
     <message>
         <source>{left} left</source>
-        <translation type="unfinished"></translation>
+        <translation>noch {left}</translation>
     </message>
 </context>
 <context>
     <name>ReconstructionWaiting</name>
     <message>
         <source>Waiting</source>
-        <translation type="unfinished"></translation>
+        <translation>Wartend</translation>
     </message>
 </context>
 <context>
     <name>ReconstructionWishes</name>
     <message>
         <source>Detail</source>
-        <translation type="unfinished"></translation>
+        <translation>Detailgrad</translation>
     </message>
     <message>
         <source>Expert…</source>
-        <translation type="unfinished"></translation>
+        <translation>Experte…</translation>
     </message>
     <message>
         <source>Hide expert settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Experteneinstellungen ausblenden</translation>
     </message>
     <message>
         <source>The middle is the default: as many triangles as the points carry. Each step halves or doubles them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Mitte ist die Vorgabe: so viele Dreiecke, wie die Punkte tragen. Jeder Schritt halbiert oder verdoppelt sie.</translation>
     </message>
     <message>
         <source>coarse</source>
-        <translation type="unfinished"></translation>
+        <translation>grob</translation>
     </message>
     <message>
         <source>default</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorgabe</translation>
     </message>
     <message>
         <source>fine</source>
-        <translation type="unfinished"></translation>
+        <translation>fein</translation>
     </message>
 </context>
 <context>
@@ -3273,7 +3287,7 @@ After: {after}</source>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>keine</translation>
     </message>
     <message>
         <source>other</source>
@@ -3310,331 +3324,331 @@ After: {after}</source>
     <name>RigChoice</name>
     <message>
         <source>A mesh as specimen</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Netz als Prüfling</translation>
     </message>
     <message>
         <source>Mesh file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Netzdatei…</translation>
     </message>
     <message>
         <source>Meshes (*.stl *.ply *.obj *.vtp *.3mf)</source>
-        <translation type="unfinished"></translation>
+        <translation>Netze (*.stl *.ply *.obj *.vtp *.3mf)</translation>
     </message>
     <message>
         <source>On the table</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf dem Teller</translation>
     </message>
     <message>
         <source>Open a rig file</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatzdatei öffnen</translation>
     </message>
     <message>
         <source>Open a rig file (TOML); it can be dropped here, too</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Messplatzdatei (TOML) öffnen; sie kann auch hierher gezogen werden</translation>
     </message>
     <message>
         <source>Own rig…</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigener Messplatz…</translation>
     </message>
     <message>
         <source>Rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatz</translation>
     </message>
     <message>
         <source>Rig files (*.toml)</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatzdateien (*.toml)</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo</translation>
     </message>
 </context>
 <context>
     <name>RigPage</name>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera links</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera rechts</translation>
     </message>
     <message>
         <source>Finds ports and cameras, checks them by what the cameras see, and writes a rig file</source>
-        <translation type="unfinished"></translation>
+        <translation>Findet Anschlüsse und Kameras, prüft sie an dem, was die Kameras sehen, und schreibt eine Messplatzdatei</translation>
     </message>
     <message>
         <source>Set up a rig…</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatz einrichten…</translation>
     </message>
     <message>
         <source>Two cameras, a laser and a turntable, computed frame by frame; the rest is the real program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Kameras, ein Laser und ein Drehteller, Bild für Bild berechnet; alles Übrige ist das echte Programm.</translation>
     </message>
     <message>
         <source>Virtual rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Virtueller Messplatz</translation>
     </message>
     <message>
         <source>{rig} (virtual rig)</source>
-        <translation type="unfinished"></translation>
+        <translation>{rig} (virtueller Messplatz)</translation>
     </message>
 </context>
 <context>
     <name>ScanPage</name>
     <message>
         <source>  (and {count} more)</source>
-        <translation type="unfinished"></translation>
+        <translation>  (und {count} weitere)</translation>
     </message>
     <message>
         <source>1 place cannot be seen from this mount</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Stelle ist in dieser Aufstellung nicht sichtbar</translation>
     </message>
     <message>
         <source>A fault: the laser is off</source>
-        <translation type="unfinished"></translation>
+        <translation>Störung: Der Laser ist aus</translation>
     </message>
     <message>
         <source>Another mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Aufstellung</translation>
     </message>
     <message>
         <source>Bringing the views together…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansichten werden zusammengeführt…</translation>
     </message>
     <message>
         <source>By how much the first view lay beside itself when it was measured again at the end of the turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Um wie viel die erste Ansicht neben sich selbst lag, als sie am Ende der Drehung noch einmal gemessen wurde</translation>
     </message>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera links</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera rechts</translation>
     </message>
     <message>
         <source>Closing the turn: the first view is measured again and compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung schließen: Die erste Ansicht wird noch einmal gemessen und verglichen.</translation>
     </message>
     <message>
         <source>Coarse pass: view {view} of {views}</source>
-        <translation type="unfinished"></translation>
+        <translation>Grober Durchgang: Ansicht {view} von {views}</translation>
     </message>
     <message>
         <source>Complete</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergänzen</translation>
     </message>
     <message>
         <source>Computing where more points are needed…</source>
-        <translation type="unfinished"></translation>
+        <translation>Berechnet, wo mehr Punkte nötig sind…</translation>
     </message>
     <message>
         <source>Ended by a fault; what was measured is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch eine Störung beendet; das Gemessene ist gesichert</translation>
     </message>
     <message>
         <source>Finding the object, view {view} of {views}</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt wird gesucht, Ansicht {view} von {views}</translation>
     </message>
     <message>
         <source>Laser off at once, and the end of the scan; what was measured is kept (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser sofort aus und Ende des Scans; das Gemessene bleibt erhalten (Esc)</translation>
     </message>
     <message>
         <source>Measured once more, because they were weak: {views}</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch einmal gemessen, weil sie schwach waren: {views}</translation>
     </message>
     <message>
         <source>Opening the rig…</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatz wird geöffnet…</translation>
     </message>
     <message>
         <source>Pass {number}, where it is needed: view {view} of {views}</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgang {number}, wo nötig: Ansicht {view} von {views}</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Pause</translation>
     </message>
     <message>
         <source>Paused in view {view} of {views}. The laser is dark, beam and table rest, all points so far are kept; it goes on with the next row.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pause in Ansicht {view} von {views}. Der Laser ist dunkel, Strahl und Teller ruhen, alle bisherigen Punkte sind gesichert; weiter geht es mit der nächsten Zeile.</translation>
     </message>
     <message>
         <source>Pausing: the row that is being swept is finished first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pause folgt: Die begonnene Zeile wird noch beendet.</translation>
     </message>
     <message>
         <source>Places that are not as certain as wanted, why, and what can be done about them (F8)</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellen, die nicht so sicher sind wie gewünscht, warum, und was dagegen hilft (F8)</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>Points at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte höchstens</translation>
     </message>
     <message>
         <source>Ready to scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereit zum Scannen</translation>
     </message>
     <message>
         <source>Reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>Rekonstruieren</translation>
     </message>
     <message>
         <source>Resume</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortsetzen</translation>
     </message>
     <message>
         <source>Scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Scannen</translation>
     </message>
     <message>
         <source>Scan again</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu scannen</translation>
     </message>
     <message>
         <source>Scan again…</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu scannen…</translation>
     </message>
     <message>
         <source>Scan until below</source>
-        <translation type="unfinished"></translation>
+        <translation>Scannen bis unter</translation>
     </message>
     <message>
         <source>Scan until {wanted} µm</source>
-        <translation type="unfinished"></translation>
+        <translation>Scannen bis {wanted} µm</translation>
     </message>
     <message>
         <source>Set the object down in another way and scan it into the same case (F9)</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objekt anders aufstellen und in denselben Fall scannen (F9)</translation>
     </message>
     <message>
         <source>Standard uncertainty of the surface. With a value, the scan goes on where the surface is less certain, until it is below it everywhere that light can reach or the points are spent. Without one, the points are spread evenly.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit der Oberfläche. Mit einem Wert scannt das Programm dort weiter, wo die Oberfläche unsicherer ist, bis sie überall darunter liegt, wo Licht hinkommt, oder die Punkte verbraucht sind. Ohne Wert werden die Punkte gleichmäßig verteilt.</translation>
     </message>
     <message>
         <source>Start scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Scan starten</translation>
     </message>
     <message>
         <source>Starting…</source>
-        <translation type="unfinished"></translation>
+        <translation>Beginnt…</translation>
     </message>
     <message>
         <source>Still far fewer points than their neighbours: {views}</source>
-        <translation type="unfinished"></translation>
+        <translation>Immer noch weit weniger Punkte als ihre Nachbarn: {views}</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp</translation>
     </message>
     <message>
         <source>Stopped; what was measured is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Gestoppt; das Gemessene ist gesichert</translation>
     </message>
     <message>
         <source>The rig has to be calibrated first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Messplatz muss zuerst kalibriert werden.</translation>
     </message>
     <message>
         <source>The rig is not ready; the Rig page says why.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Messplatz ist nicht bereit; die Seite Messplatz sagt, warum.</translation>
     </message>
     <message>
         <source>The scan is complete.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Scan ist vollständig.</translation>
     </message>
     <message>
         <source>View {view} of {views}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht {view} von {views}</translation>
     </message>
     <message>
         <source>View {view} once more</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht {view} noch einmal</translation>
     </message>
     <message>
         <source>Views</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansichten</translation>
     </message>
     <message>
         <source>Whether the turn closes is not known: too few points of the first view were seen again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob sich die Drehung schließt, ist nicht bekannt: Zu wenige Punkte der ersten Ansicht wurden wiedergesehen.</translation>
     </message>
     <message>
         <source>all points are spent</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Punkte sind verbraucht</translation>
     </message>
     <message>
         <source>even spread</source>
-        <translation type="unfinished"></translation>
+        <translation>gleichmäßig</translation>
     </message>
     <message>
         <source>min:s</source>
-        <translation type="unfinished"></translation>
+        <translation>min:s</translation>
     </message>
     <message>
         <source>min:s left</source>
-        <translation type="unfinished"></translation>
+        <translation>min:s noch</translation>
     </message>
     <message>
         <source>more points would not help</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr Punkte würden nicht helfen</translation>
     </message>
     <message>
         <source>no further view fits into this scan</source>
-        <translation type="unfinished"></translation>
+        <translation>keine weitere Ansicht passt in diesen Scan</translation>
     </message>
     <message>
         <source>points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>points / s</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte / s</translation>
     </message>
     <message>
         <source>{count} places cannot be seen from this mount</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Stellen sind in dieser Aufstellung nicht sichtbar</translation>
     </message>
     <message>
         <source>{points} points  ·  view {view} of {views}</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} Punkte  ·  Ansicht {view} von {views}</translation>
     </message>
     <message>
         <source>{share} % within {wanted} µm</source>
-        <translation type="unfinished"></translation>
+        <translation>{share} % innerhalb {wanted} µm</translation>
     </message>
     <message>
         <source>{share} % within {wanted} µm so far</source>
-        <translation type="unfinished"></translation>
+        <translation>bisher {share} % innerhalb {wanted} µm</translation>
     </message>
     <message>
         <source>µm closure</source>
-        <translation type="unfinished"></translation>
+        <translation>µm Schlussfehler</translation>
     </message>
 </context>
 <context>
     <name>ScanTray</name>
     <message>
         <source>Both ears on the pair tray</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Ohren auf dem Paarträger</translation>
     </message>
     <message>
         <source>The left ear on seat L, the right one on seat R, the arrow at the table&apos;s zero: one run measures both for their orders</source>
-        <translation type="unfinished"></translation>
+        <translation>Linkes Ohr auf Sitz L, rechtes auf Sitz R, der Pfeil am Nullpunkt des Tellers: Ein Lauf misst beide für ihre Aufträge</translation>
     </message>
 </context>
 <context>
     <name>SceneLink</name>
     <message>
         <source>{n} points</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} Punkte</translation>
     </message>
     <message>
         <source>{n} triangles</source>
@@ -3760,7 +3774,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Show the surface while it is scanned</source>
@@ -4004,7 +4018,7 @@ After: {after}</source>
     <name>SurfaceCard</name>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Choose…</source>
@@ -4060,7 +4074,7 @@ After: {after}</source>
     </message>
     <message>
         <source>none yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch keine</translation>
     </message>
     <message>
         <source>{size} mm</source>
@@ -4346,267 +4360,267 @@ After: {after}</source>
     <name>_ExpertFields</name>
     <message>
         <source>As many triangles as it takes that 95 of 100 facets keep this tolerance; goes before the number of triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>So viele Dreiecke, dass 95 von 100 Facetten diese Toleranz einhalten; geht vor der Zahl der Dreiecke.</translation>
     </message>
     <message>
         <source>Back to the defaults</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zu den Vorgaben</translation>
     </message>
     <message>
         <source>Density of the points, of that which they have among themselves, from which on the surface counts as measured. Default 45 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktdichte, gemessen an der Dichte der Punkte unter sich, ab der die Oberfläche als gemessen gilt. Vorgabe 45 %.</translation>
     </message>
     <message>
         <source>Goes before the slider.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geht vor dem Regler.</translation>
     </message>
     <message>
         <source>Leave open what was not scanned</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht Gescanntes offen lassen</translation>
     </message>
     <message>
         <source>Of every random choice: the same points and seed give the same surface. Default 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder zufälligen Wahl: Gleiche Punkte und gleicher Startwert ergeben dieselbe Oberfläche. Vorgabe 0.</translation>
     </message>
     <message>
         <source>Pass-band</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchlassbereich</translation>
     </message>
     <message>
         <source>Rounds of Taubin&apos;s filter in the last phase. Default 3; many of them inflate the surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Runden des Taubin-Filters in der letzten Phase. Vorgabe 3; viele davon blähen die Oberfläche auf.</translation>
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Startwert</translation>
     </message>
     <message>
         <source>Smoothing rounds</source>
-        <translation type="unfinished"></translation>
+        <translation>Glättungsrunden</translation>
     </message>
     <message>
         <source>Support from</source>
-        <translation type="unfinished"></translation>
+        <translation>Belegt ab</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Toleranz</translation>
     </message>
     <message>
         <source>Triangles, at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreiecke, höchstens</translation>
     </message>
     <message>
         <source>Waves longer than this share of the highest spatial frequency stay. Default 10 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wellen, die länger sind als dieser Anteil der höchsten Ortsfrequenz, bleiben. Vorgabe 10 %.</translation>
     </message>
     <message>
         <source>Without it the surface is closed, as printing needs it; what is bridged is marked as not scanned.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne das wird die Oberfläche geschlossen, wie der Druck sie braucht; Überbrücktes wird als nicht gescannt markiert.</translation>
     </message>
     <message>
         <source>by detail</source>
-        <translation type="unfinished"></translation>
+        <translation>nach Detailgrad</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>keine</translation>
     </message>
 </context>
 <context>
     <name>_Facts</name>
     <message>
         <source>Closed</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschlossen</translation>
     </message>
     <message>
         <source>Noise of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>Rauschen der Punkte</translation>
     </message>
     <message>
         <source>Outliers rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausreißer verworfen</translation>
     </message>
     <message>
         <source>Points to surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte zur Oberfläche</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>nein</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>ja</translation>
     </message>
     <message>
         <source>{n} s</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} s</translation>
     </message>
     <message>
         <source>{n} µm</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} µm</translation>
     </message>
     <message>
         <source>{n} µm rms</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} µm rms</translation>
     </message>
 </context>
 <context>
     <name>_Line</name>
     <message>
         <source>{order}: do not reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>{order}: nicht rekonstruieren</translation>
     </message>
     <message>
         <source>{order}: one place forward</source>
-        <translation type="unfinished"></translation>
+        <translation>{order}: einen Platz nach vorn</translation>
     </message>
 </context>
 <context>
     <name>_PhaseLine</name>
     <message>
         <source>{n} s</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} s</translation>
     </message>
 </context>
 <context>
     <name>actions</name>
     <message>
         <source>&amp;About Impronta</source>
-        <translation type="unfinished"></translation>
+        <translation>Über &amp;Impronta</translation>
     </message>
     <message>
         <source>&amp;Case</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fall</translation>
     </message>
     <message>
         <source>&amp;Colours: the next</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Farben: die nächste</translation>
     </message>
     <message>
         <source>&amp;Complete</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ergänzen</translation>
     </message>
     <message>
         <source>&amp;Deliver…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus&amp;liefern…</translation>
     </message>
     <message>
         <source>&amp;Edges</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kanten</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bearbeiten</translation>
     </message>
     <message>
         <source>&amp;Fill now</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Jetzt ergänzen</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Einpassen</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hilfe</translation>
     </message>
     <message>
         <source>&amp;Help on this page</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hilfe zu dieser Seite</translation>
     </message>
     <message>
         <source>&amp;Keyboard shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tastenkürzel</translation>
     </message>
     <message>
         <source>&amp;New case</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Neuer Fall</translation>
     </message>
     <message>
         <source>&amp;Open case…</source>
-        <translation type="unfinished"></translation>
+        <translation>Fall ö&amp;ffnen…</translation>
     </message>
     <message>
         <source>&amp;Pause or resume</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Pause oder weiter</translation>
     </message>
     <message>
         <source>&amp;Points</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Punkte</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Beenden</translation>
     </message>
     <message>
         <source>&amp;Reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rekonstruieren</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wiederholen</translation>
     </message>
     <message>
         <source>&amp;Scan</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Scan</translation>
     </message>
     <message>
         <source>&amp;Start scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Scan &amp;starten</translation>
     </message>
     <message>
         <source>&amp;Support bundle…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Support-Paket…</translation>
     </message>
     <message>
         <source>&amp;Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Oberfläche</translation>
     </message>
     <message>
         <source>&amp;Top</source>
-        <translation type="unfinished"></translation>
+        <translation>Von o&amp;ben</translation>
     </message>
     <message>
         <source>&amp;Tour</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rundgang</translation>
     </message>
     <message>
         <source>&amp;Uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Unsicherheit</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rückgängig</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ansicht</translation>
     </message>
     <message>
         <source>Another &amp;mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue &amp;Aufstellung</translation>
     </message>
     <message>
         <source>F&amp;ront</source>
-        <translation type="unfinished"></translation>
+        <translation>Von &amp;vorn</translation>
     </message>
     <message>
         <source>Scan &amp;this mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Aufstellung s&amp;cannen</translation>
     </message>
     <message>
         <source>Set up a ri&amp;g…</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplat&amp;z einrichten…</translation>
     </message>
     <message>
         <source>Stop and &amp;laser off</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp und &amp;Laser aus</translation>
     </message>
 </context>
 <context>
@@ -4648,102 +4662,102 @@ After: {after}</source>
     <name>aim</name>
     <message>
         <source>As it was set on the Aim page.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie auf der Seite Anvisieren eingestellt.</translation>
     </message>
     <message>
         <source>As the rig file says</source>
-        <translation type="unfinished"></translation>
+        <translation>Laut Messplatzdatei</translation>
     </message>
     <message>
         <source>Automatic exposure</source>
-        <translation type="unfinished"></translation>
+        <translation>Belichtung automatisch</translation>
     </message>
     <message>
         <source>Both cameras saw too few spots to learn from: bring the spot to a place that both see.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Kameras sahen zu wenige Lichtpunkte zum Lernen: Laserpunkt an eine Stelle bringen, die beide sehen.</translation>
     </message>
     <message>
         <source>Both cameras see the spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Kameras sehen den Laserpunkt.</translation>
     </message>
     <message>
         <source>Bringing the spot there…</source>
-        <translation type="unfinished"></translation>
+        <translation>Laserpunkt fährt dorthin…</translation>
     </message>
     <message>
         <source>Change limits of the spot&apos;s size</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenzen der Punktgröße ändern</translation>
     </message>
     <message>
         <source>Choose material</source>
-        <translation type="unfinished"></translation>
+        <translation>Material wählen</translation>
     </message>
     <message>
         <source>Finding the exposure…</source>
-        <translation type="unfinished"></translation>
+        <translation>Belichtung wird gesucht…</translation>
     </message>
     <message>
         <source>Learn the spot&apos;s size</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktgröße lernen</translation>
     </message>
     <message>
         <source>Learned from {spots} spots; {strays} reflections were seen beside them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus {spots} Lichtpunkten gelernt; daneben wurden {strays} Reflexe gesehen.</translation>
     </message>
     <message>
         <source>Learning: the beam moves a little…</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernen: Der Strahl bewegt sich ein wenig…</translation>
     </message>
     <message>
         <source>Live lights the laser and shows what the cameras make of its spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Live schaltet den Laser ein und zeigt, wie die Kameras seinen Lichtpunkt beurteilen.</translation>
     </message>
     <message>
         <source>Looking for the object…</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt wird gesucht…</translation>
     </message>
     <message>
         <source>Moving…</source>
-        <translation type="unfinished"></translation>
+        <translation>In Bewegung…</translation>
     </message>
     <message>
         <source>No point here: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier kein Punkt: {reason}.</translation>
     </message>
     <message>
         <source>The background is too bright: switch off the lamp or close the lid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Hintergrund ist zu hell: Lampe ausschalten oder Deckel schließen.</translation>
     </message>
     <message>
         <source>The rig is not calibrated: each camera is judged alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Messplatz ist nicht kalibriert: Jede Kamera wird für sich beurteilt.</translation>
     </message>
     <message>
         <source>Too bright even at the shortest exposure: close the apertures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selbst bei kürzester Belichtung zu hell: Blenden schließen.</translation>
     </message>
     <message>
         <source>Too dark even at the longest exposure: look at the laser and the lens caps, or open the apertures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selbst bei längster Belichtung zu dunkel: Laser und Objektivdeckel prüfen oder Blenden öffnen.</translation>
     </message>
     <message>
         <source>{left} and {right}</source>
-        <translation type="unfinished"></translation>
+        <translation>{left} und {right}</translation>
     </message>
     <message>
         <source>{material}: {exposure} ms, {gain} dB, spots of {low} to {high} pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>{material}: {exposure} ms, {gain} dB, Lichtpunkte von {low} bis {high} Pixel</translation>
     </message>
 </context>
 <context>
     <name>assistant</name>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera links</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera rechts</translation>
     </message>
     <message>
         <source>Correct the steps of beam X: it moves {percent} % of what it is told.</source>
@@ -5478,131 +5492,131 @@ After: {after}</source>
     <name>coverage</name>
     <message>
         <source>Dust it with a matt powder, or expose shorter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit mattem Puder bestäuben oder kürzer belichten.</translation>
     </message>
     <message>
         <source>Dust it with a matt white powder, or expose longer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit mattem weißem Puder bestäuben oder länger belichten.</translation>
     </message>
     <message>
         <source>Fill it now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt ergänzen.</translation>
     </message>
     <message>
         <source>Following the light to every place…</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem Licht wird an jede Stelle gefolgt…</translation>
     </message>
     <message>
         <source>Looking for a better way to set the object down…</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine bessere Aufstellung wird gesucht…</translation>
     </message>
     <message>
         <source>Move the object to the middle of the table.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objekt in die Mitte des Tellers stellen.</translation>
     </message>
     <message>
         <source>On the side</source>
-        <translation type="unfinished"></translation>
+        <translation>An der Seite</translation>
     </message>
     <message>
         <source>On top</source>
-        <translation type="unfinished"></translation>
+        <translation>Oben</translation>
     </message>
     <message>
         <source>Put the object down in another way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objekt anders aufstellen.</translation>
     </message>
     <message>
         <source>Reading the case…</source>
-        <translation type="unfinished"></translation>
+        <translation>Fall wird gelesen…</translation>
     </message>
     <message>
         <source>Tilt the object by about {deg}°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objekt um etwa {deg}° kippen.</translation>
     </message>
     <message>
         <source>Turn the object over, or tilt it by about {deg}°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objekt umdrehen oder um etwa {deg}° kippen.</translation>
     </message>
     <message>
         <source>Turn the object upside down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objekt auf den Kopf stellen.</translation>
     </message>
     <message>
         <source>Underneath</source>
-        <translation type="unfinished"></translation>
+        <translation>Unten</translation>
     </message>
     <message>
         <source>With the table at {turn:.0f}°, tip the top of the object by about {tip:.0f}° towards the cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei Teller auf {turn:.0f}° die Oberseite des Objekts um etwa {tip:.0f}° zu den Kameras kippen.</translation>
     </message>
     <message>
         <source>as wanted</source>
-        <translation type="unfinished"></translation>
+        <translation>wie gewünscht</translation>
     </message>
     <message>
         <source>faces the laser at {deg}°</source>
-        <translation type="unfinished"></translation>
+        <translation>steht {deg}° zum Laser</translation>
     </message>
     <message>
         <source>hidden from the laser by the object</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Objekt vor dem Laser verdeckt</translation>
     </message>
     <message>
         <source>hidden from the left camera by the object</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Objekt vor der linken Kamera verdeckt</translation>
     </message>
     <message>
         <source>hidden from the right camera by the object</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Objekt vor der rechten Kamera verdeckt</translation>
     </message>
     <message>
         <source>looks down or lies on the table</source>
-        <translation type="unfinished"></translation>
+        <translation>blickt nach unten oder liegt auf dem Teller</translation>
     </message>
     <message>
         <source>never seen by both cameras at once</source>
-        <translation type="unfinished"></translation>
+        <translation>nie von beiden Kameras zugleich gesehen</translation>
     </message>
     <message>
         <source>no points</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Punkte</translation>
     </message>
     <message>
         <source>outside of the pictures or the volume</source>
-        <translation type="unfinished"></translation>
+        <translation>außerhalb der Bilder oder des Messvolumens</translation>
     </message>
     <message>
         <source>seen too flatly at every angle</source>
-        <translation type="unfinished"></translation>
+        <translation>aus jedem Winkel zu flach gesehen</translation>
     </message>
     <message>
         <source>the spot is too bright there</source>
-        <translation type="unfinished"></translation>
+        <translation>der Laserpunkt ist dort zu hell</translation>
     </message>
     <message>
         <source>the spot is too dark there</source>
-        <translation type="unfinished"></translation>
+        <translation>der Laserpunkt ist dort zu dunkel</translation>
     </message>
     <message>
         <source>too few points</source>
-        <translation type="unfinished"></translation>
+        <translation>zu wenige Punkte</translation>
     </message>
     <message>
         <source>up to {um} µm</source>
-        <translation type="unfinished"></translation>
+        <translation>bis {um} µm</translation>
     </message>
     <message>
         <source>{gained:.0f} of {unreached:.0f} mm² that are hidden now come into view; {share:.0f} % of what is seen then is known already.</source>
-        <translation type="unfinished"></translation>
+        <translation>{gained:.0f} von {unreached:.0f} mm², die jetzt verdeckt sind, werden sichtbar; {share:.0f} % des dann Sichtbaren sind schon bekannt.</translation>
     </message>
     <message>
         <source>{mm2} mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>{mm2} mm²</translation>
     </message>
     <message>
         <source>{mm} mm up</source>
-        <translation type="unfinished"></translation>
+        <translation>{mm} mm hoch</translation>
     </message>
 </context>
 <context>
@@ -5681,7 +5695,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Closed</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschlossen</translation>
     </message>
     <message>
         <source>Closure of the turn</source>
@@ -5689,7 +5703,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Coverage</source>
-        <translation type="unfinished"></translation>
+        <translation>Abdeckung</translation>
     </message>
     <message>
         <source>Dental model (STL, occlusal plane XY)</source>
@@ -5769,7 +5783,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Mounts</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufstellungen</translation>
     </message>
     <message>
         <source>No hole or thin place had to be accepted.</source>
@@ -5833,7 +5847,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Ready</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereit</translation>
     </message>
     <message>
         <source>Ready, with remarks</source>
@@ -5996,135 +6010,135 @@ After: {after}</source>
     <name>draft</name>
     <message>
         <source>Accept a place as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Stelle annehmen, wie sie ist</translation>
     </message>
     <message>
         <source>Back to the defaults</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zu den Vorgaben</translation>
     </message>
     <message>
         <source>Both</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide</translation>
     </message>
     <message>
         <source>Bring points back</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte zurückholen</translation>
     </message>
     <message>
         <source>Change detail</source>
-        <translation type="unfinished"></translation>
+        <translation>Detailgrad ändern</translation>
     </message>
     <message>
         <source>Change number of points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktzahl ändern</translation>
     </message>
     <message>
         <source>Change number of triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl der Dreiecke ändern</translation>
     </message>
     <message>
         <source>Change number of views</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl der Ansichten ändern</translation>
     </message>
     <message>
         <source>Change open or closed base</source>
-        <translation type="unfinished"></translation>
+        <translation>Basis offen oder geschlossen</translation>
     </message>
     <message>
         <source>Change pass-band</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchlassbereich ändern</translation>
     </message>
     <message>
         <source>Change seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Startwert ändern</translation>
     </message>
     <message>
         <source>Change side</source>
-        <translation type="unfinished"></translation>
+        <translation>Seite ändern</translation>
     </message>
     <message>
         <source>Change smoothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Glättung ändern</translation>
     </message>
     <message>
         <source>Change support threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>Beleggrenze ändern</translation>
     </message>
     <message>
         <source>Change tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Toleranz ändern</translation>
     </message>
     <message>
         <source>Change type</source>
-        <translation type="unfinished"></translation>
+        <translation>Typ ändern</translation>
     </message>
     <message>
         <source>Change wanted uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewünschte Unsicherheit ändern</translation>
     </message>
     <message>
         <source>Dental model</source>
-        <translation type="unfinished"></translation>
+        <translation>Dentalmodell</translation>
     </message>
     <message>
         <source>Dental model, after treatment</source>
-        <translation type="unfinished"></translation>
+        <translation>Dentalmodell, nach Behandlung</translation>
     </message>
     <message>
         <source>Dental model, before treatment</source>
-        <translation type="unfinished"></translation>
+        <translation>Dentalmodell, vor Behandlung</translation>
     </message>
     <message>
         <source>Do not accept a place</source>
-        <translation type="unfinished"></translation>
+        <translation>Stelle nicht annehmen</translation>
     </message>
     <message>
         <source>Ear impression</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohrabformung</translation>
     </message>
     <message>
         <source>Edit order number</source>
-        <translation type="unfinished"></translation>
+        <translation>Auftragsnummer ändern</translation>
     </message>
     <message>
         <source>Edit patient code</source>
-        <translation type="unfinished"></translation>
+        <translation>Patientencode ändern</translation>
     </message>
     <message>
         <source>Left</source>
-        <translation type="unfinished"></translation>
+        <translation>Links</translation>
     </message>
     <message>
         <source>Lower jaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterkiefer</translation>
     </message>
     <message>
         <source>Measure</source>
-        <translation type="unfinished"></translation>
+        <translation>Messen</translation>
     </message>
     <message>
         <source>Other</source>
-        <translation type="unfinished"></translation>
+        <translation>Anderes</translation>
     </message>
     <message>
         <source>Remove a measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>Messung entfernen</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechts</translation>
     </message>
     <message>
         <source>Split the pair tray</source>
-        <translation type="unfinished"></translation>
+        <translation>Paarträger aufteilen</translation>
     </message>
     <message>
         <source>Take points out</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte herausnehmen</translation>
     </message>
     <message>
         <source>Upper jaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberkiefer</translation>
     </message>
 </context>
 <context>
@@ -6135,7 +6149,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Laser off</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser aus</translation>
     </message>
     <message>
         <source>Laser unknown</source>
@@ -6363,7 +6377,7 @@ After: {after}</source>
     <name>keys</name>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen</translation>
     </message>
     <message>
         <source>Everywhere</source>
@@ -6391,7 +6405,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Pick three points</source>
-        <translation type="unfinished"></translation>
+        <translation>Drei Punkte wählen</translation>
     </message>
     <message>
         <source>Press the control in hand</source>
@@ -6565,7 +6579,7 @@ After: {after}</source>
     </message>
     <message>
         <source>{mm2} mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>{mm2} mm²</translation>
     </message>
     <message>
         <source>{mm3} mm³</source>
@@ -6623,79 +6637,79 @@ After: {after}</source>
     <name>pages</name>
     <message>
         <source>Aim</source>
-        <translation type="unfinished"></translation>
+        <translation>Anvisieren</translation>
     </message>
     <message>
         <source>Another mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Aufstellung</translation>
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen</translation>
     </message>
     <message>
         <source>Complete</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergänzen</translation>
     </message>
     <message>
         <source>Deliver</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausliefern</translation>
     </message>
     <message>
         <source>Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>Bearbeiten</translation>
     </message>
     <message>
         <source>Home</source>
-        <translation type="unfinished"></translation>
+        <translation>Start</translation>
     </message>
     <message>
         <source>Live point cloud</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktwolke live</translation>
     </message>
     <message>
         <source>Missing places</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehlende Stellen</translation>
     </message>
     <message>
         <source>Mounts</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufstellungen</translation>
     </message>
     <message>
         <source>Pick three points</source>
-        <translation type="unfinished"></translation>
+        <translation>Drei Punkte wählen</translation>
     </message>
     <message>
         <source>Points to be reconstructed</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte für die Rekonstruktion</translation>
     </message>
     <message>
         <source>Reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>Rekonstruieren</translation>
     </message>
     <message>
         <source>Rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatz</translation>
     </message>
     <message>
         <source>Scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Scannen</translation>
     </message>
     <message>
         <source>Set up a rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatz einrichten</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche</translation>
     </message>
     <message>
         <source>What is delivered</source>
-        <translation type="unfinished"></translation>
+        <translation>Was ausgeliefert wird</translation>
     </message>
 </context>
 <context>
@@ -6788,7 +6802,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Laser off</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser aus</translation>
     </message>
     <message>
         <source>Not now</source>
@@ -6994,7 +7008,7 @@ After: {after}</source>
     </message>
     <message>
         <source>No order number</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Auftragsnummer</translation>
     </message>
     <message>
         <source>The points carry the number of triangles.</source>
@@ -7037,7 +7051,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Move the object to the middle of the table.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objekt in die Mitte des Tellers stellen.</translation>
     </message>
     <message>
         <source>Normal at the edges of the object, where the beam passes it.</source>
@@ -7195,7 +7209,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Ear impression</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohrabformung</translation>
     </message>
     <message>
         <source>Heart</source>
@@ -8843,7 +8857,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Sizes of the cases</source>
@@ -8902,7 +8916,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Delivered</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgeliefert</translation>
     </message>
     <message>
         <source>Go on with it</source>

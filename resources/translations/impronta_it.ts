@@ -56,190 +56,191 @@
     <name>AccuracyCard</name>
     <message>
         <source>95 % of the measured points lie within this width around the sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>Il 95 % dei punti misurati sta entro questa fascia attorno alla sfera</translation>
     </message>
     <message>
         <source>Calibrated on {date}; {rms} µm rms at corners of the board that were left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibrato il {date}; {rms} µm rms agli angoli della scacchiera lasciati fuori.</translation>
     </message>
     <message>
         <source>Diameter of the reference sphere as measured, less what its certificate says</source>
-        <translation type="unfinished"></translation>
+        <translation>Diametro misurato della sfera di riferimento, meno quello del suo certificato</translation>
     </message>
     <message>
         <source>How accurate is it?</source>
-        <translation type="unfinished"></translation>
+        <translation>Quanto è accurato?</translation>
     </message>
     <message>
         <source>It measures otherwise than in the tests before: calibrate, and test it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Misura in modo diverso dalle prove precedenti: calibrare e rifare la prova.</translation>
     </message>
     <message>
         <source>No reference sphere was measured with this rig yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna sfera di riferimento ancora misurata con questo banco.</translation>
     </message>
     <message>
         <source>Put the sphere on the table and run:
 {command}</source>
-        <translation type="unfinished"></translation>
+        <translation>Mettere la sfera sulla tavola ed eseguire:
+{command}</translation>
     </message>
     <message>
         <source>Reference sphere, {date} ({age})</source>
-        <translation type="unfinished"></translation>
+        <translation>Sfera di riferimento, {date} ({age})</translation>
     </message>
     <message>
         <source>The Rig page says what is wrong with the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>La pagina Banco dice che cosa non va nel file del banco.</translation>
     </message>
     <message>
         <source>The rig was calibrated since.</source>
-        <translation type="unfinished"></translation>
+        <translation>Da allora il banco è stato calibrato.</translation>
     </message>
     <message>
         <source>The test is {n} days old.</source>
-        <translation type="unfinished"></translation>
+        <translation>La prova ha {n} giorni.</translation>
     </message>
     <message>
         <source>This rig is not calibrated. The Rig page does that in a few minutes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Banco non calibrato. Si fa in pochi minuti dalla pagina Banco.</translation>
     </message>
     <message>
         <source>µm D95</source>
-        <translation type="unfinished"></translation>
+        <translation>µm D95</translation>
     </message>
     <message>
         <source>µm size deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>µm scarto di misura</translation>
     </message>
 </context>
 <context>
     <name>AimPage</name>
     <message>
         <source>Aim</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntamento</translation>
     </message>
     <message>
         <source>Automatic exposure</source>
-        <translation type="unfinished"></translation>
+        <translation>Esposizione automatica</translation>
     </message>
     <message>
         <source>Beam down</source>
-        <translation type="unfinished"></translation>
+        <translation>Raggio in basso</translation>
     </message>
     <message>
         <source>Beam left</source>
-        <translation type="unfinished"></translation>
+        <translation>Raggio a sinistra</translation>
     </message>
     <message>
         <source>Beam right</source>
-        <translation type="unfinished"></translation>
+        <translation>Raggio a destra</translation>
     </message>
     <message>
         <source>Beam up</source>
-        <translation type="unfinished"></translation>
+        <translation>Raggio in alto</translation>
     </message>
     <message>
         <source>By hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Manuale</translation>
     </message>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>Telecamera sinistra</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>Telecamera destra</translation>
     </message>
     <message>
         <source>Finds exposure and gain for the object: the beam visits some places of it</source>
-        <translation type="unfinished"></translation>
+        <translation>Trova esposizione e guadagno per l&apos;oggetto: il raggio ne visita alcuni punti</translation>
     </message>
     <message>
         <source>Go on to the scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Alla scansione</translation>
     </message>
     <message>
         <source>Keep as…</source>
-        <translation type="unfinished"></translation>
+        <translation>Salva come…</translation>
     </message>
     <message>
         <source>Keep what is set now as a material of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>Salva i valori attuali come materiale proprio</translation>
     </message>
     <message>
         <source>Laser off</source>
-        <translation type="unfinished"></translation>
+        <translation>Spegni laser</translation>
     </message>
     <message>
         <source>Laser on. It goes dark on Esc, when this page is left, or in {seconds} s if nothing is touched.</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser acceso. Si spegne con Esc, lasciando la pagina, o dopo {seconds} s se non si tocca nulla.</translation>
     </message>
     <message>
         <source>Learn</source>
-        <translation type="unfinished"></translation>
+        <translation>Impara</translation>
     </message>
     <message>
         <source>Live: light the laser</source>
-        <translation type="unfinished"></translation>
+        <translation>Dal vivo: accendi laser</translation>
     </message>
     <message>
         <source>Material</source>
-        <translation type="unfinished"></translation>
+        <translation>Materiale</translation>
     </message>
     <message>
         <source>Name of the material</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome del materiale</translation>
     </message>
     <message>
         <source>Progress of learning</source>
-        <translation type="unfinished"></translation>
+        <translation>Avanzamento dell&apos;apprendimento</translation>
     </message>
     <message>
         <source>Size of a spot, pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Dimensione di un punto, pixel</translation>
     </message>
     <message>
         <source>Steps of {n} degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Passi di {n} gradi</translation>
     </message>
     <message>
         <source>Table clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>Tavola in senso orario</translation>
     </message>
     <message>
         <source>Table counter-clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation>Tavola in senso antiorario</translation>
     </message>
     <message>
         <source>The laser is off. Goggles on, nobody looks into the beam: then light it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento. Occhiali indossati, nessuno guardi nel raggio: poi accenderlo.</translation>
     </message>
     <message>
         <source>The rig is not free; the Rig page says why.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il banco non è libero; la pagina Banco dice perché.</translation>
     </message>
     <message>
         <source>The spot is lit while this page is shown, and goes dark on Esc or when nobody touches anything for a while</source>
-        <translation type="unfinished"></translation>
+        <translation>Il punto resta acceso finché si vede questa pagina; si spegne con Esc o se per un po&apos; nessuno tocca nulla</translation>
     </message>
     <message>
         <source>Two seconds of live pictures while the beam moves a little: sizes of spots that both cameras agree on</source>
-        <translation type="unfinished"></translation>
+        <translation>Due secondi di immagini dal vivo con piccoli moti del raggio: dimensioni dei punti su cui le due telecamere concordano</translation>
     </message>
 </context>
 <context>
     <name>AimPicture</name>
     <message>
-        <source>Click: bring the spot there. Arrow keys: move the beam. Page Up and Page Down: turn the table. Wheel: zoom.</source>
-        <translation type="unfinished"></translation>
+        <source>Click: bring the spot there. Arrow keys: move the beam. Page Up and Page Down: turn the table. Wheel, + and −: zoom.</source>
+        <translation>Clic: porta lì il punto. Frecce: muovono il raggio. Pag su e Pag giù: girano la tavola. Rotella, + e −: zoom.</translation>
     </message>
     <message>
         <source>{camera}: {count} bright places, no spot accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>{camera}: {count} macchie chiare, nessun punto accettato</translation>
     </message>
     <message>
         <source>{camera}: {count} bright places, spot accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>{camera}: {count} macchie chiare, punto accettato</translation>
     </message>
 </context>
 <context>
@@ -286,7 +287,7 @@
     </message>
     <message>
         <source>Uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Incertezza</translation>
     </message>
     <message>
         <source>With a counterpart</source>
@@ -310,7 +311,7 @@
     </message>
     <message>
         <source>{n} %</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">{n} %</translation>
     </message>
     <message>
         <source>{n} mm</source>
@@ -356,7 +357,7 @@
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Annulla</translation>
     </message>
     <message>
         <source>Every serial port and every camera is asked who it is. A board may restart; nothing moves, and no laser is lit.</source>
@@ -392,7 +393,7 @@
     </message>
     <message>
         <source>Set up a rig</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Configura un banco</translation>
     </message>
     <message>
         <source>Still to be chosen: {what}.</source>
@@ -419,11 +420,11 @@
     <name>AssistantPictures</name>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Telecamera sinistra</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Telecamera destra</translation>
     </message>
     <message>
         <source>Live</source>
@@ -435,7 +436,7 @@
     </message>
     <message>
         <source>no spot</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">nessun punto</translation>
     </message>
 </context>
 <context>
@@ -488,15 +489,15 @@
     <name>BoardWatchView</name>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Telecamera sinistra</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Telecamera destra</translation>
     </message>
     <message>
         <source>Starting…</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Avvio…</translation>
     </message>
 </context>
 <context>
@@ -593,19 +594,19 @@
     </message>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Telecamera sinistra</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Telecamera destra</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Annulla</translation>
     </message>
     <message>
         <source>Cancelling…</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Annullamento…</translation>
     </message>
     <message>
         <source>Covered by the board</source>
@@ -649,7 +650,7 @@
     </message>
     <message>
         <source>{left} left</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">{left} rimasti</translation>
     </message>
     <message>
         <source>{near} to {far} mm</source>
@@ -676,7 +677,7 @@
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Calibrazione</translation>
     </message>
     <message>
         <source>Its calibration stands in the rig file.</source>
@@ -688,7 +689,7 @@
     </message>
     <message>
         <source>Not calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Non calibrato</translation>
     </message>
     <message>
         <source>Not calibrated yet: show the board to both cameras before the first scan.</source>
@@ -735,11 +736,11 @@
     <name>CameraCard</name>
     <message>
         <source>Left</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Sinistro</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Destro</translation>
     </message>
     <message>
         <source>{camera} is the {side} camera</source>
@@ -826,15 +827,15 @@
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Annulla</translation>
     </message>
     <message>
         <source>Cancelling…</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Annullamento…</translation>
     </message>
     <message>
         <source>Check again</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Verifica di nuovo</translation>
     </message>
     <message>
         <source>Everybody near the rig is protected, and nothing is in the way of beam and table</source>
@@ -888,11 +889,11 @@
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Annulla</translation>
     </message>
     <message>
         <source>Cancelling…</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Annullamento…</translation>
     </message>
     <message>
         <source>Click three points on each surface, in the same order and far from each other. Before: {b} of 3, after: {a} of 3.</source>
@@ -900,7 +901,7 @@
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Confronto</translation>
     </message>
     <message>
         <source>Keep it in the open case</source>
@@ -924,7 +925,7 @@
     </message>
     <message>
         <source>Starting…</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Avvio…</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -971,7 +972,7 @@
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Confronto</translation>
     </message>
     <message>
         <source>Findings</source>
@@ -1058,7 +1059,7 @@
     </message>
     <message>
         <source>Left</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Sinistro</translation>
     </message>
     <message>
         <source>Lingual</source>
@@ -1086,7 +1087,7 @@
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Destro</translation>
     </message>
     <message>
         <source>Section</source>
@@ -1161,99 +1162,107 @@
     <name>CoveragePage</name>
     <message>
         <source>% of all</source>
-        <translation type="unfinished"></translation>
+        <translation>% del totale</translation>
     </message>
     <message>
         <source>% of what can be seen</source>
-        <translation type="unfinished"></translation>
+        <translation>% di ciò che si vede</translation>
     </message>
     <message>
         <source>Accept</source>
-        <translation type="unfinished"></translation>
+        <translation>Accetta</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Annulla</translation>
     </message>
     <message>
         <source>Complete</source>
-        <translation type="unfinished"></translation>
+        <translation>Completa</translation>
     </message>
     <message>
         <source>Computing</source>
+        <translation>Calcolo</translation>
+    </message>
+    <message>
+        <source>Cut away what does not belong to the object before it becomes a surface</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Do not accept</source>
-        <translation type="unfinished"></translation>
+        <translation>Non accettare</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation type="unfinished">Modifica</translation>
     </message>
     <message>
         <source>Every place is as certain as wanted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ogni zona è certa quanto richiesto.</translation>
     </message>
     <message>
         <source>Fill now</source>
-        <translation type="unfinished"></translation>
+        <translation>Completa ora</translation>
     </message>
     <message>
         <source>Find out</source>
-        <translation type="unfinished"></translation>
+        <translation>Scopri</translation>
     </message>
     <message>
         <source>Leave the chosen place as it is: the case keeps that, the certificate tells it (A; again to take it back)</source>
-        <translation type="unfinished"></translation>
+        <translation>Lascia la zona scelta com&apos;è: il caso lo conserva, il certificato lo dice (A; di nuovo per revocare)</translation>
     </message>
     <message>
         <source>Leave the object as it stands: the scan goes on where points are missing, until it is as wanted (Shift+F5)</source>
-        <translation type="unfinished"></translation>
+        <translation>Lasciare l&apos;oggetto com&apos;è: la scansione continua dove mancano punti, fino a quanto richiesto (Maiusc+F5)</translation>
     </message>
     <message>
         <source>Making a surface of the points…</source>
-        <translation type="unfinished"></translation>
+        <translation>Superficie dai punti…</translation>
     </message>
     <message>
         <source>Needs another mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Serve un altro posizionamento</translation>
     </message>
     <message>
         <source>Of a surface that was made of the points for this; the case has none yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Di una superficie ricavata apposta dai punti; il caso non ne ha ancora una.</translation>
     </message>
     <message>
         <source>Reason</source>
-        <translation type="unfinished"></translation>
+        <translation>Motivo</translation>
     </message>
     <message>
         <source>Reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricostruisci</translation>
     </message>
     <message>
         <source>Scan an object or open a case first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prima scansionare un oggetto o aprire un caso.</translation>
     </message>
     <message>
         <source>Scan another mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Altro posizionamento</translation>
     </message>
     <message>
         <source>Standard uncertainty that is enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertezza tipo sufficiente</translation>
     </message>
     <message>
         <source>Uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertezza</translation>
     </message>
     <message>
         <source>Within</source>
-        <translation type="unfinished"></translation>
+        <translation>Entro</translation>
     </message>
     <message>
         <source>{n} open, {mm2:.0f} mm² together</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} aperte, {mm2:.0f} mm² in tutto</translation>
     </message>
     <message>
         <source>{open}; {n} accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>{open}; {n} accettate</translation>
     </message>
 </context>
 <context>
@@ -1295,148 +1304,149 @@
     <name>DeliverPage</name>
     <message>
         <source>All {passed} checks passed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tutte le {passed} verifiche superate.</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Annulla</translation>
     </message>
     <message>
         <source>Check</source>
-        <translation type="unfinished"></translation>
+        <translation>Verifica</translation>
     </message>
     <message>
         <source>Checking…</source>
-        <translation type="unfinished"></translation>
+        <translation>Verifica…</translation>
     </message>
     <message>
         <source>Closed, and free of self-intersections</source>
-        <translation type="unfinished"></translation>
+        <translation>Chiusa e senza autointersezioni</translation>
     </message>
     <message>
         <source>Deliver</source>
-        <translation type="unfinished"></translation>
+        <translation>Consegna</translation>
     </message>
     <message>
         <source>Deliver anyway</source>
-        <translation type="unfinished"></translation>
+        <translation>Consegna comunque</translation>
     </message>
     <message>
         <source>Deliver it although it is not ready</source>
-        <translation type="unfinished"></translation>
+        <translation>Consegna anche se non è pronta</translation>
     </message>
     <message>
         <source>Deliver once more</source>
-        <translation type="unfinished"></translation>
+        <translation>Consegna di nuovo</translation>
     </message>
     <message>
         <source>Delivered</source>
-        <translation type="unfinished"></translation>
+        <translation>Consegnato</translation>
     </message>
     <message>
         <source>Edit the profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica il profilo</translation>
     </message>
     <message>
         <source>Edit…</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica…</translation>
     </message>
     <message>
         <source>Failed: {failed}. Remarks: {remarks}. Passed: {passed}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non superate: {failed}. Osservazioni: {remarks}. Superate: {passed}.</translation>
     </message>
     <message>
         <source>How it was measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Come è stata misurata</translation>
     </message>
     <message>
         <source>In {folder}</source>
-        <translation type="unfinished"></translation>
+        <translation>In {folder}</translation>
     </message>
     <message>
         <source>Next order</source>
-        <translation type="unfinished"></translation>
+        <translation>Prossimo ordine</translation>
     </message>
     <message>
         <source>No surface yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Ancora niente superficie</translation>
     </message>
     <message>
         <source>Not checked</source>
-        <translation type="unfinished"></translation>
+        <translation>Non verificata</translation>
     </message>
     <message>
         <source>Open an order or begin one, then scan and reconstruct it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aprire o iniziare un ordine, poi scansionarlo e ricostruirlo.</translation>
     </message>
     <message>
         <source>Open folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Apri cartella</translation>
     </message>
     <message>
         <source>Orders</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordini</translation>
     </message>
     <message>
         <source>Profile</source>
-        <translation type="unfinished"></translation>
+        <translation>Profilo</translation>
     </message>
     <message>
         <source>Progress</source>
-        <translation type="unfinished"></translation>
+        <translation>Avanzamento</translation>
     </message>
     <message>
         <source>Reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricostruisci</translation>
     </message>
     <message>
         <source>Reconstruct first</source>
-        <translation type="unfinished"></translation>
+        <translation>Prima ricostruisci</translation>
     </message>
     <message>
         <source>Remarks: {remarks}. Passed: {passed}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Osservazioni: {remarks}. Superate: {passed}.</translation>
     </message>
     <message>
         <source>Replace the existing files</source>
-        <translation type="unfinished"></translation>
+        <translation>Sostituisci i file esistenti</translation>
     </message>
     <message>
         <source>The certificate says so, in words and in its JSON.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il certificato lo riporta, a parole e nel suo JSON.</translation>
     </message>
     <message>
         <source>The check was cancelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>La verifica è stata annullata.</translation>
     </message>
     <message>
         <source>There is no surface to deliver yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non c&apos;è ancora una superficie da consegnare.</translation>
     </message>
     <message>
         <source>These files exist already. With {rev} in the name every delivery gets its own number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Questi file esistono già. Con {rev} nel nome ogni consegna riceve un suo numero.</translation>
     </message>
     <message>
         <source>Whether it mirrors the other ear</source>
-        <translation type="unfinished"></translation>
+        <translation>Se è speculare all&apos;altro orecchio</translation>
     </message>
     <message>
         <source>Written to {folder}</source>
-        <translation type="unfinished"></translation>
+        <translation>Scritto in {folder}</translation>
     </message>
     <message>
         <source>{counted}
 Delivered before, on {day}: {name}</source>
-        <translation type="unfinished"></translation>
+        <translation>{counted}
+Già consegnato il {day}: {name}</translation>
     </message>
     <message>
         <source>{place}, with {others}</source>
-        <translation type="unfinished"></translation>
+        <translation>{place}, con {others}</translation>
     </message>
     <message>
         <source>{written}, with {others}</source>
-        <translation type="unfinished"></translation>
+        <translation>{written}, con {others}</translation>
     </message>
 </context>
 <context>
@@ -1470,11 +1480,11 @@ Delivered before, on {day}: {name}</source>
     <name>DeviceList</name>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Telecamera sinistra</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Telecamera destra</translation>
     </message>
     <message>
         <source>Controller</source>
@@ -1490,7 +1500,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Find reference</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Cerca riferimento</translation>
     </message>
     <message>
         <source>It is opened again by itself when it is back.</source>
@@ -1522,11 +1532,11 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Turntable</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Tavola rotante</translation>
     </message>
     <message>
         <source>Unlock</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Sblocca</translation>
     </message>
     <message>
         <source>alarm</source>
@@ -1637,7 +1647,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Distance of the points from the surface</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Distanza dei punti dalla superficie</translation>
     </message>
     <message>
         <source>Half of the points are nearer to the surface than the first mark, 95 of 100 nearer than the second.</source>
@@ -1687,47 +1697,47 @@ Delivered before, on {day}: {name}</source>
     <name>EditPage</name>
     <message>
         <source>Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica</translation>
     </message>
     <message>
         <source>Go on to the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Alla superficie</translation>
     </message>
     <message>
         <source>Leave them in</source>
-        <translation type="unfinished"></translation>
+        <translation>Non togliere</translation>
     </message>
     <message>
         <source>Measure</source>
-        <translation type="unfinished"></translation>
+        <translation>Misura</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punti</translation>
     </message>
     <message>
         <source>Reading the points…</source>
-        <translation type="unfinished"></translation>
+        <translation>Lettura dei punti…</translation>
     </message>
     <message>
         <source>Reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricostruisci</translation>
     </message>
     <message>
         <source>Scan an object or open a case first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prima scansionare un oggetto o aprire un caso.</translation>
     </message>
     <message>
         <source>Take out {n} points</source>
-        <translation type="unfinished"></translation>
+        <translation>Togli {n} punti</translation>
     </message>
     <message>
         <source>The surface was made when other points were taken out. Reconstruct it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie è stata fatta con altri punti tolti. Ricostruirla.</translation>
     </message>
     <message>
         <source>{n} points</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} punti</translation>
     </message>
 </context>
 <context>
@@ -1796,31 +1806,31 @@ Delivered before, on {day}: {name}</source>
     <name>FileNameLine</name>
     <message>
         <source>Both files would have one name: put {side} into the template.</source>
-        <translation type="unfinished"></translation>
+        <translation>I due file avrebbero lo stesso nome: inserire {side} nel modello.</translation>
     </message>
     <message>
         <source>Change the file names…</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambia i nomi dei file…</translation>
     </message>
     <message>
         <source>In braces: {fields}</source>
-        <translation type="unfinished"></translation>
+        <translation>Fra graffe: {fields}</translation>
     </message>
     <message>
         <source>Template of the file names</source>
-        <translation type="unfinished"></translation>
+        <translation>Modello dei nomi dei file</translation>
     </message>
     <message>
         <source>The patient code may stand in file names</source>
-        <translation type="unfinished"></translation>
+        <translation>Codice paziente ammesso nei nomi dei file</translation>
     </message>
     <message>
         <source>There is no field {unknown}; the fields are {fields}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il campo {unknown} non esiste; i campi sono {fields}.</translation>
     </message>
     <message>
         <source>{field} is left out: no patient in file names unless that is switched on below.</source>
-        <translation type="unfinished"></translation>
+        <translation>{field} viene omesso: niente paziente nei nomi dei file, se non lo si attiva qui sotto.</translation>
     </message>
 </context>
 <context>
@@ -1847,7 +1857,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Looking…</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Ricerca…</translation>
     </message>
     <message>
         <source>No camera was found on this machine. Plug both cameras in, each into a USB port of its own, and look again.</source>
@@ -2006,7 +2016,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>{n} %</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">{n} %</translation>
     </message>
     <message>
         <source>{n} mm</source>
@@ -2060,114 +2070,114 @@ Delivered before, on {day}: {name}</source>
     <name>HomePage</name>
     <message>
         <source>A scan is running.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scansione in corso.</translation>
     </message>
     <message>
         <source>A scan is running: the order can wait in the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scansione in corso: l&apos;ordine può attendere nella lista.</translation>
     </message>
     <message>
         <source>Del; the file is moved, never deleted</source>
-        <translation type="unfinished"></translation>
+        <translation>Canc; il file viene spostato, mai cancellato</translation>
     </message>
     <message>
         <source>Enter makes a new order {number}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Invio crea il nuovo ordine {number}.</translation>
     </message>
     <message>
         <source>Enter opens the order of that number, or begins a new one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Invio apre l&apos;ordine con quel numero, o ne inizia uno nuovo.</translation>
     </message>
     <message>
         <source>Enter opens {order}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Invio apre {order}.</translation>
     </message>
     <message>
         <source>Enter, or a double click</source>
-        <translation type="unfinished"></translation>
+        <translation>Invio o doppio clic</translation>
     </message>
     <message>
         <source>Looking…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricerca…</translation>
     </message>
     <message>
         <source>No order has that in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessun ordine contiene questo testo.</translation>
     </message>
     <message>
         <source>No orders yet. They stand here as soon as they are entered.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ancora nessun ordine. Compaiono qui appena inseriti.</translation>
     </message>
     <message>
         <source>Open another case…</source>
-        <translation type="unfinished"></translation>
+        <translation>Apri un altro caso…</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Rimuovi</translation>
     </message>
     <message>
         <source>This order is being scanned.</source>
-        <translation type="unfinished"></translation>
+        <translation>Questo ordine è in scansione.</translation>
     </message>
     <message>
         <source>Wait for its end or stop it first (Esc).</source>
-        <translation type="unfinished"></translation>
+        <translation>Attendere la fine o prima fermare (Esc).</translation>
     </message>
     <message>
         <source>{n} orders, the newest first. Arrow down goes into the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} ordini, prima i più recenti. Freccia giù: va nella lista.</translation>
     </message>
 </context>
 <context>
     <name>HomeStart</name>
     <message>
         <source>A scan is running.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scansione in corso.</translation>
     </message>
     <message>
         <source>An ear on the virtual rig: nothing has to be connected, and nothing is overwritten</source>
-        <translation type="unfinished"></translation>
+        <translation>Un orecchio sul banco virtuale: niente da collegare, niente viene sovrascritto</translation>
     </message>
     <message>
         <source>Change</source>
-        <translation type="unfinished"></translation>
+        <translation>Cambia</translation>
     </message>
     <message>
         <source>Change the order</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica l&apos;ordine</translation>
     </message>
     <message>
         <source>Left and right: two cases with one order number</source>
-        <translation type="unfinished"></translation>
+        <translation>Sinistro e destro: due casi con un solo numero d&apos;ordine</translation>
     </message>
     <message>
         <source>New dental model</source>
-        <translation type="unfinished"></translation>
+        <translation>Nuovo modello dentale</translation>
     </message>
     <message>
         <source>New ear impression</source>
-        <translation type="unfinished"></translation>
+        <translation>Nuova impronta auricolare</translation>
     </message>
     <message>
         <source>New ear pair</source>
-        <translation type="unfinished"></translation>
+        <translation>Nuova coppia</translation>
     </message>
     <message>
         <source>Open now</source>
-        <translation type="unfinished"></translation>
+        <translation>Aperto ora</translation>
     </message>
     <message>
         <source>Rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Banco</translation>
     </message>
     <message>
         <source>Try a demo order</source>
-        <translation type="unfinished"></translation>
+        <translation>Prova un ordine demo</translation>
     </message>
     <message>
         <source>{rig}, virtual; on the table: {specimen}</source>
-        <translation type="unfinished"></translation>
+        <translation>{rig}, virtuale; sulla tavola: {specimen}</translation>
     </message>
 </context>
 <context>
@@ -2198,7 +2208,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Resume</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Riprendi</translation>
     </message>
     <message>
         <source>Take what was measured for the whole, and open the case.</source>
@@ -2233,23 +2243,23 @@ Delivered before, on {day}: {name}</source>
     <name>JogPanel</name>
     <message>
         <source>Beam down</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Raggio in basso</translation>
     </message>
     <message>
         <source>Beam left</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Raggio a sinistra</translation>
     </message>
     <message>
         <source>Beam right</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Raggio a destra</translation>
     </message>
     <message>
         <source>Beam up</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Raggio in alto</translation>
     </message>
     <message>
         <source>By hand</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Manuale</translation>
     </message>
     <message>
         <source>Show the spot</source>
@@ -2257,7 +2267,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Steps of {n} degrees</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Passi di {n} gradi</translation>
     </message>
     <message>
         <source>Stop moving</source>
@@ -2269,11 +2279,11 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Table clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Tavola in senso orario</translation>
     </message>
     <message>
         <source>Table counter-clockwise</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Tavola in senso antiorario</translation>
     </message>
 </context>
 <context>
@@ -2355,74 +2365,74 @@ Delivered before, on {day}: {name}</source>
     <name>LiveSurface</name>
     <message>
         <source>No surface yet: some parts are too thin so far</source>
-        <translation type="unfinished"></translation>
+        <translation>Ancora niente superficie: alcune parti finora sono troppo rade</translation>
     </message>
     <message>
         <source>No surface yet: the body has a hole right through it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ancora niente superficie: il corpo è forato da parte a parte</translation>
     </message>
     <message>
         <source>No surface yet: the points make no body</source>
-        <translation type="unfinished"></translation>
+        <translation>Ancora niente superficie: i punti non formano un corpo</translation>
     </message>
     <message>
         <source>No surface yet: too few points</source>
-        <translation type="unfinished"></translation>
+        <translation>Ancora niente superficie: troppo pochi punti</translation>
     </message>
     <message>
         <source>Surface so far: {share} % scanned, nets are holes</source>
-        <translation type="unfinished"></translation>
+        <translation>Superficie finora: {share} % scansionato, le reti sono lacune</translation>
     </message>
     <message>
         <source>The live surface has ended; the scan goes on without it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie dal vivo si è interrotta; la scansione continua senza.</translation>
     </message>
 </context>
 <context>
     <name>MainWindow</name>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ripeti</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Annulla</translation>
     </message>
     <message>
         <source>A scan is running.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scansione in corso.</translation>
     </message>
     <message>
         <source>Both ears are measured: {left} points on the left one, {right} on the right one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entrambi gli orecchi sono misurati: {left} punti sul sinistro, {right} sul destro.</translation>
     </message>
     <message>
         <source>Cases (*.impronta)</source>
-        <translation type="unfinished"></translation>
+        <translation>Casi (*.impronta)</translation>
     </message>
     <message>
         <source>Each is an order of its own now; both stand in the worklist.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ora ognuno è un ordine a sé; entrambi sono nella lista di lavoro.</translation>
     </message>
     <message>
         <source>It is kept in its case.</source>
-        <translation type="unfinished"></translation>
+        <translation>È conservata nel suo caso.</translation>
     </message>
     <message>
         <source>Open a case</source>
-        <translation type="unfinished"></translation>
+        <translation>Apri un caso</translation>
     </message>
     <message>
         <source>Open it</source>
-        <translation type="unfinished"></translation>
+        <translation>Apri</translation>
     </message>
     <message>
         <source>The surface of {case} is done.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie di {case} è finita.</translation>
     </message>
     <message>
         <source>Wait for its end or stop it first (Esc).</source>
-        <translation type="unfinished"></translation>
+        <translation>Attendere la fine o prima fermare (Esc).</translation>
     </message>
 </context>
 <context>
@@ -2445,7 +2455,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Annulla</translation>
     </message>
     <message>
         <source>Click a place, or move the plane.</source>
@@ -2513,7 +2523,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Rimuovi</translation>
     </message>
     <message>
         <source>Remove measurement {n}</source>
@@ -2521,7 +2531,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Scan an object or open a case first.</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Prima scansionare un oggetto o aprire un caso.</translation>
     </message>
     <message>
         <source>Section</source>
@@ -2560,11 +2570,11 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Another mount</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Altro posizionamento</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Annulla</translation>
     </message>
     <message>
         <source>How the mounts lie</source>
@@ -2588,7 +2598,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Pick three points</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Scelta di tre punti</translation>
     </message>
     <message>
         <source>Reconstruct</source>
@@ -2600,7 +2610,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Scan another mount</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Altro posizionamento</translation>
     </message>
     <message>
         <source>Scan this mount</source>
@@ -2623,101 +2633,101 @@ Delivered before, on {day}: {name}</source>
     <name>OrderForm</name>
     <message>
         <source>Back to the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Torna alla lista</translation>
     </message>
     <message>
         <source>Ctrl+Enter</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Invio</translation>
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished"></translation>
+        <translation>Fatto</translation>
     </message>
     <message>
         <source>Every change is kept in the case, and can be undone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ogni modifica è conservata nel caso e si può annullare.</translation>
     </message>
     <message>
         <source>File names</source>
-        <translation type="unfinished"></translation>
+        <translation>Nomi dei file</translation>
     </message>
     <message>
         <source>Keep it in the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Tieni nella lista</translation>
     </message>
     <message>
         <source>Make both orders, scan the first</source>
-        <translation type="unfinished"></translation>
+        <translation>Crea i due ordini, scansiona il primo</translation>
     </message>
     <message>
         <source>Make the order and scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Crea l&apos;ordine e scansiona</translation>
     </message>
     <message>
         <source>New order</source>
-        <translation type="unfinished"></translation>
+        <translation>Nuovo ordine</translation>
     </message>
     <message>
         <source>Order</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordine</translation>
     </message>
     <message>
         <source>Order number</source>
-        <translation type="unfinished"></translation>
+        <translation>Numero d&apos;ordine</translation>
     </message>
     <message>
         <source>Patient code</source>
-        <translation type="unfinished"></translation>
+        <translation>Codice paziente</translation>
     </message>
     <message>
         <source>Side</source>
-        <translation type="unfinished"></translation>
+        <translation>Lato</translation>
     </message>
     <message>
         <source>The order has no number yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;ordine non ha ancora un numero.</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipo</translation>
     </message>
     <message>
         <source>Which jaw is it?</source>
-        <translation type="unfinished"></translation>
+        <translation>Quale arcata?</translation>
     </message>
     <message>
         <source>Which side is it?</source>
-        <translation type="unfinished"></translation>
+        <translation>Quale lato?</translation>
     </message>
     <message>
         <source>a code, not the name</source>
-        <translation type="unfinished"></translation>
+        <translation>un codice, non il nome</translation>
     </message>
     <message>
         <source>as on the order form</source>
-        <translation type="unfinished"></translation>
+        <translation>come sul modulo d&apos;ordine</translation>
     </message>
 </context>
 <context>
     <name>OrderList</name>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Apri</translation>
     </message>
     <message>
         <source>Orders</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordini</translation>
     </message>
     <message>
         <source>Remove from the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Togli dalla lista</translation>
     </message>
 </context>
 <context>
     <name>OutlierShape</name>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Annulla</translation>
     </message>
     <message>
         <source>How many times the usual distance to its neighbours a point may lie off them</source>
@@ -2764,7 +2774,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Pick three points</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Scelta di tre punti</translation>
     </message>
     <message>
         <source>Points of the mount to be joined</source>
@@ -2806,124 +2816,124 @@ Delivered before, on {day}: {name}</source>
     <name>PlaceEntry</name>
     <message>
         <source>✓ Accepted as it is: {why}</source>
-        <translation type="unfinished"></translation>
+        <translation>✓ Accettata così com&apos;è: {why}</translation>
     </message>
 </context>
 <context>
     <name>PlaceList</name>
     <message>
         <source>Places that are not as certain as wanted</source>
-        <translation type="unfinished"></translation>
+        <translation>Zone meno certe di quanto richiesto</translation>
     </message>
 </context>
 <context>
     <name>PlanBar</name>
     <message>
         <source>Plan: {done} of {count} views are done</source>
-        <translation type="unfinished"></translation>
+        <translation>Piano: {done} viste di {count} fatte</translation>
     </message>
     <message>
         <source>View {number} at {angle:.0f}°: {state}</source>
-        <translation type="unfinished"></translation>
+        <translation>Vista {number} a {angle:.0f}°: {state}</translation>
     </message>
     <message>
         <source>being measured</source>
-        <translation type="unfinished"></translation>
+        <translation>in misura</translation>
     </message>
     <message>
         <source>done</source>
-        <translation type="unfinished"></translation>
+        <translation>fatta</translation>
     </message>
     <message>
         <source>far fewer points than its neighbours</source>
-        <translation type="unfinished"></translation>
+        <translation>molti meno punti delle vicine</translation>
     </message>
     <message>
         <source>to come</source>
-        <translation type="unfinished"></translation>
+        <translation>da fare</translation>
     </message>
     <message>
         <source>will be measured once more</source>
-        <translation type="unfinished"></translation>
+        <translation>sarà rimisurata</translation>
     </message>
     <message>
         <source>{points} of {wanted} points, {rejected} rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} di {wanted} punti, {rejected} scartati</translation>
     </message>
     <message>
         <source>{points} points, {rejected} rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} punti, {rejected} scartati</translation>
     </message>
     <message>
         <source>{told}; measured twice</source>
-        <translation type="unfinished"></translation>
+        <translation>{told}; misurata due volte</translation>
     </message>
 </context>
 <context>
     <name>PointsPanel</name>
     <message>
         <source>Also what lies behind</source>
-        <translation type="unfinished"></translation>
+        <translation>Anche ciò che sta dietro</translation>
     </message>
     <message>
         <source>Box</source>
-        <translation type="unfinished"></translation>
+        <translation>Riquadro</translation>
     </message>
     <message>
         <source>Bring all back</source>
-        <translation type="unfinished"></translation>
+        <translation>Recupera tutti</translation>
     </message>
     <message>
         <source>Bring points back instead</source>
-        <translation type="unfinished"></translation>
+        <translation>Recupera punti, invece</translation>
     </message>
     <message>
         <source>Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Pennello</translation>
     </message>
     <message>
         <source>Crop</source>
-        <translation type="unfinished"></translation>
+        <translation>Ritaglia</translation>
     </message>
     <message>
         <source>Cut the base</source>
-        <translation type="unfinished"></translation>
+        <translation>Taglia la base</translation>
     </message>
     <message>
         <source>Invert</source>
-        <translation type="unfinished"></translation>
+        <translation>Inverti</translation>
     </message>
     <message>
         <source>Lasso</source>
-        <translation type="unfinished"></translation>
+        <translation>Lazo</translation>
     </message>
     <message>
         <source>Many at once</source>
-        <translation type="unfinished"></translation>
+        <translation>Molti insieme</translation>
     </message>
     <message>
         <source>On the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Sull&apos;immagine</translation>
     </message>
     <message>
         <source>Otherwise only what is in front, as it is seen, is taken</source>
-        <translation type="unfinished"></translation>
+        <translation>Altrimenti si prende solo ciò che sta davanti, come si vede</translation>
     </message>
     <message>
         <source>Outliers</source>
-        <translation type="unfinished"></translation>
+        <translation>Anomali</translation>
     </message>
     <message>
         <source>Show what was taken out</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostra i punti tolti</translation>
     </message>
     <message>
         <source>Take out what is left, and bring back what was taken out</source>
-        <translation type="unfinished"></translation>
+        <translation>Toglie ciò che resta e recupera ciò che era tolto</translation>
     </message>
     <message>
         <source>of {n} points taken out</source>
-        <translation type="unfinished"></translation>
+        <translation>di {n} punti tolti</translation>
     </message>
 </context>
 <context>
@@ -2952,7 +2962,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Calibrazione</translation>
     </message>
     <message>
         <source>Epipolar gate</source>
@@ -2987,7 +2997,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Choose a folder</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Scelta di una cartella</translation>
     </message>
     <message>
         <source>Copy as my own</source>
@@ -2995,7 +3005,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Fatto</translation>
     </message>
     <message>
         <source>Every change counts at once; Ctrl+Z takes it back.</source>
@@ -3019,7 +3029,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>In braces: {fields}</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Fra graffe: {fields}</translation>
     </message>
     <message>
         <source>Lies</source>
@@ -3035,7 +3045,7 @@ Delivered before, on {day}: {name}</source>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Rimuovi</translation>
     </message>
     <message>
         <source>This profile belongs to the program. Copy it to change it.</source>
@@ -3055,176 +3065,177 @@ Delivered before, on {day}: {name}</source>
     <message>
         <source>Before: {before}
 After: {after}</source>
-        <translation type="unfinished"></translation>
+        <translation>Prima: {before}
+Dopo: {after}</translation>
     </message>
     <message>
         <source>Esc, from every page</source>
-        <translation type="unfinished"></translation>
+        <translation>Esc, da ogni pagina</translation>
     </message>
     <message>
         <source>Laser on · stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser acceso · ferma</translation>
     </message>
     <message>
         <source>No order number</source>
-        <translation type="unfinished"></translation>
+        <translation>Senza numero d&apos;ordine</translation>
     </message>
     <message>
         <source>No order open</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessun ordine aperto</translation>
     </message>
     <message>
         <source>Stop · laser off</source>
-        <translation type="unfinished"></translation>
+        <translation>Ferma · laser spento</translation>
     </message>
     <message>
         <source>Stop · laser?</source>
-        <translation type="unfinished"></translation>
+        <translation>Ferma · laser?</translation>
     </message>
     <message>
         <source>Stops every movement and switches the laser off, from every page (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ferma ogni movimento e spegne il laser, da ogni pagina (Esc)</translation>
     </message>
     <message>
         <source>none yet</source>
-        <translation type="unfinished"></translation>
+        <translation>ancora nessuna</translation>
     </message>
 </context>
 <context>
     <name>ReadyLine</name>
     <message>
         <source>Attention</source>
-        <translation type="unfinished"></translation>
+        <translation>Attenzione</translation>
     </message>
     <message>
         <source>Checking</source>
-        <translation type="unfinished"></translation>
+        <translation>Verifica</translation>
     </message>
     <message>
         <source>Ready</source>
-        <translation type="unfinished"></translation>
+        <translation>Pronto</translation>
     </message>
 </context>
 <context>
     <name>ReconstructPage</name>
     <message>
         <source>% supported</source>
-        <translation type="unfinished"></translation>
+        <translation>% sostenuto</translation>
     </message>
     <message>
         <source>As many orders wait as can be kept in mind. Take one out, or wait for the next to begin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Attendono già tutti gli ordini che la memoria contiene. Toglierne uno, o attendere che inizi il prossimo.</translation>
     </message>
     <message>
         <source>Back to the result</source>
-        <translation type="unfinished"></translation>
+        <translation>Torna al risultato</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Annulla</translation>
     </message>
     <message>
         <source>Compute the points anew…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricalcola i punti…</translation>
     </message>
     <message>
         <source>Coverage</source>
-        <translation type="unfinished"></translation>
+        <translation>Copertura</translation>
     </message>
     <message>
         <source>Deliver</source>
-        <translation type="unfinished"></translation>
+        <translation>Consegna</translation>
     </message>
     <message>
         <source>Distance of the points from the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Distanza dei punti dalla superficie</translation>
     </message>
     <message>
         <source>Finishes the surface as it is now: whole and closed, but coarser than the points allow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Termina la superficie com&apos;è ora: intera e chiusa, ma più grossolana di quanto i punti consentano.</translation>
     </message>
     <message>
         <source>It waits</source>
-        <translation type="unfinished"></translation>
+        <translation>In attesa</translation>
     </message>
     <message>
         <source>Other settings…</source>
-        <translation type="unfinished"></translation>
+        <translation>Altre impostazioni…</translation>
     </message>
     <message>
         <source>Places that are not as certain as wanted, why, and what can be done about them (F8)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zone meno certe di quanto richiesto, perché, e che cosa si può fare (F8)</translation>
     </message>
     <message>
         <source>Reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricostruisci</translation>
     </message>
     <message>
         <source>Reconstruct again</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricostruisci di nuovo</translation>
     </message>
     <message>
         <source>Reconstruct next</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricostruisci dopo</translation>
     </message>
     <message>
         <source>Scan first, or open a case with points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prima scansionare, o aprire un caso con punti.</translation>
     </message>
     <message>
         <source>Stop here and keep</source>
-        <translation type="unfinished"></translation>
+        <translation>Ferma qui e conserva</translation>
     </message>
     <message>
         <source>The surface is kept in the case.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie è conservata nel caso.</translation>
     </message>
     <message>
         <source>These points wait for their turn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Questi punti attendono il loro turno.</translation>
     </message>
     <message>
         <source>mm³ volume</source>
-        <translation type="unfinished"></translation>
+        <translation>mm³ volume</translation>
     </message>
     <message>
         <source>triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>triangoli</translation>
     </message>
     <message>
         <source>{points} points are ready.</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} punti sono pronti.</translation>
     </message>
     <message>
         <source>µm expected error</source>
-        <translation type="unfinished"></translation>
+        <translation>µm errore atteso</translation>
     </message>
 </context>
 <context>
     <name>ReconstructionPhases</name>
     <message>
         <source>Cancelling…</source>
-        <translation type="unfinished"></translation>
+        <translation>Annullamento…</translation>
     </message>
     <message>
         <source>Finishing what there is…</source>
-        <translation type="unfinished"></translation>
+        <translation>Si termina ciò che c&apos;è…</translation>
     </message>
     <message>
         <source>Looking at the points…</source>
-        <translation type="unfinished"></translation>
+        <translation>Esame dei punti…</translation>
     </message>
     <message>
         <source>Progress of the reconstruction</source>
-        <translation type="unfinished"></translation>
+        <translation>Avanzamento della ricostruzione</translation>
     </message>
     <message>
         <source>Starting…</source>
-        <translation type="unfinished"></translation>
+        <translation>Avvio…</translation>
     </message>
     <message>
         <source>{left} left</source>
-        <translation type="unfinished"></translation>
+        <translation>{left} rimasti</translation>
     </message>
 </context>
 <context>
@@ -3238,31 +3249,31 @@ After: {after}</source>
     <name>ReconstructionWishes</name>
     <message>
         <source>Detail</source>
-        <translation type="unfinished"></translation>
+        <translation>Dettaglio</translation>
     </message>
     <message>
         <source>Expert…</source>
-        <translation type="unfinished"></translation>
+        <translation>Avanzate…</translation>
     </message>
     <message>
         <source>Hide expert settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Nascondi impostazioni avanzate</translation>
     </message>
     <message>
         <source>The middle is the default: as many triangles as the points carry. Each step halves or doubles them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>as the points</source>
-        <translation type="unfinished"></translation>
+        <translation>Il centro è il valore predefinito: tanti triangoli quanti i punti ne reggono. Ogni passo dimezza o raddoppia.</translation>
     </message>
     <message>
         <source>coarse</source>
-        <translation type="unfinished"></translation>
+        <translation>grossolano</translation>
+    </message>
+    <message>
+        <source>default</source>
+        <translation>predefinito</translation>
     </message>
     <message>
         <source>fine</source>
-        <translation type="unfinished"></translation>
+        <translation>fine</translation>
     </message>
 </context>
 <context>
@@ -3310,327 +3321,331 @@ After: {after}</source>
     <name>RigChoice</name>
     <message>
         <source>A mesh as specimen</source>
-        <translation type="unfinished"></translation>
+        <translation>Una mesh come oggetto</translation>
     </message>
     <message>
         <source>Mesh file…</source>
-        <translation type="unfinished"></translation>
+        <translation>File mesh…</translation>
     </message>
     <message>
         <source>Meshes (*.stl *.ply *.obj *.vtp *.3mf)</source>
-        <translation type="unfinished"></translation>
+        <translation>Mesh (*.stl *.ply *.obj *.vtp *.3mf)</translation>
     </message>
     <message>
         <source>On the table</source>
-        <translation type="unfinished"></translation>
+        <translation>Sulla tavola</translation>
     </message>
     <message>
         <source>Open a rig file</source>
-        <translation type="unfinished"></translation>
+        <translation>Apri un file del banco</translation>
     </message>
     <message>
         <source>Open a rig file (TOML); it can be dropped here, too</source>
-        <translation type="unfinished"></translation>
+        <translation>Apre un file del banco (TOML); si può anche trascinare qui</translation>
     </message>
     <message>
         <source>Own rig…</source>
-        <translation type="unfinished"></translation>
+        <translation>Altro banco…</translation>
     </message>
     <message>
         <source>Rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Banco</translation>
     </message>
     <message>
         <source>Rig files (*.toml)</source>
-        <translation type="unfinished"></translation>
+        <translation>File del banco (*.toml)</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Velocità</translation>
     </message>
 </context>
 <context>
     <name>RigPage</name>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>Telecamera sinistra</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>Telecamera destra</translation>
     </message>
     <message>
         <source>Finds ports and cameras, checks them by what the cameras see, and writes a rig file</source>
-        <translation type="unfinished"></translation>
+        <translation>Trova porte e telecamere, le verifica con ciò che le telecamere vedono e scrive un file del banco</translation>
     </message>
     <message>
         <source>Set up a rig…</source>
-        <translation type="unfinished"></translation>
+        <translation>Configura un banco…</translation>
     </message>
     <message>
         <source>Two cameras, a laser and a turntable, computed frame by frame; the rest is the real program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Due telecamere, un laser e una tavola rotante, calcolati immagine per immagine; il resto è il programma vero.</translation>
     </message>
     <message>
         <source>Virtual rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Banco virtuale</translation>
     </message>
     <message>
         <source>{rig} (virtual rig)</source>
-        <translation type="unfinished"></translation>
+        <translation>{rig} (banco virtuale)</translation>
     </message>
 </context>
 <context>
     <name>ScanPage</name>
     <message>
         <source>  (and {count} more)</source>
-        <translation type="unfinished"></translation>
+        <translation>  (e altri {count})</translation>
     </message>
     <message>
         <source>1 place cannot be seen from this mount</source>
-        <translation type="unfinished"></translation>
+        <translation>1 zona non si vede da questo posizionamento</translation>
     </message>
     <message>
         <source>A fault: the laser is off</source>
-        <translation type="unfinished"></translation>
+        <translation>Guasto: il laser è spento</translation>
     </message>
     <message>
         <source>Another mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Altro posizionamento</translation>
     </message>
     <message>
         <source>Bringing the views together…</source>
-        <translation type="unfinished"></translation>
+        <translation>Unione delle viste…</translation>
     </message>
     <message>
         <source>By how much the first view lay beside itself when it was measured again at the end of the turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Di quanto la prima vista era spostata da sé stessa quando è stata rimisurata a fine giro</translation>
     </message>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>Telecamera sinistra</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>Telecamera destra</translation>
     </message>
     <message>
         <source>Closing the turn: the first view is measured again and compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>Chiusura del giro: la prima vista è rimisurata e confrontata.</translation>
     </message>
     <message>
         <source>Coarse pass: view {view} of {views}</source>
-        <translation type="unfinished"></translation>
+        <translation>Passata grossolana: vista {view} di {views}</translation>
     </message>
     <message>
         <source>Complete</source>
-        <translation type="unfinished"></translation>
+        <translation>Completa</translation>
     </message>
     <message>
         <source>Computing where more points are needed…</source>
-        <translation type="unfinished"></translation>
+        <translation>Calcolo di dove servono altri punti…</translation>
     </message>
     <message>
         <source>Ended by a fault; what was measured is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Terminata per un guasto; quanto misurato è conservato</translation>
     </message>
     <message>
         <source>Finding the object, view {view} of {views}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricerca dell&apos;oggetto, vista {view} di {views}</translation>
+    </message>
+    <message>
+        <source>Laser off at once, and the end of the scan; what was measured is kept (Esc)</source>
+        <translation>Spegne subito il laser e termina la scansione; quanto misurato è conservato (Esc)</translation>
     </message>
     <message>
         <source>Measured once more, because they were weak: {views}</source>
-        <translation type="unfinished"></translation>
+        <translation>Misurate di nuovo perché deboli: {views}</translation>
     </message>
     <message>
         <source>Opening the rig…</source>
-        <translation type="unfinished"></translation>
+        <translation>Apertura del banco…</translation>
     </message>
     <message>
         <source>Pass {number}, where it is needed: view {view} of {views}</source>
-        <translation type="unfinished"></translation>
+        <translation>Passata {number}, dove serve: vista {view} di {views}</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Pausa</translation>
     </message>
     <message>
         <source>Paused in view {view} of {views}. The laser is dark, beam and table rest, all points so far are kept; it goes on with the next row.</source>
-        <translation type="unfinished"></translation>
+        <translation>In pausa nella vista {view} di {views}. Laser spento, raggio e tavola fermi, tutti i punti conservati; riprende dalla riga successiva.</translation>
     </message>
     <message>
         <source>Pausing: the row that is being swept is finished first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pausa: prima finisce la riga in corso.</translation>
     </message>
     <message>
         <source>Places that are not as certain as wanted, why, and what can be done about them (F8)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zone meno certe di quanto richiesto, perché, e che cosa si può fare (F8)</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punti</translation>
     </message>
     <message>
         <source>Points at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Punti al massimo</translation>
     </message>
     <message>
         <source>Ready to scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Pronto a scansionare</translation>
     </message>
     <message>
         <source>Reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricostruisci</translation>
     </message>
     <message>
         <source>Resume</source>
-        <translation type="unfinished"></translation>
+        <translation>Riprendi</translation>
     </message>
     <message>
         <source>Scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Scansione</translation>
     </message>
     <message>
         <source>Scan again</source>
-        <translation type="unfinished"></translation>
+        <translation>Ripeti scansione</translation>
     </message>
     <message>
         <source>Scan again…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ripeti scansione…</translation>
     </message>
     <message>
         <source>Scan until below</source>
-        <translation type="unfinished"></translation>
+        <translation>Scansiona fino a</translation>
     </message>
     <message>
         <source>Scan until {wanted} µm</source>
-        <translation type="unfinished"></translation>
+        <translation>Scansione fino a {wanted} µm</translation>
     </message>
     <message>
         <source>Set the object down in another way and scan it into the same case (F9)</source>
-        <translation type="unfinished"></translation>
+        <translation>Posare l&apos;oggetto in altro modo e scansionarlo nello stesso caso (F9)</translation>
     </message>
     <message>
         <source>Standard uncertainty of the surface. With a value, the scan goes on where the surface is less certain, until it is below it everywhere that light can reach or the points are spent. Without one, the points are spread evenly.</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertezza tipo della superficie. Con un valore, la scansione continua dove la superficie è meno certa, finché scende sotto ovunque la luce arriva o i punti sono esauriti. Senza, i punti sono distribuiti in modo uniforme.</translation>
     </message>
     <message>
         <source>Start scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Avvia scansione</translation>
     </message>
     <message>
         <source>Starting…</source>
-        <translation type="unfinished"></translation>
+        <translation>Avvio…</translation>
     </message>
     <message>
         <source>Still far fewer points than their neighbours: {views}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ancora molti meno punti delle vicine: {views}</translation>
     </message>
     <message>
-        <source>Stop · laser off</source>
-        <translation type="unfinished"></translation>
+        <source>Stop</source>
+        <translation>Ferma</translation>
     </message>
     <message>
         <source>Stopped; what was measured is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Fermata; quanto misurato è conservato</translation>
     </message>
     <message>
         <source>The rig has to be calibrated first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prima occorre calibrare il banco.</translation>
     </message>
     <message>
         <source>The rig is not ready; the Rig page says why.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il banco non è pronto; la pagina Banco dice perché.</translation>
     </message>
     <message>
         <source>The scan is complete.</source>
-        <translation type="unfinished"></translation>
+        <translation>La scansione è completa.</translation>
     </message>
     <message>
         <source>View {view} of {views}</source>
-        <translation type="unfinished"></translation>
+        <translation>Vista {view} di {views}</translation>
     </message>
     <message>
         <source>View {view} once more</source>
-        <translation type="unfinished"></translation>
+        <translation>Vista {view} di nuovo</translation>
     </message>
     <message>
         <source>Views</source>
-        <translation type="unfinished"></translation>
+        <translation>Viste</translation>
     </message>
     <message>
         <source>Whether the turn closes is not known: too few points of the first view were seen again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non si sa se il giro si chiude: troppo pochi punti della prima vista rivisti.</translation>
     </message>
     <message>
         <source>all points are spent</source>
-        <translation type="unfinished"></translation>
+        <translation>punti esauriti</translation>
     </message>
     <message>
         <source>even spread</source>
-        <translation type="unfinished"></translation>
+        <translation>uniforme</translation>
     </message>
     <message>
         <source>min:s</source>
-        <translation type="unfinished"></translation>
+        <translation>min:s</translation>
     </message>
     <message>
         <source>min:s left</source>
-        <translation type="unfinished"></translation>
+        <translation>min:s rimasti</translation>
     </message>
     <message>
         <source>more points would not help</source>
-        <translation type="unfinished"></translation>
+        <translation>altri punti non servirebbero</translation>
     </message>
     <message>
         <source>no further view fits into this scan</source>
-        <translation type="unfinished"></translation>
+        <translation>non ci sta un&apos;altra vista in questa scansione</translation>
     </message>
     <message>
         <source>points</source>
-        <translation type="unfinished"></translation>
+        <translation>punti</translation>
     </message>
     <message>
         <source>points / s</source>
-        <translation type="unfinished"></translation>
+        <translation>punti / s</translation>
     </message>
     <message>
         <source>{count} places cannot be seen from this mount</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} zone non si vedono da questo posizionamento</translation>
     </message>
     <message>
         <source>{points} points  ·  view {view} of {views}</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} punti  ·  vista {view} di {views}</translation>
     </message>
     <message>
         <source>{share} % within {wanted} µm</source>
-        <translation type="unfinished"></translation>
+        <translation>{share} % entro {wanted} µm</translation>
     </message>
     <message>
         <source>{share} % within {wanted} µm so far</source>
-        <translation type="unfinished"></translation>
+        <translation>{share} % entro {wanted} µm finora</translation>
     </message>
     <message>
         <source>µm closure</source>
-        <translation type="unfinished"></translation>
+        <translation>µm chiusura</translation>
     </message>
 </context>
 <context>
     <name>ScanTray</name>
     <message>
         <source>Both ears on the pair tray</source>
-        <translation type="unfinished"></translation>
+        <translation>Due orecchie sul vassoio doppio</translation>
     </message>
     <message>
         <source>The left ear on seat L, the right one on seat R, the arrow at the table&apos;s zero: one run measures both for their orders</source>
-        <translation type="unfinished"></translation>
+        <translation>Orecchio sinistro sulla sede L, destro sulla sede R, freccia sullo zero della tavola: una sola corsa misura entrambi per i loro ordini</translation>
     </message>
 </context>
 <context>
     <name>SceneLink</name>
     <message>
         <source>{n} points</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">{n} punti</translation>
     </message>
     <message>
         <source>{n} triangles</source>
@@ -3648,147 +3663,147 @@ After: {after}</source>
     <name>SettingsPage</name>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>Come il sistema</translation>
     </message>
     <message>
         <source>As the system ({language})</source>
-        <translation type="unfinished"></translation>
+        <translation>Come il sistema ({language})</translation>
     </message>
     <message>
         <source>At the end of a view, with the beam as slow as it needs to be; it costs some seconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>A fine vista, col raggio lento quanto serve; costa qualche secondo.</translation>
     </message>
     <message>
         <source>Cases</source>
-        <translation type="unfinished"></translation>
+        <translation>Casi</translation>
     </message>
     <message>
         <source>Choose a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Scelta di una cartella</translation>
     </message>
     <message>
         <source>Choose the folder: {name}</source>
-        <translation type="unfinished"></translation>
+        <translation>Scegli la cartella: {name}</translation>
     </message>
     <message>
         <source>Choose…</source>
-        <translation type="unfinished"></translation>
+        <translation>Scegli…</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Scuro</translation>
     </message>
     <message>
         <source>Everything on this page as on the first day; Ctrl+Z takes it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tutto in questa pagina come il primo giorno; Ctrl+Z lo annulla.</translation>
     </message>
     <message>
         <source>Exports</source>
-        <translation type="unfinished"></translation>
+        <translation>Esportazioni</translation>
     </message>
     <message>
         <source>File names</source>
-        <translation type="unfinished"></translation>
+        <translation>Nomi dei file</translation>
     </message>
     <message>
         <source>Files</source>
-        <translation type="unfinished"></translation>
+        <translation>File</translation>
     </message>
     <message>
         <source>Folder of the log</source>
-        <translation type="unfinished"></translation>
+        <translation>Cartella del registro</translation>
     </message>
     <message>
         <source>Folder: {name}</source>
-        <translation type="unfinished"></translation>
+        <translation>Cartella: {name}</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Lingua</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Chiaro</translation>
     </message>
     <message>
         <source>Live surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Superficie dal vivo</translation>
     </message>
     <message>
         <source>Log</source>
-        <translation type="unfinished"></translation>
+        <translation>Registro</translation>
     </message>
     <message>
         <source>Looks</source>
-        <translation type="unfinished"></translation>
+        <translation>Aspetto</translation>
     </message>
     <message>
         <source>Measure weak places again by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Rimisura da sé le zone deboli</translation>
     </message>
     <message>
         <source>Of everything in the window, from the next start on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Di tutto nella finestra, dal prossimo avvio.</translation>
     </message>
     <message>
         <source>Off leaves a slow computer more time for the points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Disattivata lascia più tempo per i punti a un computer lento.</translation>
     </message>
     <message>
         <source>Open the folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Apri la cartella</translation>
     </message>
     <message>
         <source>Program</source>
-        <translation type="unfinished"></translation>
+        <translation>Programma</translation>
     </message>
     <message>
         <source>Reset to defaults</source>
-        <translation type="unfinished"></translation>
+        <translation>Ripristina predefiniti</translation>
     </message>
     <message>
         <source>Scanning</source>
-        <translation type="unfinished"></translation>
+        <translation>Scansione</translation>
     </message>
     <message>
         <source>Second try</source>
-        <translation type="unfinished"></translation>
+        <translation>Secondo tentativo</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Impostazioni</translation>
     </message>
     <message>
         <source>Show the surface while it is scanned</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostra la superficie durante la scansione</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Dimensione</translation>
     </message>
     <message>
         <source>The log holds no patients and no orders. A support bundle (Help) packs it with what else helps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il registro non contiene pazienti né ordini. Il pacchetto di assistenza (Aiuto) lo unisce ad altro di utile.</translation>
     </message>
     <message>
         <source>The window changes its language when the scan or the reconstruction has ended and the program starts again.</source>
-        <translation type="unfinished"></translation>
+        <translation>La lingua cambia quando la scansione o la ricostruzione è finita e il programma riparte.</translation>
     </message>
     <message>
         <source>The window is made anew in it; the open case stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>La finestra viene ricreata in questa lingua; il caso aperto resta.</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Tema</translation>
     </message>
     <message>
         <source>Without it a file that leaves the house tells the order, the side and the day, and no patient.</source>
-        <translation type="unfinished"></translation>
+        <translation>Senza, un file che esce dal laboratorio dice ordine, lato e giorno, e nessun paziente.</translation>
     </message>
     <message>
         <source>{n} %</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} %</translation>
     </message>
 </context>
 <context>
@@ -3867,71 +3882,71 @@ After: {after}</source>
     <name>StatusLine</name>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibrazione</translation>
     </message>
     <message>
         <source>Calibration expired</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibrazione scaduta</translation>
     </message>
     <message>
         <source>Calibration {age}</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibrazione: {age}</translation>
     </message>
     <message>
         <source>Camera left not available</source>
-        <translation type="unfinished"></translation>
+        <translation>Telecamera sinistra non disponibile</translation>
     </message>
     <message>
         <source>Camera right not available</source>
-        <translation type="unfinished"></translation>
+        <translation>Telecamera destra non disponibile</translation>
     </message>
     <message>
         <source>Cameras not open</source>
-        <translation type="unfinished"></translation>
+        <translation>Telecamere non aperte</translation>
     </message>
     <message>
         <source>Cameras opening</source>
-        <translation type="unfinished"></translation>
+        <translation>Apertura telecamere</translation>
     </message>
     <message>
         <source>Cameras ready</source>
-        <translation type="unfinished"></translation>
+        <translation>Telecamere pronte</translation>
     </message>
     <message>
         <source>Controller not available</source>
-        <translation type="unfinished"></translation>
+        <translation>Controllore non disponibile</translation>
     </message>
     <message>
         <source>Not calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>Non calibrato</translation>
     </message>
     <message>
         <source>Open the order that is being reconstructed</source>
-        <translation type="unfinished"></translation>
+        <translation>Apre l&apos;ordine in ricostruzione</translation>
     </message>
     <message>
         <source>The rig file cannot be used</source>
-        <translation type="unfinished"></translation>
+        <translation>Il file del banco non è utilizzabile</translation>
     </message>
     <message>
         <source>Turntable</source>
-        <translation type="unfinished"></translation>
+        <translation>Tavola rotante</translation>
     </message>
     <message>
         <source>Turntable {angle}°</source>
-        <translation type="unfinished"></translation>
+        <translation>Tavola rotante {angle}°</translation>
     </message>
     <message>
         <source>Virtual rig  ·  {rig}</source>
-        <translation type="unfinished"></translation>
+        <translation>Banco virtuale  ·  {rig}</translation>
     </message>
     <message>
         <source>Virtual rig  ·  {rig}  ·  {speed}</source>
-        <translation type="unfinished"></translation>
+        <translation>Banco virtuale  ·  {rig}  ·  {speed}</translation>
     </message>
     <message>
         <source>full speed</source>
-        <translation type="unfinished"></translation>
+        <translation>piena velocità</translation>
     </message>
 </context>
 <context>
@@ -4000,67 +4015,67 @@ After: {after}</source>
     <name>SurfaceCard</name>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Annulla</translation>
     </message>
     <message>
         <source>Choose…</source>
-        <translation type="unfinished"></translation>
+        <translation>Scegli…</translation>
     </message>
     <message>
         <source>Date</source>
-        <translation type="unfinished"></translation>
+        <translation>Data</translation>
     </message>
     <message>
         <source>Reading {name}…</source>
-        <translation type="unfinished"></translation>
+        <translation>Lettura di {name}…</translation>
     </message>
     <message>
         <source>Replace…</source>
-        <translation type="unfinished"></translation>
+        <translation>Sostituisci…</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Dimensioni</translation>
     </message>
     <message>
         <source>Take this surface out</source>
-        <translation type="unfinished"></translation>
+        <translation>Togli questa superficie</translation>
     </message>
     <message>
         <source>Triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Triangoli</translation>
     </message>
     <message>
         <source>Unit of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Unità del file</translation>
     </message>
     <message>
         <source>as you said</source>
-        <translation type="unfinished"></translation>
+        <translation>come indicato</translation>
     </message>
     <message>
         <source>centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>centimetri</translation>
     </message>
     <message>
         <source>inches</source>
-        <translation type="unfinished"></translation>
+        <translation>pollici</translation>
     </message>
     <message>
         <source>metres</source>
-        <translation type="unfinished"></translation>
+        <translation>metri</translation>
     </message>
     <message>
         <source>millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>millimetri</translation>
     </message>
     <message>
         <source>none yet</source>
-        <translation type="unfinished"></translation>
+        <translation>ancora nessuna</translation>
     </message>
     <message>
         <source>{size} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{size} mm</translation>
     </message>
 </context>
 <context>
@@ -4121,7 +4136,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Fatto</translation>
     </message>
     <message>
         <source>End the tour</source>
@@ -4206,11 +4221,11 @@ After: {after}</source>
     <name>WedgeField</name>
     <message>
         <source>Order number, by barcode or keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Numero d&apos;ordine, da codice a barre o tastiera</translation>
     </message>
     <message>
         <source>Scan or type an order number</source>
-        <translation type="unfinished"></translation>
+        <translation>Leggere o digitare un numero d&apos;ordine</translation>
     </message>
 </context>
 <context>
@@ -4346,7 +4361,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Back to the defaults</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Ripristino dei valori predefiniti</translation>
     </message>
     <message>
         <source>Density of the points, of that which they have among themselves, from which on the surface counts as measured. Default 45 %.</source>
@@ -4474,135 +4489,135 @@ After: {after}</source>
     <name>actions</name>
     <message>
         <source>&amp;About Impronta</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Informazioni su Impronta</translation>
     </message>
     <message>
         <source>&amp;Case</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Caso</translation>
     </message>
     <message>
         <source>&amp;Colours: the next</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Colori: successivo</translation>
     </message>
     <message>
         <source>&amp;Complete</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Completa</translation>
     </message>
     <message>
         <source>&amp;Deliver…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Consegna…</translation>
     </message>
     <message>
         <source>&amp;Edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Sp&amp;igoli</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Modifica</translation>
     </message>
     <message>
         <source>&amp;Fill now</source>
-        <translation type="unfinished"></translation>
+        <translation>Completa &amp;ora</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Adatta</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Aiuto</translation>
     </message>
     <message>
         <source>&amp;Help on this page</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Aiuto su questa pagina</translation>
     </message>
     <message>
         <source>&amp;Keyboard shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Scorciatoie da tastiera</translation>
     </message>
     <message>
         <source>&amp;New case</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nuovo caso</translation>
     </message>
     <message>
         <source>&amp;Open case…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Apri caso…</translation>
     </message>
     <message>
         <source>&amp;Pause or resume</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Pausa o riprendi</translation>
     </message>
     <message>
         <source>&amp;Points</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Punti</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Esci</translation>
     </message>
     <message>
         <source>&amp;Reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ricostruisci</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ripeti</translation>
     </message>
     <message>
         <source>&amp;Scan</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Scansione</translation>
     </message>
     <message>
         <source>&amp;Start scan</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Avvia scansione</translation>
     </message>
     <message>
         <source>&amp;Support bundle…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Pacchetto di assistenza…</translation>
     </message>
     <message>
         <source>&amp;Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Superficie</translation>
     </message>
     <message>
         <source>&amp;Top</source>
-        <translation type="unfinished"></translation>
+        <translation>Dall&apos;al&amp;to</translation>
     </message>
     <message>
         <source>&amp;Tour</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Visita guidata</translation>
     </message>
     <message>
         <source>&amp;Uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>I&amp;ncertezza</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Annulla</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vista</translation>
     </message>
     <message>
         <source>Another &amp;mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Altro posiziona&amp;mento</translation>
     </message>
     <message>
         <source>F&amp;ront</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Frontale</translation>
     </message>
     <message>
         <source>Scan &amp;this mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Scansiona &amp;questo posizionamento</translation>
     </message>
     <message>
         <source>Set up a ri&amp;g…</source>
-        <translation type="unfinished"></translation>
+        <translation>Configura un &amp;banco…</translation>
     </message>
     <message>
         <source>Stop and &amp;laser off</source>
-        <translation type="unfinished"></translation>
+        <translation>Ferma e spegni &amp;laser</translation>
     </message>
 </context>
 <context>
@@ -4633,7 +4648,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Scanning</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Scansione</translation>
     </message>
     <message>
         <source>Setting up a rig</source>
@@ -4644,102 +4659,102 @@ After: {after}</source>
     <name>aim</name>
     <message>
         <source>As it was set on the Aim page.</source>
-        <translation type="unfinished"></translation>
+        <translation>Come impostato nella pagina Puntamento.</translation>
     </message>
     <message>
         <source>As the rig file says</source>
-        <translation type="unfinished"></translation>
+        <translation>Come dice il file del banco</translation>
     </message>
     <message>
         <source>Automatic exposure</source>
-        <translation type="unfinished"></translation>
+        <translation>Esposizione automatica</translation>
     </message>
     <message>
         <source>Both cameras saw too few spots to learn from: bring the spot to a place that both see.</source>
-        <translation type="unfinished"></translation>
+        <translation>Troppo pochi punti visti dalle due telecamere per imparare: portare il punto dove lo vedono entrambe.</translation>
     </message>
     <message>
         <source>Both cameras see the spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entrambe le telecamere vedono il punto.</translation>
     </message>
     <message>
         <source>Bringing the spot there…</source>
-        <translation type="unfinished"></translation>
+        <translation>Spostamento del punto…</translation>
     </message>
     <message>
         <source>Change limits of the spot&apos;s size</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica limiti della dimensione</translation>
     </message>
     <message>
         <source>Choose material</source>
-        <translation type="unfinished"></translation>
+        <translation>Scelta del materiale</translation>
     </message>
     <message>
         <source>Finding the exposure…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricerca dell&apos;esposizione…</translation>
     </message>
     <message>
         <source>Learn the spot&apos;s size</source>
-        <translation type="unfinished"></translation>
+        <translation>Apprendimento della dimensione</translation>
     </message>
     <message>
         <source>Learned from {spots} spots; {strays} reflections were seen beside them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Imparato da {spots} punti; accanto si sono visti {strays} riflessi.</translation>
     </message>
     <message>
         <source>Learning: the beam moves a little…</source>
-        <translation type="unfinished"></translation>
+        <translation>Apprendimento: il raggio si muove un poco…</translation>
     </message>
     <message>
         <source>Live lights the laser and shows what the cameras make of its spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>«Dal vivo» accende il laser e mostra come le telecamere vedono il punto.</translation>
     </message>
     <message>
         <source>Looking for the object…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricerca dell&apos;oggetto…</translation>
     </message>
     <message>
         <source>Moving…</source>
-        <translation type="unfinished"></translation>
+        <translation>Movimento…</translation>
     </message>
     <message>
         <source>No point here: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Qui nessun punto: {reason}.</translation>
     </message>
     <message>
         <source>The background is too bright: switch off the lamp or close the lid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo sfondo è troppo chiaro: spegnere la lampada o chiudere il coperchio.</translation>
     </message>
     <message>
         <source>The rig is not calibrated: each camera is judged alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il banco non è calibrato: ogni telecamera è giudicata da sola.</translation>
     </message>
     <message>
         <source>Too bright even at the shortest exposure: close the apertures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Troppa luce anche con l&apos;esposizione più breve: chiudere i diaframmi.</translation>
     </message>
     <message>
         <source>Too dark even at the longest exposure: look at the laser and the lens caps, or open the apertures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Troppo buio anche con l&apos;esposizione più lunga: controllare il laser e i tappi degli obiettivi, o aprire i diaframmi.</translation>
     </message>
     <message>
         <source>{left} and {right}</source>
-        <translation type="unfinished"></translation>
+        <translation>{left} e {right}</translation>
     </message>
     <message>
         <source>{material}: {exposure} ms, {gain} dB, spots of {low} to {high} pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>{material}: {exposure} ms, {gain} dB, punti da {low} a {high} pixel</translation>
     </message>
 </context>
 <context>
     <name>assistant</name>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Telecamera sinistra</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Telecamera destra</translation>
     </message>
     <message>
         <source>Correct the steps of beam X: it moves {percent} % of what it is told.</source>
@@ -4847,7 +4862,7 @@ After: {after}</source>
     </message>
     <message>
         <source>controller</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">controllore</translation>
     </message>
     <message>
         <source>does not work</source>
@@ -5129,7 +5144,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Reference sphere</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Sfera di riferimento</translation>
     </message>
     <message>
         <source>Reprojection error</source>
@@ -5200,91 +5215,91 @@ After: {after}</source>
     <name>checks</name>
     <message>
         <source>beam axes</source>
-        <translation type="unfinished"></translation>
+        <translation>assi del raggio</translation>
     </message>
     <message>
         <source>beam axis x</source>
-        <translation type="unfinished"></translation>
+        <translation>asse x del raggio</translation>
     </message>
     <message>
         <source>beam axis y</source>
-        <translation type="unfinished"></translation>
+        <translation>asse y del raggio</translation>
     </message>
     <message>
         <source>camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>telecamera sinistra</translation>
     </message>
     <message>
         <source>camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>telecamera destra</translation>
     </message>
     <message>
         <source>cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>telecamere</translation>
     </message>
     <message>
         <source>controller</source>
-        <translation type="unfinished"></translation>
+        <translation>controllore</translation>
     </message>
     <message>
         <source>controller handshake</source>
-        <translation type="unfinished"></translation>
+        <translation>contatto col controllore</translation>
     </message>
     <message>
         <source>controller laser</source>
-        <translation type="unfinished"></translation>
+        <translation>laser del controllore</translation>
     </message>
     <message>
         <source>controller laser left off</source>
-        <translation type="unfinished"></translation>
+        <translation>laser lasciato spento dal controllore</translation>
     </message>
     <message>
         <source>controller move</source>
-        <translation type="unfinished"></translation>
+        <translation>moto del controllore</translation>
     </message>
     <message>
         <source>done</source>
-        <translation type="unfinished"></translation>
+        <translation>fatto</translation>
     </message>
     <message>
         <source>exposure</source>
-        <translation type="unfinished"></translation>
+        <translation>esposizione</translation>
     </message>
     <message>
         <source>frame rate</source>
-        <translation type="unfinished"></translation>
+        <translation>frequenza immagini</translation>
     </message>
     <message>
         <source>frame rate left</source>
-        <translation type="unfinished"></translation>
+        <translation>frequenza immagini sinistra</translation>
     </message>
     <message>
         <source>frame rate right</source>
-        <translation type="unfinished"></translation>
+        <translation>frequenza immagini destra</translation>
     </message>
     <message>
         <source>laser seen</source>
-        <translation type="unfinished"></translation>
+        <translation>laser visto</translation>
     </message>
     <message>
         <source>laser spot</source>
-        <translation type="unfinished"></translation>
+        <translation>punto laser</translation>
     </message>
     <message>
         <source>left and right</source>
-        <translation type="unfinished"></translation>
+        <translation>sinistra e destra</translation>
     </message>
     <message>
         <source>rest of the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>resto del banco</translation>
     </message>
     <message>
         <source>table</source>
-        <translation type="unfinished"></translation>
+        <translation>tavola</translation>
     </message>
     <message>
         <source>trigger skew</source>
-        <translation type="unfinished"></translation>
+        <translation>ritardo di trigger</translation>
     </message>
 </context>
 <context>
@@ -5474,225 +5489,517 @@ After: {after}</source>
     <name>coverage</name>
     <message>
         <source>Dust it with a matt powder, or expose shorter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Opacizzare con polvere, o ridurre l&apos;esposizione.</translation>
     </message>
     <message>
         <source>Dust it with a matt white powder, or expose longer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Opacizzare con polvere bianca, o aumentare l&apos;esposizione.</translation>
     </message>
     <message>
         <source>Fill it now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Completare ora.</translation>
     </message>
     <message>
         <source>Following the light to every place…</source>
-        <translation type="unfinished"></translation>
+        <translation>Percorso della luce verso ogni zona…</translation>
     </message>
     <message>
         <source>Looking for a better way to set the object down…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricerca di un posizionamento migliore…</translation>
     </message>
     <message>
         <source>Move the object to the middle of the table.</source>
-        <translation type="unfinished"></translation>
+        <translation>Spostare l&apos;oggetto al centro della tavola.</translation>
     </message>
     <message>
         <source>On the side</source>
-        <translation type="unfinished"></translation>
+        <translation>Di lato</translation>
     </message>
     <message>
         <source>On top</source>
-        <translation type="unfinished"></translation>
+        <translation>In alto</translation>
     </message>
     <message>
         <source>Put the object down in another way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Posare l&apos;oggetto in altro modo.</translation>
     </message>
     <message>
         <source>Reading the case…</source>
-        <translation type="unfinished"></translation>
+        <translation>Lettura del caso…</translation>
     </message>
     <message>
         <source>Tilt the object by about {deg}°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Inclinare l&apos;oggetto di circa {deg}°.</translation>
     </message>
     <message>
         <source>Turn the object over, or tilt it by about {deg}°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Capovolgere l&apos;oggetto o inclinarlo di circa {deg}°.</translation>
     </message>
     <message>
         <source>Turn the object upside down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Capovolgere l&apos;oggetto.</translation>
     </message>
     <message>
         <source>Underneath</source>
-        <translation type="unfinished"></translation>
+        <translation>Di sotto</translation>
     </message>
     <message>
         <source>With the table at {turn:.0f}°, tip the top of the object by about {tip:.0f}° towards the cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>Con la tavola a {turn:.0f}°, inclinare la cima dell&apos;oggetto di circa {tip:.0f}° verso le telecamere.</translation>
     </message>
     <message>
         <source>as wanted</source>
-        <translation type="unfinished"></translation>
+        <translation>come richiesto</translation>
     </message>
     <message>
         <source>faces the laser at {deg}°</source>
-        <translation type="unfinished"></translation>
+        <translation>guarda il laser a {deg}°</translation>
     </message>
     <message>
         <source>hidden from the laser by the object</source>
-        <translation type="unfinished"></translation>
+        <translation>nascosta al laser dall&apos;oggetto</translation>
     </message>
     <message>
         <source>hidden from the left camera by the object</source>
-        <translation type="unfinished"></translation>
+        <translation>nascosta alla telecamera sinistra dall&apos;oggetto</translation>
     </message>
     <message>
         <source>hidden from the right camera by the object</source>
-        <translation type="unfinished"></translation>
+        <translation>nascosta alla telecamera destra dall&apos;oggetto</translation>
     </message>
     <message>
         <source>looks down or lies on the table</source>
-        <translation type="unfinished"></translation>
+        <translation>guarda in basso o poggia sulla tavola</translation>
     </message>
     <message>
         <source>never seen by both cameras at once</source>
-        <translation type="unfinished"></translation>
+        <translation>mai vista da entrambe le telecamere insieme</translation>
     </message>
     <message>
         <source>no points</source>
-        <translation type="unfinished"></translation>
+        <translation>senza punti</translation>
     </message>
     <message>
         <source>outside of the pictures or the volume</source>
-        <translation type="unfinished"></translation>
+        <translation>fuori dalle immagini o dal volume</translation>
     </message>
     <message>
         <source>seen too flatly at every angle</source>
-        <translation type="unfinished"></translation>
+        <translation>vista troppo radente da ogni angolo</translation>
     </message>
     <message>
         <source>the spot is too bright there</source>
-        <translation type="unfinished"></translation>
+        <translation>lì il punto laser è troppo forte</translation>
     </message>
     <message>
         <source>the spot is too dark there</source>
-        <translation type="unfinished"></translation>
+        <translation>lì il punto laser è troppo debole</translation>
     </message>
     <message>
         <source>too few points</source>
-        <translation type="unfinished"></translation>
+        <translation>troppo pochi punti</translation>
     </message>
     <message>
         <source>up to {um} µm</source>
-        <translation type="unfinished"></translation>
+        <translation>fino a {um} µm</translation>
     </message>
     <message>
         <source>{gained:.0f} of {unreached:.0f} mm² that are hidden now come into view; {share:.0f} % of what is seen then is known already.</source>
-        <translation type="unfinished"></translation>
+        <translation>{gained:.0f} dei {unreached:.0f} mm² ora nascosti diventano visibili; il {share:.0f} % di ciò che si vede è già noto.</translation>
     </message>
     <message>
         <source>{mm2} mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>{mm2} mm²</translation>
     </message>
     <message>
         <source>{mm} mm up</source>
-        <translation type="unfinished"></translation>
+        <translation>{mm} mm in alto</translation>
     </message>
 </context>
 <context>
     <name>delivery</name>
     <message>
+        <source>2-manifold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>3MF, carries its unit</source>
+        <translation>3MF, con la sua unità</translation>
+    </message>
+    <message>
+        <source>A person accepted {count} holes or thin places as they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A person took out {count} measured points, {percent} % of all.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A person took out {count} measured points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accepted places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All triangles face outwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another ear of this order is labelled {side} too, and yet the two mirror each other. Is one of them labelled wrongly?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Archive (PLY with uncertainty, and points)</source>
-        <translation type="unfinished"></translation>
+        <translation>Archivio (PLY con incertezza, e punti)</translation>
     </message>
     <message>
         <source>As it was scanned</source>
+        <translation>Come scansionata</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation type="unfinished">Calibrazione</translation>
+    </message>
+    <message>
+        <source>Calibration {id} of {date} had expired {days} days before the scan. Calibrate, compute the points anew or scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration {id} of {date} was off by {error_um} µm on corners that it had not seen, more than {limit_um} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration {id} of {date} was valid at the scan for {days} more days only; calibrate before the next order.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration {id} of {date} was valid at the scan, but no known length has verified its scale.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration {id} of {date} was valid at the scan, its scale verified; held-out error {error_um} µm.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Canal tip up</source>
-        <translation type="unfinished"></translation>
+        <translation>Punta del condotto in alto</translation>
     </message>
     <message>
         <source>Centimetres</source>
+        <translation>Centimetri</translation>
+    </message>
+    <message>
+        <source>Closed</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closure of the turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation type="unfinished">Copertura</translation>
     </message>
     <message>
         <source>Dental model (STL, occlusal plane XY)</source>
-        <translation type="unfinished"></translation>
+        <translation>Modello dentale (STL, piano occlusale XY)</translation>
     </message>
     <message>
         <source>Ear shell laboratory (STL)</source>
+        <translation>Laboratorio gusci auricolari (STL)</translation>
+    </message>
+    <message>
+        <source>Every edge and every vertex lies on one sheet of surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every edge belongs to two triangles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expected error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Facing outwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far this surface is off is not recorded; it was not reconstructed by this program.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Inches</source>
+        <translation>Pollici</translation>
+    </message>
+    <message>
+        <source>It consists of {count} separate pieces. Remove what does not belong to the object, and reconstruct again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is one piece.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {longest_mm} x {middle_mm} x {shortest_mm} mm large, as {kind} is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {longest_mm} x {middle_mm} x {shortest_mm} mm large; {kind} is {least_mm} to {most_mm} mm long. Are unit and type right?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {longest_mm} x {middle_mm} x {shortest_mm} mm large; {kind} is {least_mm} to {most_mm} mm long. Is it whole, and alone?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It mirrors the other ear: {mirrored_um} µm apart mirrored, {direct_um} µm as it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks on the table</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Metres</source>
-        <translation type="unfinished"></translation>
+        <translation>Metri</translation>
     </message>
     <message>
         <source>Millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Millimetri</translation>
     </message>
     <message>
         <source>Modelling (OBJ)</source>
+        <translation>Modellazione (OBJ)</translation>
+    </message>
+    <message>
+        <source>Mount {mount} is not part of the surface: it could not be brought together with the others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mounts</source>
+        <translation type="unfinished">Posizionamenti</translation>
+    </message>
+    <message>
+        <source>No hole or thin place had to be accepted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No measured point was taken out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No self-intersections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No size is expected of an object of this type; it is {longest_mm} x {middle_mm} x {shortest_mm} mm large.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No triangle runs through another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not checked: the other ear of this order is not there yet.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Not ready</source>
-        <translation type="unfinished"></translation>
+        <translation>Non pronta</translation>
     </message>
     <message>
         <source>Occlusal plane XY, +Z to occlusal</source>
+        <translation>Piano occlusale XY, +Z verso occlusale</translation>
+    </message>
+    <message>
+        <source>Of which points this surface was made is not recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One shell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only {percent} % of the surface beside its base rests on measured points: too much of it is a guess. Scan the rest first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only {percent} % of the surface beside its base rests on measured points; the rest is a guess. Fill the holes, or say so.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>PLY, with uncertainty and support</source>
+        <translation>PLY, con incertezza e sostegno</translation>
+    </message>
+    <message>
+        <source>Points taken out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Printing (3MF)</source>
-        <translation type="unfinished"></translation>
+        <translation>Stampa (3MF)</translation>
     </message>
     <message>
         <source>Ready</source>
-        <translation type="unfinished"></translation>
+        <translation>Pronta</translation>
     </message>
     <message>
         <source>Ready, with remarks</source>
+        <translation>Pronta, con osservazioni</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation type="unfinished">Lato</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first view was not measured again, and the views of the turn agree only to {closure_um} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first view was not measured again; the views of the turn agree to {closure_um} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first view, measured again after the turn, lies {closure_um} µm off, more than {limit_um} µm: something moved a little.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first view, measured again at the end of the turn, lies {closure_um} µm beside its first measurement.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks on the table&apos;s rim kept their distances to {marks_um} µm only, more than {limit_um} µm: something moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks on the table&apos;s rim kept their distances to {marks_um} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The measured surface is expected to be off by {error_um} µm rms; the points scatter by {residual_um} µm about it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The order does not say which ear it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The order does not say which jaw it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points were changed after this surface was made of them. Reconstruct again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scan had no marks on the table&apos;s rim to watch over it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface has {count} open edges; a printer may fill it wrongly. Reconstruct again with closed holes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface is expected to be off by {error_um} µm rms, more than {limit_um} µm. More points, or a calibration, would help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface is expected to be off by {error_um} µm rms: too much for a shell. Calibrate, and scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface touches itself at {count} places. Reconstruct again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface was made of the points as they are now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The turn does not close: the first view, measured again, lies {closure_um} µm off. Object or camera moved; scan again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The two ears do not mirror each other ({direct_um} µm apart as they are, {mirrored_um} µm mirrored). Is one labelled wrongly?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no other side to compare with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is one mount; nothing had to be brought together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangles face inwards or against their neighbours. Reconstruct again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up to date</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether it mirrors the other ear cannot be told ({mirrored_um} µm apart mirrored, {direct_um} µm as it is). Look at both.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the turn closes was not measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which part of this surface was measured is not recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With which calibration this surface was measured is not recorded.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a dental arch</source>
-        <translation type="unfinished"></translation>
+        <translation>un&apos;arcata dentaria</translation>
     </message>
     <message>
         <source>an ear impression</source>
-        <translation type="unfinished"></translation>
+        <translation>un&apos;impronta auricolare</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished"></translation>
+        <translation>non superata</translation>
     </message>
     <message>
         <source>not checked</source>
-        <translation type="unfinished"></translation>
+        <translation>non verificata</translation>
     </message>
     <message>
         <source>passed</source>
-        <translation type="unfinished"></translation>
+        <translation>superata</translation>
     </message>
     <message>
         <source>remark</source>
+        <translation>osservazione</translation>
+    </message>
+    <message>
+        <source>{count} mounts lie on each other to {residual_um} µm only, more than {limit_um} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} mounts lie on each other to {residual_um} µm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} triangles run through others. Reconstruct again, with less detail if need be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{percent} % of the surface beside its base rests on measured points.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5700,135 +6007,135 @@ After: {after}</source>
     <name>draft</name>
     <message>
         <source>Accept a place as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Accettazione di una zona così com&apos;è</translation>
     </message>
     <message>
         <source>Back to the defaults</source>
-        <translation type="unfinished"></translation>
+        <translation>Ripristino dei valori predefiniti</translation>
     </message>
     <message>
         <source>Both</source>
-        <translation type="unfinished"></translation>
+        <translation>Entrambi</translation>
     </message>
     <message>
         <source>Bring points back</source>
-        <translation type="unfinished"></translation>
+        <translation>Recupero di punti</translation>
     </message>
     <message>
         <source>Change detail</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica dettaglio</translation>
     </message>
     <message>
         <source>Change number of points</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica numero di punti</translation>
     </message>
     <message>
         <source>Change number of triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica numero di triangoli</translation>
     </message>
     <message>
         <source>Change number of views</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica numero di viste</translation>
     </message>
     <message>
         <source>Change open or closed base</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica base aperta o chiusa</translation>
     </message>
     <message>
         <source>Change pass-band</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica banda passante</translation>
     </message>
     <message>
         <source>Change seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica seme</translation>
     </message>
     <message>
         <source>Change side</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica lato</translation>
     </message>
     <message>
         <source>Change smoothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica lisciatura</translation>
     </message>
     <message>
         <source>Change support threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica soglia di sostegno</translation>
     </message>
     <message>
         <source>Change tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica tolleranza</translation>
     </message>
     <message>
         <source>Change type</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica tipo</translation>
     </message>
     <message>
         <source>Change wanted uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica incertezza richiesta</translation>
     </message>
     <message>
         <source>Dental model</source>
-        <translation type="unfinished"></translation>
+        <translation>Modello dentale</translation>
     </message>
     <message>
         <source>Dental model, after treatment</source>
-        <translation type="unfinished"></translation>
+        <translation>Modello dentale, dopo il trattamento</translation>
     </message>
     <message>
         <source>Dental model, before treatment</source>
-        <translation type="unfinished"></translation>
+        <translation>Modello dentale, prima del trattamento</translation>
     </message>
     <message>
         <source>Do not accept a place</source>
-        <translation type="unfinished"></translation>
+        <translation>Revoca dell&apos;accettazione di una zona</translation>
     </message>
     <message>
         <source>Ear impression</source>
-        <translation type="unfinished"></translation>
+        <translation>Impronta auricolare</translation>
     </message>
     <message>
         <source>Edit order number</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica numero d&apos;ordine</translation>
     </message>
     <message>
         <source>Edit patient code</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica codice paziente</translation>
     </message>
     <message>
         <source>Left</source>
-        <translation type="unfinished"></translation>
+        <translation>Sinistro</translation>
     </message>
     <message>
         <source>Lower jaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Arcata inferiore</translation>
     </message>
     <message>
         <source>Measure</source>
-        <translation type="unfinished"></translation>
+        <translation>Misura</translation>
     </message>
     <message>
         <source>Other</source>
-        <translation type="unfinished"></translation>
+        <translation>Altro</translation>
     </message>
     <message>
         <source>Remove a measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>Rimozione di una misura</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation>Destro</translation>
     </message>
     <message>
         <source>Split the pair tray</source>
-        <translation type="unfinished"></translation>
+        <translation>Divisione del vassoio doppio</translation>
     </message>
     <message>
         <source>Take points out</source>
-        <translation type="unfinished"></translation>
+        <translation>Rimozione di punti</translation>
     </message>
     <message>
         <source>Upper jaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Arcata superiore</translation>
     </message>
 </context>
 <context>
@@ -5839,7 +6146,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Laser off</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Spegni laser</translation>
     </message>
     <message>
         <source>Laser unknown</source>
@@ -5865,249 +6172,249 @@ After: {after}</source>
     <name>format</name>
     <message>
         <source>1 day old</source>
-        <translation type="unfinished"></translation>
+        <translation>1 giorno fa</translation>
     </message>
     <message>
         <source>1 hour ago</source>
-        <translation type="unfinished"></translation>
+        <translation>1 ora fa</translation>
     </message>
     <message>
         <source>1 minute ago</source>
-        <translation type="unfinished"></translation>
+        <translation>1 minuto fa</translation>
     </message>
     <message>
         <source>just now</source>
-        <translation type="unfinished"></translation>
+        <translation>adesso</translation>
     </message>
     <message>
         <source>today</source>
-        <translation type="unfinished"></translation>
+        <translation>oggi</translation>
     </message>
     <message>
         <source>yesterday</source>
-        <translation type="unfinished"></translation>
+        <translation>ieri</translation>
     </message>
     <message>
         <source>{n} days ago</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} giorni fa</translation>
     </message>
     <message>
         <source>{n} days old</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} giorni fa</translation>
     </message>
     <message>
         <source>{n} hours ago</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} ore fa</translation>
     </message>
     <message>
         <source>{n} minutes ago</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} minuti fa</translation>
     </message>
 </context>
 <context>
     <name>help</name>
     <message>
         <source>A deviation is positive where the surface after lies outside of the one before. What is smaller than the detection level cannot be told from noise and stays grey.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo scostamento è positivo dove la superficie dopo sta fuori da quella prima. Ciò che è sotto la soglia di rilevabilità non si distingue dal rumore e resta grigio.</translation>
     </message>
     <message>
         <source>A rig of your own is set up here: its board and cameras are found, checked, and written into a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Qui si configura un banco proprio: scheda e telecamere sono trovate, verificate e scritte in un file.</translation>
     </message>
     <message>
         <source>An area is that of the missing surface in square millimetres. The sign at each place says why it is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;area è quella della superficie mancante, in millimetri quadrati. Il segno a ogni zona dice perché manca.</translation>
     </message>
     <message>
         <source>Both cameras live, with the laser spot that is accepted and every spot that is not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le due telecamere dal vivo, col punto laser accettato e ogni punto che non lo è.</translation>
     </message>
     <message>
         <source>Cut the base off, then brush or lasso what is left over. Every step can be taken back with Ctrl+Z; no point is ever deleted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagliare la base, poi pennello o lazo per ciò che avanza. Ogni passo si annulla con Ctrl+Z; nessun punto viene mai cancellato.</translation>
     </message>
     <message>
         <source>Directions and steps are measured by what the cameras see, and corrected in the file where they differ.</source>
-        <translation type="unfinished"></translation>
+        <translation>Direzioni e passi sono misurati con ciò che vedono le telecamere, e corretti nel file dove non coincidono.</translation>
     </message>
     <message>
         <source>Drop both files, say which part has not changed, and compare. Then go through the areas, the largest first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Trascinare i due file, indicare la parte che non è cambiata e confrontare. Poi scorrere le aree, dalla più grande.</translation>
     </message>
     <message>
         <source>Every change is in force at once or says when it will be, and Ctrl+Z takes it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ogni modifica vale subito o dice quando varrà, e Ctrl+Z la annulla.</translation>
     </message>
     <message>
         <source>Fill now scans more where the laser reaches as the object stands. For what is hidden set the object down another way and scan that, or accept the place as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>«Completa ora» scansiona ancora dove il laser arriva con l&apos;oggetto com&apos;è. Per ciò che è nascosto, posare l&apos;oggetto in altro modo e scansionarlo, o accettare la zona com&apos;è.</translation>
     </message>
     <message>
         <source>Go from step to step. Each says what it moves before it does; keep the lid closed and the stop button within reach.</source>
-        <translation type="unfinished"></translation>
+        <translation>Procedere passo per passo. Ognuno dice che cosa muove prima di farlo; tenere il coperchio chiuso e il pulsante di arresto a portata di mano.</translation>
     </message>
     <message>
         <source>Here the day begins: an order is chosen or made, and its scan is started.</source>
-        <translation type="unfinished"></translation>
+        <translation>Qui comincia la giornata: si sceglie o si crea un ordine e se ne avvia la scansione.</translation>
     </message>
     <message>
         <source>Lengths are in millimetres between measured points, areas in square millimetres within the section.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le lunghezze sono in millimetri fra punti misurati, le aree in millimetri quadrati entro la sezione.</translation>
     </message>
     <message>
         <source>Let the exposure be set by itself, or choose a material. Change the limits of the size only when good spots are refused: the reason stands at each of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lasciare l&apos;esposizione automatica o scegliere un materiale. Cambiare i limiti della dimensione solo se vengono rifiutati punti buoni: il motivo sta accanto a ciascuno.</translation>
     </message>
     <message>
         <source>Nothing needs to be done while it runs. Pause stops at a safe place with the laser dark; Esc ends the scan and keeps what was measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durante la scansione non c&apos;è niente da fare. Pausa ferma in un punto sicuro col laser spento; Esc termina e conserva quanto misurato.</translation>
     </message>
     <message>
         <source>Pick a place on the left, then the same place on the right, three times and far apart. Without a mouse: turn with the arrow keys, pick with space.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scegliere un punto a sinistra, poi lo stesso a destra, tre volte e lontani fra loro. Senza mouse: girare con le frecce, scegliere con la barra spaziatrice.</translation>
     </message>
     <message>
         <source>Points that do not belong to the object are taken out here, and distances are measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Qui si tolgono i punti estranei all&apos;oggetto e si misurano distanze.</translation>
     </message>
     <message>
         <source>Read the checks: what is amber says in one sentence what it means. Choose the profile of the receiver and deliver.</source>
-        <translation type="unfinished"></translation>
+        <translation>Leggere le verifiche: ciò che è ambra dice in una frase che cosa significa. Scegliere il profilo del destinatario e consegnare.</translation>
     </message>
     <message>
         <source>Set it down so that what was below looks up, and scan this mount. If it does not fit by itself, pick three points on both.</source>
-        <translation type="unfinished"></translation>
+        <translation>Posarlo in modo che il sotto guardi in alto, e scansionare questo posizionamento. Se non combacia da sé, scegliere tre punti su entrambi.</translation>
     </message>
     <message>
         <source>Start it with the detail as it stands. You may stop it and keep what is there, or scan the next order meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avviarla col dettaglio com&apos;è. Si può fermare e conservare ciò che c&apos;è, o intanto scansionare il prossimo ordine.</translation>
     </message>
     <message>
         <source>The coverage is the share of the surface that was measured, the rest was spanned. The uncertainty is that of a point of the surface, one standard deviation.</source>
-        <translation type="unfinished"></translation>
+        <translation>La copertura è la parte di superficie misurata; il resto è stato colmato. L&apos;incertezza è quella di un punto della superficie, uno scarto tipo.</translation>
     </message>
     <message>
         <source>The distance says how well both agree where they overlap; it should be about the noise of a point.</source>
-        <translation type="unfinished"></translation>
+        <translation>La distanza dice quanto i due concordano dove si sovrappongono; dev&apos;essere circa il rumore di un punto.</translation>
     </message>
     <message>
         <source>The ellipse is the spot&apos;s size, one sigma in pixels. The line is where the other camera says that the spot must be.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;ellisse è la dimensione del punto, un sigma in pixel. La linea è dove il punto deve stare secondo l&apos;altra telecamera.</translation>
     </message>
     <message>
         <source>The error is the distance of the points to the surface: half of them are nearer than the first number, 95 % nearer than the second. Its width should be about the noise of a point.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;errore è la distanza dei punti dalla superficie: la metà sta entro il primo numero, il 95 % entro il secondo. La larghezza dev&apos;essere circa il rumore di un punto.</translation>
     </message>
     <message>
         <source>The error of the calibration is measured at corners of the board that were not used to calibrate. Its age counts since then: calibrate again when something was moved.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;errore della calibrazione è misurato ad angoli della scacchiera non usati per calibrare. L&apos;età conta da allora: ricalibrare se qualcosa è stato spostato.</translation>
     </message>
     <message>
         <source>The large number says how accurate the rig measured the last time it was checked, and when that was.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il numero grande dice quanto accurato era il banco all&apos;ultima verifica, e quando è stata fatta.</translation>
     </message>
     <message>
         <source>The object is measured: the laser visits it point by point, and the table turns it from view to view.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;oggetto viene misurato: il laser lo visita punto per punto e la tavola lo gira da vista a vista.</translation>
     </message>
     <message>
         <source>The object is scanned again, set down another way, and both scans are brought together.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;oggetto viene scansionato di nuovo, posato in altro modo, e le due scansioni sono unite.</translation>
     </message>
     <message>
         <source>The places need not be exact: a few millimetres are enough, the rest is computed from all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>I punti non devono essere esatti: bastano pochi millimetri, il resto è calcolato da tutti i punti.</translation>
     </message>
     <message>
         <source>The points become a closed surface: a balloon is inflated inside them, refined where they ask for it, and smoothed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dai punti nasce una superficie chiusa: un palloncino vi si gonfia dentro, si raffina dove serve e viene lisciato.</translation>
     </message>
     <message>
         <source>The points count what is in the case already. Rejected points were seen by one camera only, or not sharply enough: a few of them are normal. The time left is computed from the views that are done.</source>
-        <translation type="unfinished"></translation>
+        <translation>I punti contano quanto è già nel caso. I punti scartati li ha visti una sola telecamera, o non erano abbastanza nitidi: alcuni sono normali. Il tempo rimasto è calcolato dalle viste fatte.</translation>
     </message>
     <message>
         <source>The size is that of everything in the window: 150 % makes texts and buttons half as large again.</source>
-        <translation type="unfinished"></translation>
+        <translation>La dimensione vale per tutta la finestra: 150 % rende testi e pulsanti grandi una volta e mezza.</translation>
     </message>
     <message>
         <source>The surface is checked and leaves the program as a file for the next machine, with a certificate beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie viene verificata e lascia il programma come file per la macchina successiva, con accanto un certificato.</translation>
     </message>
     <message>
         <source>This page shows the cameras, the laser, the table and their calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Questa pagina mostra telecamere, laser, tavola e la loro calibrazione.</translation>
     </message>
     <message>
         <source>Three places that both mounts have in common tell the program how the object was set down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tre punti comuni ai due posizionamenti dicono al programma come è stato posato l&apos;oggetto.</translation>
     </message>
     <message>
         <source>Two surfaces of the same object, before and after, are laid upon each other and their difference is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Due superfici dello stesso oggetto, prima e dopo, sono sovrapposte e se ne mostra la differenza.</translation>
     </message>
     <message>
         <source>Type the order&apos;s number or read it with the scanner, choose the side and the type, put the object on the table, and start. An interrupted scan is offered at the top and can be resumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Digitare il numero d&apos;ordine o leggerlo con il lettore, scegliere lato e tipo, mettere l&apos;oggetto sulla tavola e avviare. Una scansione interrotta è proposta in alto e si può riprendere.</translation>
     </message>
     <message>
         <source>What is set once: looks, language, folders, and what a scan does by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ciò che si imposta una volta: aspetto, lingua, cartelle, e ciò che la scansione fa da sé.</translation>
     </message>
     <message>
         <source>When everything is green there is nothing to do. Otherwise read the one sentence that is amber: it says what helps, with a button.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se tutto è verde non c&apos;è niente da fare. Altrimenti leggere la frase ambra: dice che cosa aiuta, con un pulsante.</translation>
     </message>
     <message>
         <source>Where the surface is not measured, or only thinly: a list of places, the largest first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dove la superficie non è misurata, o solo poco: una lista di zone, dalla più grande.</translation>
     </message>
 </context>
 <context>
     <name>keys</name>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Confronto</translation>
     </message>
     <message>
         <source>Everywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovunque</translation>
     </message>
     <message>
         <source>Nearer and farther</source>
-        <translation type="unfinished"></translation>
+        <translation>Più vicino e più lontano</translation>
     </message>
     <message>
         <source>Next and previous control</source>
-        <translation type="unfinished"></translation>
+        <translation>Controllo successivo e precedente</translation>
     </message>
     <message>
         <source>Open the menus</source>
-        <translation type="unfinished"></translation>
+        <translation>Apre i menu</translation>
     </message>
     <message>
         <source>Pages</source>
-        <translation type="unfinished"></translation>
+        <translation>Pagine</translation>
     </message>
     <message>
         <source>Pick the point in the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Sceglie il punto al centro</translation>
     </message>
     <message>
         <source>Pick three points</source>
-        <translation type="unfinished"></translation>
+        <translation>Scelta di tre punti</translation>
     </message>
     <message>
         <source>Press the control in hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Aziona il controllo attivo</translation>
     </message>
     <message>
         <source>The other surface, for a moment</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;altra superficie, per un momento</translation>
     </message>
     <message>
         <source>Turn the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Gira la vista</translation>
     </message>
 </context>
 <context>
@@ -6269,7 +6576,7 @@ After: {after}</source>
     </message>
     <message>
         <source>{mm2} mm²</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">{mm2} mm²</translation>
     </message>
     <message>
         <source>{mm3} mm³</source>
@@ -6327,27 +6634,27 @@ After: {after}</source>
     <name>pages</name>
     <message>
         <source>Aim</source>
-        <translation type="unfinished"></translation>
+        <translation>Puntamento</translation>
     </message>
     <message>
         <source>Another mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Altro posizionamento</translation>
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Confronto</translation>
     </message>
     <message>
         <source>Complete</source>
-        <translation type="unfinished"></translation>
+        <translation>Completa</translation>
     </message>
     <message>
         <source>Deliver</source>
-        <translation type="unfinished"></translation>
+        <translation>Consegna</translation>
     </message>
     <message>
         <source>Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica</translation>
     </message>
     <message>
         <source>Home</source>
@@ -6355,78 +6662,78 @@ After: {after}</source>
     </message>
     <message>
         <source>Live point cloud</source>
-        <translation type="unfinished"></translation>
+        <translation>Nuvola di punti dal vivo</translation>
     </message>
     <message>
         <source>Missing places</source>
-        <translation type="unfinished"></translation>
+        <translation>Zone mancanti</translation>
     </message>
     <message>
         <source>Mounts</source>
-        <translation type="unfinished"></translation>
+        <translation>Posizionamenti</translation>
     </message>
     <message>
         <source>Pick three points</source>
-        <translation type="unfinished"></translation>
+        <translation>Scelta di tre punti</translation>
     </message>
     <message>
         <source>Points to be reconstructed</source>
-        <translation type="unfinished"></translation>
+        <translation>Punti da ricostruire</translation>
     </message>
     <message>
         <source>Reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricostruzione</translation>
     </message>
     <message>
         <source>Rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Banco</translation>
     </message>
     <message>
         <source>Scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Scansione</translation>
     </message>
     <message>
         <source>Set up a rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Configura un banco</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Impostazioni</translation>
     </message>
     <message>
         <source>Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Superficie</translation>
     </message>
     <message>
         <source>What is delivered</source>
-        <translation type="unfinished"></translation>
+        <translation>Che cosa si consegna</translation>
     </message>
 </context>
 <context>
     <name>phases</name>
     <message>
         <source>Inflate</source>
-        <translation type="unfinished"></translation>
+        <translation>Gonfia</translation>
     </message>
     <message>
         <source>Refine</source>
-        <translation type="unfinished"></translation>
+        <translation>Raffina</translation>
     </message>
     <message>
         <source>Smooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Liscia</translation>
     </message>
     <message>
         <source>grows to the points</source>
-        <translation type="unfinished"></translation>
+        <translation>cresce fino ai punti</translation>
     </message>
     <message>
         <source>where the error is</source>
-        <translation type="unfinished"></translation>
+        <translation>dove c&apos;è errore</translation>
     </message>
     <message>
         <source>without shrinking</source>
-        <translation type="unfinished"></translation>
+        <translation>senza ritiro</translation>
     </message>
 </context>
 <context>
@@ -6476,253 +6783,253 @@ After: {after}</source>
     <name>ready</name>
     <message>
         <source>Calibrate…</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibra…</translation>
     </message>
     <message>
         <source>Check again</source>
-        <translation type="unfinished"></translation>
+        <translation>Verifica di nuovo</translation>
     </message>
     <message>
         <source>Checking the rig…</source>
-        <translation type="unfinished"></translation>
+        <translation>Verifica del banco…</translation>
     </message>
     <message>
         <source>Find reference</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerca riferimento</translation>
     </message>
     <message>
         <source>Laser off</source>
-        <translation type="unfinished"></translation>
+        <translation>Spegni laser</translation>
     </message>
     <message>
         <source>Not now</source>
-        <translation type="unfinished"></translation>
+        <translation>Non ora</translation>
     </message>
     <message>
         <source>Only {free_gib} GB are free where the cases are kept: free some space.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo {free_gib} GB liberi dove si conservano i casi: liberare spazio.</translation>
     </message>
     <message>
         <source>Ready to measure.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pronto a misurare.</translation>
     </message>
     <message>
         <source>Reconnect</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricollega</translation>
     </message>
     <message>
         <source>Set up…</source>
-        <translation type="unfinished"></translation>
+        <translation>Configura…</translation>
     </message>
     <message>
         <source>The axes have not found their reference yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gli assi non hanno ancora trovato il riferimento.</translation>
     </message>
     <message>
         <source>The calibration does not fit this rig: it must be another one&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>La calibrazione non è di questo banco: dev&apos;essere di un altro.</translation>
     </message>
     <message>
         <source>The calibration expired {days} days ago.</source>
-        <translation type="unfinished"></translation>
+        <translation>La calibrazione è scaduta da {days} giorni.</translation>
     </message>
     <message>
         <source>The controller is halted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il controllore è fermo.</translation>
     </message>
     <message>
         <source>The controller is in alarm: look what stopped it, then unlock it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il controllore è in allarme: vedere che cosa l&apos;ha fermato, poi sbloccarlo.</translation>
     </message>
     <message>
         <source>The controller reports that the laser is lit, and nobody has asked for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il controllore segnala il laser acceso, e nessuno l&apos;ha chiesto.</translation>
     </message>
     <message>
         <source>The lid was opened: close it, then unlock.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il coperchio è stato aperto: chiuderlo, poi sbloccare.</translation>
     </message>
     <message>
         <source>The reference sphere was last measured {days} days ago: have the rig verified.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sfera di riferimento misurata l&apos;ultima volta {days} giorni fa: far verificare il banco.</translation>
     </message>
     <message>
         <source>The reference sphere was never measured on this rig: have it verified.</source>
-        <translation type="unfinished"></translation>
+        <translation>La sfera di riferimento non è mai stata misurata su questo banco: farlo verificare.</translation>
     </message>
     <message>
         <source>The rig is not calibrated yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il banco non è ancora calibrato.</translation>
     </message>
     <message>
         <source>The {camera} camera sends black pictures: take the cap off its lens and look at its cable.</source>
-        <translation type="unfinished"></translation>
+        <translation>La telecamera {camera} dà immagini nere: togliere il tappo dell&apos;obiettivo e controllare il cavo.</translation>
     </message>
     <message>
         <source>The {camera} camera sends pictures of {size} pixels, the rig file says {expected}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La telecamera {camera} dà immagini di {size} pixel, il file del banco dice {expected}.</translation>
     </message>
     <message>
         <source>Too much light falls into the {camera} camera: switch the lamp off or close the lid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Troppa luce nella telecamera {camera}: spegnere la lampada o chiudere il coperchio.</translation>
     </message>
     <message>
         <source>Unlock</source>
-        <translation type="unfinished"></translation>
+        <translation>Sblocca</translation>
     </message>
     <message>
         <source>left</source>
-        <translation type="unfinished"></translation>
+        <translation>sinistra</translation>
     </message>
     <message>
         <source>right</source>
-        <translation type="unfinished"></translation>
+        <translation>destra</translation>
     </message>
     <message>
         <source>{sentence} (and {more} more)</source>
-        <translation type="unfinished"></translation>
+        <translation>{sentence} (e altri {more})</translation>
     </message>
 </context>
 <context>
     <name>reasons</name>
     <message>
         <source>cameras did not expose together</source>
-        <translation type="unfinished"></translation>
+        <translation>telecamere non sincrone nell&apos;esposizione</translation>
     </message>
     <message>
         <source>cameras saw different spots</source>
-        <translation type="unfinished"></translation>
+        <translation>le telecamere vedono punti diversi</translation>
     </message>
     <message>
         <source>cut by the picture&apos;s edge</source>
-        <translation type="unfinished"></translation>
+        <translation>tagliato dal bordo dell&apos;immagine</translation>
     </message>
     <message>
         <source>hidden from the left camera</source>
-        <translation type="unfinished"></translation>
+        <translation>nascosto alla telecamera sinistra</translation>
     </message>
     <message>
         <source>hidden from the right camera</source>
-        <translation type="unfinished"></translation>
+        <translation>nascosto alla telecamera destra</translation>
     </message>
     <message>
         <source>more than one spot</source>
-        <translation type="unfinished"></translation>
+        <translation>più di un punto</translation>
     </message>
     <message>
         <source>no spot in either camera</source>
-        <translation type="unfinished"></translation>
+        <translation>nessun punto nelle due telecamere</translation>
     </message>
     <message>
         <source>on a mark of the table&apos;s rim</source>
-        <translation type="unfinished"></translation>
+        <translation>su una tacca del bordo della tavola</translation>
     </message>
     <message>
         <source>on the table</source>
-        <translation type="unfinished"></translation>
+        <translation>sulla tavola</translation>
     </message>
     <message>
         <source>outside the volume</source>
-        <translation type="unfinished"></translation>
+        <translation>fuori dal volume</translation>
     </message>
     <message>
         <source>picture lost</source>
-        <translation type="unfinished"></translation>
+        <translation>immagine persa</translation>
     </message>
     <message>
         <source>picture too bright</source>
-        <translation type="unfinished"></translation>
+        <translation>immagine troppo chiara</translation>
     </message>
     <message>
         <source>picture torn</source>
-        <translation type="unfinished"></translation>
+        <translation>immagine spezzata</translation>
     </message>
     <message>
         <source>spot overexposed</source>
-        <translation type="unfinished"></translation>
+        <translation>punto sovraesposto</translation>
     </message>
     <message>
         <source>spot smeared along the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>punto strisciato sulla superficie</translation>
     </message>
     <message>
         <source>spot too dim</source>
-        <translation type="unfinished"></translation>
+        <translation>punto troppo debole</translation>
     </message>
     <message>
         <source>spot too large</source>
-        <translation type="unfinished"></translation>
+        <translation>punto troppo grande</translation>
     </message>
     <message>
         <source>spot too small</source>
-        <translation type="unfinished"></translation>
+        <translation>punto troppo piccolo</translation>
     </message>
 </context>
 <context>
     <name>reconstruction</name>
     <message>
         <source>About {triangles} triangles, expected error about {n} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Circa {triangles} triangoli, errore atteso circa {n} µm.</translation>
     </message>
     <message>
         <source>About {triangles} triangles, expected error about {n} µm: rounder, but no more certain.</source>
-        <translation type="unfinished"></translation>
+        <translation>Circa {triangles} triangoli, errore atteso circa {n} µm: più tonda, ma non più certa.</translation>
     </message>
     <message>
         <source>About {triangles} triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Circa {triangles} triangoli.</translation>
     </message>
     <message>
         <source>As many triangles as a tolerance of {n} µm needs (set under Expert).</source>
-        <translation type="unfinished"></translation>
+        <translation>Tanti triangoli quanti ne richiede una tolleranza di {n} µm (vedi Avanzate).</translation>
     </message>
     <message>
         <source>Closed and whole: points support all of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Chiusa e intera: tutta sostenuta dai punti.</translation>
     </message>
     <message>
         <source>Closed and whole; {share} % of the points did not belong to it and were left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Chiusa e intera; il {share} % dei punti non le apparteneva ed è stato escluso.</translation>
     </message>
     <message>
         <source>Closed; {share} % of it was not scanned and is only bridged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Chiusa; il {share} % non è stato scansionato ed è solo colmato.</translation>
     </message>
     <message>
         <source>Kept early: closed and whole, but coarser than the points allow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fermata prima: chiusa e intera, ma più grossolana di quanto i punti consentano.</translation>
     </message>
     <message>
         <source>Left open where nothing was scanned, as it was asked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lasciata aperta dove non si è scansionato, come richiesto.</translation>
     </message>
     <message>
         <source>No order number</source>
-        <translation type="unfinished"></translation>
+        <translation>Senza numero d&apos;ordine</translation>
     </message>
     <message>
         <source>The points carry the number of triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>I punti reggono il numero di triangoli.</translation>
     </message>
     <message>
         <source>{order} · {side}</source>
-        <translation type="unfinished"></translation>
+        <translation>{order} · {side}</translation>
     </message>
     <message>
         <source>{order}: being finished</source>
-        <translation type="unfinished"></translation>
+        <translation>{order}: si termina</translation>
     </message>
     <message>
         <source>{order}: reconstructing</source>
-        <translation type="unfinished"></translation>
+        <translation>{order}: in ricostruzione</translation>
     </message>
     <message>
         <source>{order}: reconstructing, {left} left</source>
-        <translation type="unfinished"></translation>
+        <translation>{order}: in ricostruzione, ancora {left}</translation>
     </message>
     <message>
         <source>{order}: reconstructing, {left} left, {count} waiting</source>
-        <translation type="unfinished"></translation>
+        <translation>{order}: in ricostruzione, ancora {left}, {count} in attesa</translation>
     </message>
 </context>
 <context>
@@ -6741,7 +7048,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Move the object to the middle of the table.</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Spostare l&apos;oggetto al centro della tavola.</translation>
     </message>
     <message>
         <source>Normal at the edges of the object, where the beam passes it.</source>
@@ -6879,51 +7186,51 @@ After: {after}</source>
     <name>rig</name>
     <message>
         <source>5 times</source>
-        <translation type="unfinished"></translation>
+        <translation>5 volte</translation>
     </message>
     <message>
         <source>As fast as it can</source>
-        <translation type="unfinished"></translation>
+        <translation>Il più veloce possibile</translation>
     </message>
     <message>
         <source>Bench: 604 × 294 px at 435 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Banco da tavolo: 604 × 294 px a 435 mm</translation>
     </message>
     <message>
         <source>Both ears on a pair tray</source>
-        <translation type="unfinished"></translation>
+        <translation>Due orecchie su vassoio doppio</translation>
     </message>
     <message>
         <source>Dental arch</source>
-        <translation type="unfinished"></translation>
+        <translation>Arcata dentaria</translation>
     </message>
     <message>
         <source>Ear impression</source>
-        <translation type="unfinished"></translation>
+        <translation>Impronta auricolare</translation>
     </message>
     <message>
         <source>Heart</source>
-        <translation type="unfinished"></translation>
+        <translation>Cuore</translation>
     </message>
     <message>
         <source>Paper 2003: the published rig at 770 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Paper 2003: il banco pubblicato, a 770 mm</translation>
     </message>
     <message>
         <source>Real time</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo reale</translation>
     </message>
     <message>
         <source>Reference sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>Sfera di riferimento</translation>
     </message>
     <message>
         <source>Workshop: 1440 × 1080 px at 600 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Officina: 1440 × 1080 px a 600 mm</translation>
     </message>
     <message>
         <source>{rig}  (the file is missing)</source>
-        <translation type="unfinished"></translation>
+        <translation>{rig}  (il file manca)</translation>
     </message>
 </context>
 <context>
@@ -8464,67 +8771,67 @@ After: {after}</source>
     <name>spot</name>
     <message>
         <source>cut by the edge</source>
-        <translation type="unfinished"></translation>
+        <translation>tagliato dal bordo</translation>
     </message>
     <message>
         <source>drawn out</source>
-        <translation type="unfinished"></translation>
+        <translation>allungato</translation>
     </message>
     <message>
         <source>no spot</source>
-        <translation type="unfinished"></translation>
+        <translation>nessun punto</translation>
     </message>
     <message>
-        <source>not seen by the other camera</source>
-        <translation type="unfinished"></translation>
+        <source>off the other camera&apos;s line</source>
+        <translation>fuori dalla linea dell&apos;altra telecamera</translation>
     </message>
     <message>
         <source>on the table</source>
-        <translation type="unfinished"></translation>
+        <translation>sulla tavola</translation>
     </message>
     <message>
         <source>one of several</source>
-        <translation type="unfinished"></translation>
+        <translation>uno fra diversi</translation>
     </message>
     <message>
         <source>outside the volume</source>
-        <translation type="unfinished"></translation>
+        <translation>fuori dal volume</translation>
     </message>
     <message>
         <source>overexposed</source>
-        <translation type="unfinished"></translation>
+        <translation>sovraesposto</translation>
     </message>
     <message>
         <source>reflection: much dimmer</source>
-        <translation type="unfinished"></translation>
+        <translation>riflesso: molto più debole</translation>
     </message>
     <message>
         <source>spot clipped: shorten the exposure</source>
-        <translation type="unfinished"></translation>
+        <translation>punto saturo: ridurre l&apos;esposizione</translation>
     </message>
     <message>
         <source>spot dim: lengthen the exposure</source>
-        <translation type="unfinished"></translation>
+        <translation>punto debole: aumentare l&apos;esposizione</translation>
     </message>
     <message>
         <source>spot too sharp: defocus the lens</source>
-        <translation type="unfinished"></translation>
+        <translation>punto troppo nitido: sfocare l&apos;obiettivo</translation>
     </message>
     <message>
         <source>spot too wide: focus the lens</source>
-        <translation type="unfinished"></translation>
+        <translation>punto troppo largo: mettere a fuoco</translation>
     </message>
     <message>
         <source>too dim</source>
-        <translation type="unfinished"></translation>
+        <translation>troppo debole</translation>
     </message>
     <message>
         <source>too large: {area} px</source>
-        <translation type="unfinished"></translation>
+        <translation>troppo grande: {area} px</translation>
     </message>
     <message>
         <source>too small: {area} px</source>
-        <translation type="unfinished"></translation>
+        <translation>troppo piccolo: {area} px</translation>
     </message>
 </context>
 <context>
@@ -8539,7 +8846,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Log</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Registro</translation>
     </message>
     <message>
         <source>Rig file</source>
@@ -8547,7 +8854,7 @@ After: {after}</source>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Impostazioni</translation>
     </message>
     <message>
         <source>Sizes of the cases</source>
@@ -8590,63 +8897,63 @@ After: {after}</source>
     <name>worklist</name>
     <message>
         <source>Being scanned</source>
-        <translation type="unfinished"></translation>
+        <translation>In scansione</translation>
     </message>
     <message>
         <source>Cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>Illeggibile</translation>
     </message>
     <message>
         <source>Damaged</source>
-        <translation type="unfinished"></translation>
+        <translation>Danneggiato</translation>
     </message>
     <message>
         <source>Deliver it</source>
-        <translation type="unfinished"></translation>
+        <translation>Consegna</translation>
     </message>
     <message>
         <source>Delivered</source>
-        <translation type="unfinished"></translation>
+        <translation>Consegnato</translation>
     </message>
     <message>
         <source>Go on with it</source>
-        <translation type="unfinished"></translation>
+        <translation>Continua</translation>
     </message>
     <message>
         <source>Interrupted</source>
-        <translation type="unfinished"></translation>
+        <translation>Interrotto</translation>
     </message>
     <message>
         <source>Made by a newer version</source>
-        <translation type="unfinished"></translation>
+        <translation>Fatto con una versione più recente</translation>
     </message>
     <message>
         <source>New</source>
-        <translation type="unfinished"></translation>
+        <translation>Nuovo</translation>
     </message>
     <message>
         <source>Open in another program</source>
-        <translation type="unfinished"></translation>
+        <translation>Aperto in un altro programma</translation>
     </message>
     <message>
         <source>Open it</source>
-        <translation type="unfinished"></translation>
+        <translation>Apri</translation>
     </message>
     <message>
         <source>Reconstruct it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricostruisci</translation>
     </message>
     <message>
         <source>Reconstructed</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricostruito</translation>
     </message>
     <message>
         <source>Scan it</source>
-        <translation type="unfinished"></translation>
+        <translation>Scansiona</translation>
     </message>
     <message>
         <source>Scanned</source>
-        <translation type="unfinished"></translation>
+        <translation>Scansionato</translation>
     </message>
 </context>
 </TS>
