@@ -6681,8 +6681,8 @@ Nachher: {after}</translation>
         <translation>Drei Punkte wählen</translation>
     </message>
     <message>
-        <source>Points to be reconstructed</source>
-        <translation>Punkte für die Rekonstruktion</translation>
+        <source>Points and measurements</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Reconstruct</source>

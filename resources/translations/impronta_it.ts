@@ -5,51 +5,51 @@
     <name>AboutDialog</name>
     <message>
         <source>About Impronta</source>
-        <translation type="unfinished"></translation>
+        <translation>Informazioni su Impronta</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Chiudi</translation>
     </message>
     <message>
         <source>Copy versions</source>
-        <translation type="unfinished"></translation>
+        <translation>Copia versioni</translation>
     </message>
     <message>
         <source>Impronta itself is free software under the MIT licence.</source>
-        <translation type="unfinished"></translation>
+        <translation>Impronta è software libero con licenza MIT.</translation>
     </message>
     <message>
         <source>Impronta {version}</source>
-        <translation type="unfinished"></translation>
+        <translation>Impronta {version}</translation>
     </message>
     <message>
         <source>Its package brings no text of the licence along.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il suo pacchetto non contiene il testo della licenza.</translation>
     </message>
     <message>
         <source>Libraries and their licences</source>
-        <translation type="unfinished"></translation>
+        <translation>Librerie e loro licenze</translation>
     </message>
     <message>
         <source>Libraries in this program</source>
-        <translation type="unfinished"></translation>
+        <translation>Librerie di questo programma</translation>
     </message>
     <message>
         <source>Measures an object with two cameras and a laser spot, and turns the points into a closed surface: ear impressions, dental models.</source>
-        <translation type="unfinished"></translation>
+        <translation>Misura un oggetto con due telecamere e un punto laser, e fa dei punti una superficie chiusa: impronte auricolari, modelli dentali.</translation>
     </message>
     <message>
         <source>Names and versions of everything in this program, as text</source>
-        <translation type="unfinished"></translation>
+        <translation>Nomi e versioni di tutto ciò che è nel programma, come testo</translation>
     </message>
     <message>
         <source>Text of the licence</source>
-        <translation type="unfinished"></translation>
+        <translation>Testo della licenza</translation>
     </message>
     <message>
         <source>The method is the published one of G. Tognola et al., “Contact-less 3D-Coordinate Measurement System by Laser Scanning and Image Reconstruction from Unorganized Data”: two cameras see a laser spot, and a surface adapts itself to the points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il metodo è quello pubblicato da G. Tognola et al., “Contact-less 3D-Coordinate Measurement System by Laser Scanning and Image Reconstruction from Unorganized Data”: due telecamere vedono un punto laser, e una superficie si adatta ai punti.</translation>
     </message>
 </context>
 <context>
@@ -247,207 +247,207 @@
     <name>AlignmentPanel</name>
     <message>
         <source>Erase</source>
-        <translation type="unfinished"></translation>
+        <translation>Cancella</translation>
     </message>
     <message>
         <source>Held fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>Tenuto fermo</translation>
     </message>
     <message>
         <source>Noise of a distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Rumore di una distanza</translation>
     </message>
     <message>
         <source>Paint stable</source>
-        <translation type="unfinished"></translation>
+        <translation>Dipingi stabile</translation>
     </message>
     <message>
         <source>Pick three points on each…</source>
-        <translation type="unfinished"></translation>
+        <translation>Scegli tre punti su ognuna…</translation>
     </message>
     <message>
         <source>Residual there</source>
-        <translation type="unfinished"></translation>
+        <translation>Residuo lì</translation>
     </message>
     <message>
         <source>Show the stable region</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostra la regione stabile</translation>
     </message>
     <message>
         <source>Size, after to before</source>
-        <translation type="unfinished"></translation>
+        <translation>Dimensione, dopo su prima</translation>
     </message>
     <message>
         <source>Stable share</source>
-        <translation type="unfinished"></translation>
+        <translation>Quota stabile</translation>
     </message>
     <message>
         <source>Start found by</source>
-        <translation type="unfinished"></translation>
+        <translation>Inizio trovato con</translation>
     </message>
     <message>
         <source>Uncertainty</source>
-        <translation type="unfinished">Incertezza</translation>
+        <translation>Incertezza</translation>
     </message>
     <message>
         <source>With a counterpart</source>
-        <translation type="unfinished"></translation>
+        <translation>Con corrispondente</translation>
     </message>
     <message>
         <source>not estimated</source>
-        <translation type="unfinished"></translation>
+        <translation>non stimata</translation>
     </message>
     <message>
         <source>{frame} instead would shift everything by {rms} mm on average, {most} mm at most.</source>
-        <translation type="unfinished"></translation>
+        <translation>{frame} sposterebbe tutto di {rms} mm in media, al massimo di {most} mm.</translation>
     </message>
     <message>
         <source>{frame} instead would shift the front teeth by {n} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{frame} sposterebbe i denti anteriori di {n} mm.</translation>
     </message>
     <message>
         <source>{frame} instead would shift the molars by {n} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{frame} sposterebbe i molari di {n} mm.</translation>
     </message>
     <message>
         <source>{n} %</source>
-        <translation type="unfinished">{n} %</translation>
+        <translation>{n} %</translation>
     </message>
     <message>
         <source>{n} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} mm</translation>
     </message>
     <message>
         <source>{n} mm rms</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} mm rms</translation>
     </message>
     <message>
         <source>± {n} mm (k = 2)</source>
-        <translation type="unfinished"></translation>
+        <translation>± {n} mm (k = 2)</translation>
     </message>
 </context>
 <context>
     <name>AreaList</name>
     <message>
         <source>Areas of greatest difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Aree di maggiore differenza</translation>
     </message>
 </context>
 <context>
     <name>AssistantPage</name>
     <message>
         <source>1  Find the devices</source>
-        <translation type="unfinished"></translation>
+        <translation>1  Trova i dispositivi</translation>
     </message>
     <message>
         <source>2  Check the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>2  Verifica il banco</translation>
     </message>
     <message>
         <source>3  Write its file</source>
-        <translation type="unfinished"></translation>
+        <translation>3  Scrivi il file</translation>
     </message>
     <message>
         <source>Asking every port and every camera  ·  {left} left</source>
-        <translation type="unfinished"></translation>
+        <translation>Interrogazione di porte e telecamere  ·  ancora {left}</translation>
     </message>
     <message>
         <source>Back to the Rig page; the devices are released</source>
-        <translation type="unfinished"></translation>
+        <translation>Torna alla pagina Banco; i dispositivi sono liberati</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Annulla</translation>
+        <translation>Annulla</translation>
     </message>
     <message>
         <source>Every serial port and every camera is asked who it is. A board may restart; nothing moves, and no laser is lit.</source>
-        <translation type="unfinished"></translation>
+        <translation>A ogni porta seriale e a ogni telecamera si chiede chi è. Una scheda può riavviarsi; niente si muove e nessun laser si accende.</translation>
     </message>
     <message>
         <source>Go on without a check</source>
-        <translation type="unfinished"></translation>
+        <translation>Continua senza verifica</translation>
     </message>
     <message>
         <source>Leave</source>
-        <translation type="unfinished"></translation>
+        <translation>Esci</translation>
     </message>
     <message>
         <source>Look again</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerca di nuovo</translation>
     </message>
     <message>
         <source>Look for devices</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerca dispositivi</translation>
     </message>
     <message>
         <source>Next: check the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Avanti: verifica il banco</translation>
     </message>
     <message>
         <source>Next: write its file</source>
-        <translation type="unfinished"></translation>
+        <translation>Avanti: scrivi il file</translation>
     </message>
     <message>
         <source>Progress of the search</source>
-        <translation type="unfinished"></translation>
+        <translation>Avanzamento della ricerca</translation>
     </message>
     <message>
         <source>Set up a rig</source>
-        <translation type="unfinished">Configura un banco</translation>
+        <translation>Configura un banco</translation>
     </message>
     <message>
         <source>Still to be chosen: {what}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ancora da scegliere: {what}.</translation>
     </message>
     <message>
         <source>The rig of the program is measuring: its devices are free afterwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il banco del programma sta misurando: dopo, i suoi dispositivi saranno liberi.</translation>
     </message>
     <message>
         <source>a controller</source>
-        <translation type="unfinished"></translation>
+        <translation>un controllore</translation>
     </message>
     <message>
         <source>the left camera</source>
-        <translation type="unfinished"></translation>
+        <translation>la telecamera sinistra</translation>
     </message>
     <message>
         <source>the right camera</source>
-        <translation type="unfinished"></translation>
+        <translation>la telecamera destra</translation>
     </message>
 </context>
 <context>
     <name>AssistantPictures</name>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished">Telecamera sinistra</translation>
+        <translation>Telecamera sinistra</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished">Telecamera destra</translation>
+        <translation>Telecamera destra</translation>
     </message>
     <message>
         <source>Live</source>
-        <translation type="unfinished"></translation>
+        <translation>Dal vivo</translation>
     </message>
     <message>
         <source>What the cameras see</source>
-        <translation type="unfinished"></translation>
+        <translation>Che cosa vedono le telecamere</translation>
     </message>
     <message>
         <source>no spot</source>
-        <translation type="unfinished">nessun punto</translation>
+        <translation>nessun punto</translation>
     </message>
 </context>
 <context>
     <name>Banner</name>
     <message>
         <source>Close this message</source>
-        <translation type="unfinished"></translation>
+        <translation>Chiudi questo messaggio</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Copia</translation>
     </message>
     <message>
         <source>Details</source>
@@ -455,707 +455,707 @@
     </message>
     <message>
         <source>Support bundle…</source>
-        <translation type="unfinished"></translation>
+        <translation>Pacchetto di assistenza…</translation>
     </message>
 </context>
 <context>
     <name>BaseShape</name>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Find it again</source>
-        <translation type="unfinished"></translation>
+        <translation>Trova di nuovo</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Altezza</translation>
     </message>
     <message>
         <source>Tilt along x</source>
-        <translation type="unfinished"></translation>
+        <translation>Inclinazione in x</translation>
     </message>
     <message>
         <source>Tilt along y</source>
-        <translation type="unfinished"></translation>
+        <translation>Inclinazione in y</translation>
     </message>
     <message>
         <source>What is below the plane goes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ciò che sta sotto il piano va via.</translation>
     </message>
 </context>
 <context>
     <name>BoardWatchView</name>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished">Telecamera sinistra</translation>
+        <translation>Telecamera sinistra</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished">Telecamera destra</translation>
+        <translation>Telecamera destra</translation>
     </message>
     <message>
         <source>Starting…</source>
-        <translation type="unfinished">Avvio…</translation>
+        <translation>Avvio…</translation>
     </message>
 </context>
 <context>
     <name>BrushSize</name>
     <message>
         <source>Brush {mm} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Pennello {mm} mm</translation>
     </message>
     <message>
         <source>Size of the brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Dimensione del pennello</translation>
     </message>
 </context>
 <context>
     <name>ByHandPanel</name>
     <message>
         <source>1.  Light the board well and evenly; the cameras set their exposure by themselves.</source>
-        <translation type="unfinished"></translation>
+        <translation>1.  Illuminare bene e in modo uniforme la scacchiera; le telecamere regolano da sé l&apos;esposizione.</translation>
     </message>
     <message>
         <source>2.  Hold it into the volume, each time tilted another way and at another place. Rest it until the view is taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>2.  Tenerla nel volume, ogni volta inclinata diversamente e in un altro punto. Tenerla ferma finché la vista è presa.</translation>
     </message>
     <message>
         <source>3.  With a length bar: hold that likewise, both ends in sight.</source>
-        <translation type="unfinished"></translation>
+        <translation>3.  Con una barra campione: tenerla allo stesso modo, con i due capi in vista.</translation>
     </message>
     <message>
         <source>4.  Lay the board on the table and take your hands away: the table turns by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>4.  Posare la scacchiera sulla tavola e togliere le mani: la tavola gira da sé.</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Indietro</translation>
     </message>
     <message>
         <source>Calibrate by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibrazione manuale</translation>
     </message>
     <message>
         <source>Certified length bar</source>
-        <translation type="unfinished"></translation>
+        <translation>Barra campione certificata</translation>
     </message>
     <message>
         <source>Certified length of the bar</source>
-        <translation type="unfinished"></translation>
+        <translation>Lunghezza certificata della barra</translation>
     </message>
     <message>
         <source>From the table to the printed face: it places the origin on the table.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dalla tavola alla faccia stampata: mette l&apos;origine sulla tavola.</translation>
     </message>
     <message>
         <source>Known length</source>
-        <translation type="unfinished"></translation>
+        <translation>Lunghezza nota</translation>
     </message>
     <message>
         <source>Neither: the scale stays unverified</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna: la scala resta non verificata</translation>
     </message>
     <message>
         <source>Print measured with a caliper</source>
-        <translation type="unfinished"></translation>
+        <translation>Stampa misurata col calibro</translation>
     </message>
     <message>
         <source>Printed row of squares, outer edge to outer edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Fila di quadretti stampata, da bordo esterno a bordo esterno</translation>
     </message>
     <message>
         <source>Start</source>
-        <translation type="unfinished"></translation>
+        <translation>Avvia</translation>
     </message>
     <message>
         <source>The print: its whole row of squares, from outer edge to outer edge.</source>
-        <translation type="unfinished"></translation>
+        <translation>La stampa: l&apos;intera fila di quadretti, da bordo esterno a bordo esterno.</translation>
     </message>
     <message>
         <source>Thickness of the board</source>
-        <translation type="unfinished"></translation>
+        <translation>Spessore della scacchiera</translation>
     </message>
     <message>
         <source>You show the printed board to both cameras; it takes about ten minutes. The laser stays off.</source>
-        <translation type="unfinished"></translation>
+        <translation>La scacchiera stampata si mostra a entrambe le telecamere; servono circa dieci minuti. Il laser resta spento.</translation>
     </message>
 </context>
 <context>
     <name>CalibratingPanel</name>
     <message>
         <source>% done</source>
-        <translation type="unfinished"></translation>
+        <translation>% fatto</translation>
     </message>
     <message>
         <source>Calibrating</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibrazione</translation>
     </message>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished">Telecamera sinistra</translation>
+        <translation>Telecamera sinistra</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished">Telecamera destra</translation>
+        <translation>Telecamera destra</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Annulla</translation>
+        <translation>Annulla</translation>
     </message>
     <message>
         <source>Cancelling…</source>
-        <translation type="unfinished">Annullamento…</translation>
+        <translation>Annullamento…</translation>
     </message>
     <message>
         <source>Covered by the board</source>
-        <translation type="unfinished"></translation>
+        <translation>Coperto dalla scacchiera</translation>
     </message>
     <message>
         <source>Distances of the board</source>
-        <translation type="unfinished"></translation>
+        <translation>Distanze della scacchiera</translation>
     </message>
     <message>
         <source>Largest tilt between two boards</source>
-        <translation type="unfinished"></translation>
+        <translation>Massima inclinazione fra due posizioni</translation>
     </message>
     <message>
         <source>Nothing: all views are taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente: tutte le viste sono prese.</translation>
     </message>
     <message>
         <source>Still missing</source>
-        <translation type="unfinished"></translation>
+        <translation>Manca ancora</translation>
     </message>
     <message>
         <source>Then the calibration of {date} stays in use.</source>
-        <translation type="unfinished"></translation>
+        <translation>Altrimenti resta in uso la calibrazione del {date}.</translation>
     </message>
     <message>
         <source>Transcript…</source>
-        <translation type="unfinished"></translation>
+        <translation>Trascrizione…</translation>
     </message>
     <message>
         <source>Without a calibration the rig cannot scan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Senza calibrazione il banco non può scansionare.</translation>
     </message>
     <message>
         <source>and {n} more</source>
-        <translation type="unfinished"></translation>
+        <translation>e altre {n}</translation>
     </message>
     <message>
         <source>{left}  ·  the virtual rig shows the board by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>ancora {left}  ·  il banco virtuale mostra da sé la scacchiera</translation>
     </message>
     <message>
         <source>{left} left</source>
-        <translation type="unfinished">{left} rimasti</translation>
+        <translation>ancora {left}</translation>
     </message>
     <message>
         <source>{near} to {far} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>da {near} a {far} mm</translation>
     </message>
     <message>
         <source>{n} of {count} fields</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} campi di {count}</translation>
     </message>
 </context>
 <context>
     <name>CalibrationPanel</name>
     <message>
         <source>Accepted  ·  {age}</source>
-        <translation type="unfinished"></translation>
+        <translation>Accettata  ·  {age}</translation>
     </message>
     <message>
         <source>Calibrate</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibra</translation>
     </message>
     <message>
         <source>Calibrated on {date}, {age}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibrato il {date} ({age}).</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished">Calibrazione</translation>
+        <translation>Calibrazione</translation>
     </message>
     <message>
         <source>Its calibration stands in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>La sua calibrazione è nel file del banco.</translation>
     </message>
     <message>
         <source>New calibration not accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>Nuova calibrazione non accettata</translation>
     </message>
     <message>
         <source>Not calibrated</source>
-        <translation type="unfinished">Non calibrato</translation>
+        <translation>Non calibrato</translation>
     </message>
     <message>
         <source>Not calibrated yet: show the board to both cameras before the first scan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non ancora calibrato: mostrare la scacchiera alle due telecamere prima della prima scansione.</translation>
     </message>
     <message>
         <source>PDF (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF (*.pdf)</translation>
     </message>
     <message>
         <source>Print the target…</source>
-        <translation type="unfinished"></translation>
+        <translation>Stampa la scacchiera…</translation>
     </message>
     <message>
         <source>Since the previous calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Dalla calibrazione precedente</translation>
     </message>
     <message>
         <source>The calibration of {date} stays in use.</source>
-        <translation type="unfinished"></translation>
+        <translation>Resta in uso la calibrazione del {date}.</translation>
     </message>
     <message>
         <source>The calibration target as a page to print</source>
-        <translation type="unfinished"></translation>
+        <translation>La scacchiera di calibrazione come pagina da stampare</translation>
     </message>
     <message>
         <source>Without a calibration the rig cannot scan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Senza calibrazione il banco non può scansionare.</translation>
     </message>
     <message>
         <source>Written to {path}. Print it at 100 % and check that its ruler measures {ruler} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scritto in {path}. Stampare al 100 % e controllare che il righello misuri {ruler} mm.</translation>
     </message>
     <message>
         <source>not known</source>
-        <translation type="unfinished"></translation>
+        <translation>non noto</translation>
     </message>
     <message>
         <source>µm rms at board corners that were not used</source>
-        <translation type="unfinished"></translation>
+        <translation>µm rms agli angoli della scacchiera non usati</translation>
     </message>
 </context>
 <context>
     <name>CameraCard</name>
     <message>
         <source>Left</source>
-        <translation type="unfinished">Sinistro</translation>
+        <translation>Sinistra</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished">Destro</translation>
+        <translation>Destra</translation>
     </message>
     <message>
         <source>{camera} is the {side} camera</source>
-        <translation type="unfinished"></translation>
+        <translation>{camera} è la telecamera {side}</translation>
     </message>
 </context>
 <context>
     <name>CameraPreview</name>
     <message>
         <source>Wheel: zoom. Drag: move. Double click: whole picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rotella: zoom. Trascina: sposta. Doppio clic: immagine intera.</translation>
     </message>
     <message>
         <source>no picture yet</source>
-        <translation type="unfinished"></translation>
+        <translation>ancora nessuna immagine</translation>
     </message>
     <message>
         <source>recorded: shown while it is measured</source>
-        <translation type="unfinished"></translation>
+        <translation>registrata: mostrata mentre si misura</translation>
     </message>
     <message>
         <source>σ {x} × {y} px · peak {peak} %</source>
-        <translation type="unfinished"></translation>
+        <translation>σ {x} × {y} px · picco {peak} %</translation>
     </message>
 </context>
 <context>
     <name>CameraSettings</name>
     <message>
         <source> frames/s</source>
-        <translation type="unfinished"></translation>
+        <translation> immagini/s</translation>
     </message>
     <message>
         <source> ms</source>
-        <translation type="unfinished"></translation>
+        <translation> ms</translation>
     </message>
     <message>
         <source>Exposure</source>
-        <translation type="unfinished"></translation>
+        <translation>Esposizione</translation>
     </message>
     <message>
         <source>Rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Frequenza</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Dimensioni</translation>
     </message>
     <message>
         <source>Trigger</source>
-        <translation type="unfinished"></translation>
+        <translation>Trigger</translation>
     </message>
     <message>
         <source>as the camera has it</source>
-        <translation type="unfinished"></translation>
+        <translation>come dà la telecamera</translation>
     </message>
     <message>
         <source>{width} × {height} px</source>
-        <translation type="unfinished"></translation>
+        <translation>{width} × {height} px</translation>
     </message>
 </context>
 <context>
     <name>CheckLine</name>
     <message>
         <source>Pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Immagini</translation>
     </message>
     <message>
         <source>Pictures of: {check}</source>
-        <translation type="unfinished"></translation>
+        <translation>Immagini di: {check}</translation>
     </message>
 </context>
 <context>
     <name>CheckList</name>
     <message>
         <source>Checks</source>
-        <translation type="unfinished"></translation>
+        <translation>Verifiche</translation>
     </message>
 </context>
 <context>
     <name>CheckStep</name>
     <message>
         <source>All {n} checks are good.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tutte le {n} verifiche sono buone.</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Annulla</translation>
+        <translation>Annulla</translation>
     </message>
     <message>
         <source>Cancelling…</source>
-        <translation type="unfinished">Annullamento…</translation>
+        <translation>Annullamento…</translation>
     </message>
     <message>
         <source>Check again</source>
-        <translation type="unfinished">Verifica di nuovo</translation>
+        <translation>Verifica di nuovo</translation>
     </message>
     <message>
         <source>Everybody near the rig is protected, and nothing is in the way of beam and table</source>
-        <translation type="unfinished"></translation>
+        <translation>Tutti vicino al banco sono protetti, e niente ostacola raggio e tavola</translation>
     </message>
     <message>
         <source>Not everything is as it should be: {checks}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non tutto è come dovrebbe: {checks}.</translation>
     </message>
     <message>
         <source>Only look and move by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo guardare e muovere a mano</translation>
     </message>
     <message>
         <source>Opening the devices</source>
-        <translation type="unfinished"></translation>
+        <translation>Apertura dei dispositivi</translation>
     </message>
     <message>
         <source>Progress of the check</source>
-        <translation type="unfinished"></translation>
+        <translation>Avanzamento della verifica</translation>
     </message>
     <message>
         <source>Start the check</source>
-        <translation type="unfinished"></translation>
+        <translation>Avvia la verifica</translation>
     </message>
     <message>
         <source>The check moves beam and table and lights the laser. A laser of class 3R can injure the eye: do not look into the beam or its reflections, wear goggles for its wavelength, take rings and watches off, and keep hands and hair out of the rig. Esc and the red button at the lower left stop everything at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>La verifica muove raggio e tavola e accende il laser. Un laser di classe 3R può ferire l&apos;occhio: non guardare nel raggio né nei suoi riflessi, portare occhiali per la sua lunghezza d&apos;onda, togliere anelli e orologi, tenere mani e capelli fuori dal banco. Esc e il pulsante rosso in basso a sinistra fermano subito tutto.</translation>
     </message>
     <message>
         <source>{doing}  ·  {left} left</source>
-        <translation type="unfinished"></translation>
+        <translation>{doing}  ·  ancora {left}</translation>
     </message>
 </context>
 <context>
     <name>ChosenView</name>
     <message>
         <source>Measure this view once more: after the last one while the scan runs, else at once</source>
-        <translation type="unfinished"></translation>
+        <translation>Rimisura questa vista: durante la scansione dopo l&apos;ultima, altrimenti subito</translation>
     </message>
     <message>
         <source>Redo this view</source>
-        <translation type="unfinished"></translation>
+        <translation>Rifai questa vista</translation>
     </message>
 </context>
 <context>
     <name>CompareFoot</name>
     <message>
         <source>Align on the painted region</source>
-        <translation type="unfinished"></translation>
+        <translation>Allinea sulla regione dipinta</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Annulla</translation>
+        <translation>Annulla</translation>
     </message>
     <message>
         <source>Cancelling…</source>
-        <translation type="unfinished">Annullamento…</translation>
+        <translation>Annullamento…</translation>
     </message>
     <message>
         <source>Click three points on each surface, in the same order and far from each other. Before: {b} of 3, after: {a} of 3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fare clic su tre punti per superficie, nello stesso ordine e lontani fra loro. Prima: {b} di 3, dopo: {a} di 3.</translation>
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished">Confronto</translation>
+        <translation>Confronta</translation>
     </message>
     <message>
         <source>Keep it in the open case</source>
-        <translation type="unfinished"></translation>
+        <translation>Conserva nel caso aperto</translation>
     </message>
     <message>
         <source>Paint what did not move, then align on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dipingere ciò che non si è mosso, poi allineare su quello.</translation>
     </message>
     <message>
         <source>Pick three points on each…</source>
-        <translation type="unfinished"></translation>
+        <translation>Scegli tre punti su ognuna…</translation>
     </message>
     <message>
         <source>Save the report…</source>
-        <translation type="unfinished"></translation>
+        <translation>Salva il rapporto…</translation>
     </message>
     <message>
         <source>Show in its folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostra nella cartella</translation>
     </message>
     <message>
         <source>Starting…</source>
-        <translation type="unfinished">Avvio…</translation>
+        <translation>Avvio…</translation>
     </message>
     <message>
         <source>Try again</source>
-        <translation type="unfinished"></translation>
+        <translation>Riprova</translation>
     </message>
     <message>
         <source>Two surfaces are needed: one before, one after.</source>
-        <translation type="unfinished"></translation>
+        <translation>Servono due superfici: una prima e una dopo.</translation>
     </message>
     <message>
         <source>Writing the report: {left} left</source>
-        <translation type="unfinished"></translation>
+        <translation>Scrittura del rapporto: ancora {left}</translation>
     </message>
     <message>
         <source>Writing the report…</source>
-        <translation type="unfinished"></translation>
+        <translation>Scrittura del rapporto…</translation>
     </message>
     <message>
         <source>Written: {folder}</source>
-        <translation type="unfinished"></translation>
+        <translation>Scritto: {folder}</translation>
     </message>
     <message>
         <source>{phase}: {left} left</source>
-        <translation type="unfinished"></translation>
+        <translation>{phase}: ancora {left}</translation>
     </message>
 </context>
 <context>
     <name>ComparePage</name>
     <message>
         <source>A surface is an STL, PLY, OBJ, VTP or 3MF file, or a case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una superficie è un file STL, PLY, OBJ, VTP o 3MF, o un caso.</translation>
     </message>
     <message>
         <source>After</source>
-        <translation type="unfinished"></translation>
+        <translation>Dopo</translation>
     </message>
     <message>
         <source>Alignment</source>
-        <translation type="unfinished"></translation>
+        <translation>Allineamento</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation type="unfinished"></translation>
+        <translation>Prima</translation>
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished">Confronto</translation>
+        <translation>Confronto</translation>
     </message>
     <message>
         <source>Findings</source>
-        <translation type="unfinished"></translation>
+        <translation>Risultati</translation>
     </message>
     <message>
         <source>Folder for the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Cartella per il rapporto</translation>
     </message>
     <message>
         <source>Preparing the 3D view…</source>
-        <translation type="unfinished"></translation>
+        <translation>Preparazione della vista 3D…</translation>
     </message>
     <message>
         <source>Surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>Superfici</translation>
     </message>
     <message>
         <source>Surfaces ({kinds})</source>
-        <translation type="unfinished"></translation>
+        <translation>Superfici ({kinds})</translation>
     </message>
     <message>
         <source>The state that everything is compared with</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo stato con cui si confronta tutto</translation>
     </message>
     <message>
         <source>The state whose changes are shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo stato di cui si mostrano i cambiamenti</translation>
     </message>
     <message>
         <source>The surface after</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie dopo</translation>
     </message>
     <message>
         <source>The surface before</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie prima</translation>
     </message>
     <message>
         <source>There is no 3D view; the numbers stand beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non c&apos;è vista 3D; i numeri stanno accanto.</translation>
     </message>
     <message>
         <source>Two surfaces are compared: the first two files were taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si confrontano due superfici: presi i primi due file.</translation>
     </message>
     <message>
         <source>{names}: not read.</source>
-        <translation type="unfinished"></translation>
+        <translation>{names}: non letti.</translation>
     </message>
 </context>
 <context>
     <name>CompareStage</name>
     <message>
         <source>Blend</source>
-        <translation type="unfinished"></translation>
+        <translation>Dissolvenza</translation>
     </message>
     <message>
         <source>Comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Confronto</translation>
     </message>
     <message>
         <source>Curtain</source>
-        <translation type="unfinished"></translation>
+        <translation>Tendina</translation>
     </message>
     <message>
         <source>Cut both: through the chosen area from cheek to tongue, or through the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Taglia entrambe: attraverso l&apos;area scelta da guancia a lingua, o nel mezzo</translation>
     </message>
     <message>
         <source>Fit (F)</source>
-        <translation type="unfinished"></translation>
+        <translation>Adatta (F)</translation>
     </message>
     <message>
         <source>Flicker</source>
-        <translation type="unfinished"></translation>
+        <translation>Alternanza</translation>
     </message>
     <message>
         <source>From before to after</source>
-        <translation type="unfinished"></translation>
+        <translation>Da prima a dopo</translation>
     </message>
     <message>
         <source>Frontal (1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Frontale (1)</translation>
     </message>
     <message>
         <source>Left</source>
-        <translation type="unfinished">Sinistro</translation>
+        <translation>Sinistra</translation>
     </message>
     <message>
         <source>Lingual</source>
-        <translation type="unfinished"></translation>
+        <translation>Linguale</translation>
     </message>
     <message>
         <source>Map</source>
-        <translation type="unfinished"></translation>
+        <translation>Mappa</translation>
     </message>
     <message>
         <source>Morph</source>
-        <translation type="unfinished"></translation>
+        <translation>Morphing</translation>
     </message>
     <message>
         <source>Occlusal (7)</source>
-        <translation type="unfinished"></translation>
+        <translation>Occlusale (7)</translation>
     </message>
     <message>
         <source>One surface in place of the other (space bar)</source>
-        <translation type="unfinished"></translation>
+        <translation>Una superficie al posto dell&apos;altra (barra spaziatrice)</translation>
     </message>
     <message>
         <source>Place of the section</source>
-        <translation type="unfinished"></translation>
+        <translation>Posizione della sezione</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished">Destro</translation>
+        <translation>Destra</translation>
     </message>
     <message>
         <source>Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Sezione</translation>
     </message>
     <message>
         <source>Side by side</source>
-        <translation type="unfinished"></translation>
+        <translation>Affiancate</translation>
     </message>
     <message>
         <source>Underside</source>
-        <translation type="unfinished"></translation>
+        <translation>Da sotto</translation>
     </message>
 </context>
 <context>
     <name>ComparisonCaptions</name>
     <message>
         <source>After</source>
-        <translation type="unfinished"></translation>
+        <translation>Dopo</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation type="unfinished"></translation>
+        <translation>Prima</translation>
     </message>
     <message>
         <source>L</source>
-        <translation type="unfinished"></translation>
+        <translation>S</translation>
     </message>
     <message>
         <source>R</source>
-        <translation type="unfinished"></translation>
+        <translation>D</translation>
     </message>
     <message>
         <source>{mm:g} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{mm:g} mm</translation>
     </message>
 </context>
 <context>
     <name>ComparisonTools</name>
     <message>
         <source>no counterpart</source>
-        <translation type="unfinished"></translation>
+        <translation>senza corrispondente</translation>
     </message>
     <message>
         <source>within ±{mm} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>entro ±{mm} mm</translation>
     </message>
     <message>
         <source>{mm} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{mm} mm</translation>
     </message>
 </context>
 <context>
     <name>Corrections</name>
     <message>
         <source>Correct and check again</source>
-        <translation type="unfinished"></translation>
+        <translation>Correggi e verifica di nuovo</translation>
     </message>
     <message>
         <source>To be corrected</source>
-        <translation type="unfinished"></translation>
+        <translation>Da correggere</translation>
     </message>
 </context>
 <context>
     <name>CoverageMap</name>
     <message>
         <source>{n} of {count} fields covered</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} campi su {count} coperti</translation>
     </message>
 </context>
 <context>
@@ -1269,35 +1269,35 @@
     <name>CropShape</name>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>What is inside the box stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ciò che sta nel riquadro resta.</translation>
     </message>
     <message>
         <source>x from</source>
-        <translation type="unfinished"></translation>
+        <translation>x da</translation>
     </message>
     <message>
         <source>x to</source>
-        <translation type="unfinished"></translation>
+        <translation>x a</translation>
     </message>
     <message>
         <source>y from</source>
-        <translation type="unfinished"></translation>
+        <translation>y da</translation>
     </message>
     <message>
         <source>y to</source>
-        <translation type="unfinished"></translation>
+        <translation>y a</translation>
     </message>
     <message>
         <source>z from</source>
-        <translation type="unfinished"></translation>
+        <translation>z da</translation>
     </message>
     <message>
         <source>z to</source>
-        <translation type="unfinished"></translation>
+        <translation>z a</translation>
     </message>
 </context>
 <context>
@@ -1453,244 +1453,244 @@ Già consegnato il {day}: {name}</translation>
     <name>DeviationLegend</name>
     <message>
         <source>after against before, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>dopo rispetto a prima, mm</translation>
     </message>
     <message>
         <source>no counterpart</source>
-        <translation type="unfinished"></translation>
+        <translation>senza corrispondente</translation>
     </message>
     <message>
         <source>outward +</source>
-        <translation type="unfinished"></translation>
+        <translation>verso fuori +</translation>
     </message>
     <message>
         <source>within ±{mm} mm: not detectable</source>
-        <translation type="unfinished"></translation>
+        <translation>entro ±{mm} mm: non rilevabile</translation>
     </message>
     <message>
         <source>±{mm} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>±{mm} mm</translation>
     </message>
     <message>
         <source>− inward</source>
-        <translation type="unfinished"></translation>
+        <translation>− verso dentro</translation>
     </message>
 </context>
 <context>
     <name>DeviceList</name>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished">Telecamera sinistra</translation>
+        <translation>Telecamera sinistra</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished">Telecamera destra</translation>
+        <translation>Telecamera destra</translation>
     </message>
     <message>
         <source>Controller</source>
-        <translation type="unfinished"></translation>
+        <translation>Controllore</translation>
     </message>
     <message>
         <source>Devices</source>
-        <translation type="unfinished"></translation>
+        <translation>Dispositivi</translation>
     </message>
     <message>
         <source>Ends the alarm; nothing moves, and the position may be lost</source>
-        <translation type="unfinished"></translation>
+        <translation>Termina l&apos;allarme; niente si muove, e la posizione può andare persa</translation>
     </message>
     <message>
         <source>Find reference</source>
-        <translation type="unfinished">Cerca riferimento</translation>
+        <translation>Cerca riferimento</translation>
     </message>
     <message>
         <source>It is opened again by itself when it is back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si riapre da sé quando torna.</translation>
     </message>
     <message>
         <source>Laser</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser</translation>
     </message>
     <message>
         <source>Take it off the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Togli dalla lista</translation>
     </message>
     <message>
         <source>The axes move until they find their switches; nobody may reach into the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Gli assi si muovono fino ai finecorsa; nessuno deve mettere le mani nel banco</translation>
     </message>
     <message>
         <source>The last 200 lines to and from the controller</source>
-        <translation type="unfinished"></translation>
+        <translation>Le ultime 200 righe da e verso il controllore</translation>
     </message>
     <message>
         <source>Transcript…</source>
-        <translation type="unfinished"></translation>
+        <translation>Trascrizione…</translation>
     </message>
     <message>
         <source>Try again</source>
-        <translation type="unfinished"></translation>
+        <translation>Riprova</translation>
     </message>
     <message>
         <source>Turntable</source>
-        <translation type="unfinished">Tavola rotante</translation>
+        <translation>Tavola rotante</translation>
     </message>
     <message>
         <source>Unlock</source>
-        <translation type="unfinished">Sblocca</translation>
+        <translation>Sblocca</translation>
     </message>
     <message>
         <source>alarm</source>
-        <translation type="unfinished"></translation>
+        <translation>allarme</translation>
     </message>
     <message>
         <source>as the controller reports it</source>
-        <translation type="unfinished"></translation>
+        <translation>secondo il controllore</translation>
     </message>
     <message>
         <source>axes {letters}</source>
-        <translation type="unfinished"></translation>
+        <translation>assi {letters}</translation>
     </message>
     <message>
         <source>door open</source>
-        <translation type="unfinished"></translation>
+        <translation>sportello aperto</translation>
     </message>
     <message>
         <source>emitting</source>
-        <translation type="unfinished"></translation>
+        <translation>emette</translation>
     </message>
     <message>
         <source>finding its reference…</source>
-        <translation type="unfinished"></translation>
+        <translation>ricerca del riferimento…</translation>
     </message>
     <message>
         <source>free running</source>
-        <translation type="unfinished"></translation>
+        <translation>libera</translation>
     </message>
     <message>
         <source>hardware trigger</source>
-        <translation type="unfinished"></translation>
+        <translation>trigger hardware</translation>
     </message>
     <message>
         <source>held</source>
-        <translation type="unfinished"></translation>
+        <translation>in pausa</translation>
     </message>
     <message>
         <source>homing</source>
-        <translation type="unfinished"></translation>
+        <translation>ricerca riferimento</translation>
     </message>
     <message>
         <source>idle</source>
-        <translation type="unfinished"></translation>
+        <translation>a riposo</translation>
     </message>
     <message>
         <source>laser mode off</source>
-        <translation type="unfinished"></translation>
+        <translation>modo laser spento</translation>
     </message>
     <message>
         <source>laser mode on</source>
-        <translation type="unfinished"></translation>
+        <translation>modo laser attivo</translation>
     </message>
     <message>
         <source>moving</source>
-        <translation type="unfinished"></translation>
+        <translation>in moto</translation>
     </message>
     <message>
         <source>not available</source>
-        <translation type="unfinished"></translation>
+        <translation>non disponibile</translation>
     </message>
     <message>
         <source>not open</source>
-        <translation type="unfinished"></translation>
+        <translation>non aperto</translation>
     </message>
     <message>
         <source>off</source>
-        <translation type="unfinished"></translation>
+        <translation>spento</translation>
     </message>
     <message>
         <source>opening…</source>
-        <translation type="unfinished"></translation>
+        <translation>apertura…</translation>
     </message>
     <message>
         <source>position unknown: find the reference</source>
-        <translation type="unfinished"></translation>
+        <translation>posizione ignota: cercare il riferimento</translation>
     </message>
     <message>
         <source>ready</source>
-        <translation type="unfinished"></translation>
+        <translation>pronto</translation>
     </message>
     <message>
         <source>ready, not as asked</source>
-        <translation type="unfinished"></translation>
+        <translation>pronto, non come richiesto</translation>
     </message>
     <message>
         <source>software trigger</source>
-        <translation type="unfinished"></translation>
+        <translation>trigger software</translation>
     </message>
     <message>
         <source>stopped</source>
-        <translation type="unfinished"></translation>
+        <translation>fermo</translation>
     </message>
     <message>
         <source>take it for lit: the controller reports nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>considerarlo acceso: il controllore non segnala nulla</translation>
     </message>
     <message>
         <source>unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>ignoto</translation>
     </message>
 </context>
 <context>
     <name>DistanceChart</name>
     <message>
         <source>95 % {length}</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % {length}</translation>
     </message>
     <message>
         <source>Distance of the points from the surface</source>
-        <translation type="unfinished">Distanza dei punti dalla superficie</translation>
+        <translation>Distanza dei punti dalla superficie</translation>
     </message>
     <message>
         <source>Half of the points are nearer to the surface than the first mark, 95 of 100 nearer than the second.</source>
-        <translation type="unfinished"></translation>
+        <translation>La metà dei punti è più vicina alla superficie del primo segno, 95 su 100 del secondo.</translation>
     </message>
     <message>
         <source>Half of the points are within {median} of the surface, 95 of 100 within {p95}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La metà dei punti sta entro {median} dalla superficie, 95 su 100 entro {p95}.</translation>
     </message>
     <message>
         <source>half {length}</source>
-        <translation type="unfinished"></translation>
+        <translation>metà {length}</translation>
     </message>
 </context>
 <context>
     <name>DropTarget</name>
     <message>
         <source>Choose a file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Scegli un file…</translation>
     </message>
     <message>
         <source>Drop a file here</source>
-        <translation type="unfinished"></translation>
+        <translation>Trascinare qui un file</translation>
     </message>
     <message>
         <source>Reading…</source>
-        <translation type="unfinished"></translation>
+        <translation>Lettura…</translation>
     </message>
     <message>
         <source>Recent cases</source>
-        <translation type="unfinished"></translation>
+        <translation>Casi recenti</translation>
     </message>
     <message>
         <source>STL, PLY, OBJ, VTP, 3MF, or a case</source>
-        <translation type="unfinished"></translation>
+        <translation>STL, PLY, OBJ, VTP, 3MF o un caso</translation>
     </message>
     <message>
         <source>The open case</source>
-        <translation type="unfinished"></translation>
+        <translation>Il caso aperto</translation>
     </message>
     <message>
         <source>{n} triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} triangoli</translation>
     </message>
 </context>
 <context>
@@ -1744,62 +1744,62 @@ Già consegnato il {day}: {name}</translation>
     <name>FaultPanel</name>
     <message>
         <source> s from now</source>
-        <translation type="unfinished"></translation>
+        <translation> s da ora</translation>
     </message>
     <message>
         <source>Fault</source>
-        <translation type="unfinished"></translation>
+        <translation>Guasto</translation>
     </message>
     <message>
         <source>Let it happen</source>
-        <translation type="unfinished"></translation>
+        <translation>Fallo accadere</translation>
     </message>
     <message>
         <source>Let something go wrong…</source>
-        <translation type="unfinished"></translation>
+        <translation>Provoca un guasto…</translation>
     </message>
     <message>
         <source>Opens the virtual rig anew</source>
-        <translation type="unfinished"></translation>
+        <translation>Riapre il banco virtuale</translation>
     </message>
     <message>
         <source>Put everything right</source>
-        <translation type="unfinished"></translation>
+        <translation>Rimetti tutto a posto</translation>
     </message>
     <message>
         <source>So far: {faults}</source>
-        <translation type="unfinished"></translation>
+        <translation>Finora: {faults}</translation>
     </message>
     <message>
         <source>now</source>
-        <translation type="unfinished"></translation>
+        <translation>ora</translation>
     </message>
     <message>
         <source>{fault} in {n} s</source>
-        <translation type="unfinished"></translation>
+        <translation>{fault} fra {n} s</translation>
     </message>
     <message>
         <source>{happens}. The program {expected}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{happens}. Il programma: {expected}.</translation>
     </message>
     <message>
         <source>{n} before</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} prima</translation>
     </message>
 </context>
 <context>
     <name>FileDialog</name>
     <message>
         <source>Replace it</source>
-        <translation type="unfinished"></translation>
+        <translation>Sostituisci</translation>
     </message>
     <message>
         <source>There is no such file:</source>
-        <translation type="unfinished"></translation>
+        <translation>Non esiste il file:</translation>
     </message>
     <message>
         <source>This file exists:</source>
-        <translation type="unfinished"></translation>
+        <translation>Il file esiste già:</translation>
     </message>
 </context>
 <context>
@@ -1837,233 +1837,233 @@ Già consegnato il {day}: {name}</translation>
     <name>FindStep</name>
     <message>
         <source>Cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>Telecamere</translation>
     </message>
     <message>
         <source>Controller</source>
-        <translation type="unfinished"></translation>
+        <translation>Controllore</translation>
     </message>
     <message>
         <source>Exchange left and right</source>
-        <translation type="unfinished"></translation>
+        <translation>Scambia sinistra e destra</translation>
     </message>
     <message>
         <source>How both cameras are wanted</source>
-        <translation type="unfinished"></translation>
+        <translation>Come servono le due telecamere</translation>
     </message>
     <message>
         <source>Left and right as seen from behind the cameras. Wave a hand before one: its picture moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sinistra e destra viste da dietro le telecamere. Agitare una mano davanti a una: la sua immagine si muove.</translation>
     </message>
     <message>
         <source>Looking…</source>
-        <translation type="unfinished">Ricerca…</translation>
+        <translation>Ricerca…</translation>
     </message>
     <message>
         <source>No camera was found on this machine. Plug both cameras in, each into a USB port of its own, and look again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna telecamera trovata su questo computer. Collegare entrambe, ognuna a una sua porta USB, e cercare di nuovo.</translation>
     </message>
     <message>
         <source>No serial port was found on this machine. Plug the controller in by USB, switch it on, and look again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna porta seriale trovata su questo computer. Collegare il controllore via USB, accenderlo e cercare di nuovo.</translation>
     </message>
     <message>
         <source>None of these ports can move the rig: see what each of them says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna di queste porte può muovere il banco: leggere che cosa dice ciascuna.</translation>
     </message>
     <message>
         <source>Plug both cameras in, each into a USB port of its own and not into a common hub.</source>
-        <translation type="unfinished"></translation>
+        <translation>Collegare entrambe le telecamere, ognuna a una sua porta USB e non a un hub comune.</translation>
     </message>
     <message>
         <source>Plug the controller of laser and turntable in by USB, and switch it on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Collegare via USB il controllore di laser e tavola rotante, e accenderlo.</translation>
     </message>
     <message>
         <source>Take the lens caps off, and close other programs that use the cameras or the port.</source>
-        <translation type="unfinished"></translation>
+        <translation>Togliere i tappi degli obiettivi e chiudere altri programmi che usano le telecamere o la porta.</translation>
     </message>
     <message>
         <source>The rig needs two cameras that give pictures: see what each of them says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il banco richiede due telecamere che diano immagini: leggere che cosa dice ciascuna.</translation>
     </message>
     <message>
         <source>Then look for devices, below. Without any, everything here can be tried on the virtual rig, which is always found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poi cercare i dispositivi, qui sotto. Anche senza, tutto si può provare sul banco virtuale, che si trova sempre.</translation>
     </message>
     <message>
         <source>Try it on the virtual rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Prova sul banco virtuale</translation>
     </message>
     <message>
         <source>What is plugged in?</source>
-        <translation type="unfinished"></translation>
+        <translation>Che cosa è collegato?</translation>
     </message>
 </context>
 <context>
     <name>FindingsPanel</name>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>95 % below</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % sotto</translation>
     </message>
     <message>
         <source>99 % below</source>
-        <translation type="unfinished"></translation>
+        <translation>99 % sotto</translation>
     </message>
     <message>
         <source>Above {n} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Oltre {n} mm</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Aggiungi</translation>
     </message>
     <message>
         <source>Areas</source>
-        <translation type="unfinished"></translation>
+        <translation>Aree</translation>
     </message>
     <message>
         <source>Click it: the mark grows to its edge, and its motion is told</source>
-        <translation type="unfinished"></translation>
+        <translation>Clic sul dente: il segno cresce fino al bordo e ne è detto il moto</translation>
     </message>
     <message>
         <source>Detection level here</source>
-        <translation type="unfinished"></translation>
+        <translation>Soglia di rilevabilità qui</translation>
     </message>
     <message>
         <source>Detection level of the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Soglia di rilevabilità del banco</translation>
     </message>
     <message>
         <source>From which change on it matters: the line on the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Da quale cambiamento conta: la linea sulla mappa</translation>
     </message>
     <message>
         <source>Greatest</source>
-        <translation type="unfinished"></translation>
+        <translation>Massimo</translation>
     </message>
     <message>
         <source>Half below</source>
-        <translation type="unfinished"></translation>
+        <translation>Metà sotto</translation>
     </message>
     <message>
         <source>Hausdorff of counterparts, after to before</source>
-        <translation type="unfinished"></translation>
+        <translation>Hausdorff dei corrispondenti, da dopo a prima</translation>
     </message>
     <message>
         <source>Hausdorff of counterparts, before to after</source>
-        <translation type="unfinished"></translation>
+        <translation>Hausdorff dei corrispondenti, da prima a dopo</translation>
     </message>
     <message>
         <source>Mark a tooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Segna un dente</translation>
     </message>
     <message>
         <source>Mean, signed</source>
-        <translation type="unfinished"></translation>
+        <translation>Media, con segno</translation>
     </message>
     <message>
         <source>No area of {area} mm² or more differs by more than {n} mm (smoothed). The map shows smaller differences.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna area di {area} mm² o più differisce oltre {n} mm (lisciata). La mappa mostra differenze minori.</translation>
     </message>
     <message>
         <source>Numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Numeri</translation>
     </message>
     <message>
         <source>Remove the mark</source>
-        <translation type="unfinished"></translation>
+        <translation>Rimuovi il segno</translation>
     </message>
     <message>
         <source>Take off</source>
-        <translation type="unfinished"></translation>
+        <translation>Togli</translation>
     </message>
     <message>
         <source>Threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>Soglia</translation>
     </message>
     <message>
         <source>Which jaw?</source>
-        <translation type="unfinished"></translation>
+        <translation>Quale arcata?</translation>
     </message>
     <message>
         <source>Without counterpart</source>
-        <translation type="unfinished"></translation>
+        <translation>Senza corrispondente</translation>
     </message>
     <message>
         <source>areas</source>
-        <translation type="unfinished"></translation>
+        <translation>aree</translation>
     </message>
     <message>
         <source>mm detectable</source>
-        <translation type="unfinished"></translation>
+        <translation>mm rilevabili</translation>
     </message>
     <message>
         <source>mm² above threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>mm² oltre soglia</translation>
     </message>
     <message>
         <source>mm² above {n} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm² oltre {n} mm</translation>
     </message>
     <message>
         <source>rms</source>
-        <translation type="unfinished"></translation>
+        <translation>rms</translation>
     </message>
     <message>
         <source>{n} %</source>
-        <translation type="unfinished">{n} %</translation>
+        <translation>{n} %</translation>
     </message>
     <message>
         <source>{n} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} mm</translation>
     </message>
     <message>
         <source>{n} mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} mm²</translation>
     </message>
 </context>
 <context>
     <name>HelpPanel</name>
     <message>
         <source>? shows all keys</source>
-        <translation type="unfinished"></translation>
+        <translation>? mostra tutti i tasti</translation>
     </message>
     <message>
         <source>Close the help</source>
-        <translation type="unfinished"></translation>
+        <translation>Chiudi l&apos;aiuto</translation>
     </message>
     <message>
         <source>Close the help (F1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Chiudi l&apos;aiuto (F1)</translation>
     </message>
     <message>
         <source>Go to a control with Tab: what it does is said here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Andare su un controllo con Tab: qui si dice che cosa fa.</translation>
     </message>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>Aiuto</translation>
     </message>
     <message>
         <source>What is this?</source>
-        <translation type="unfinished"></translation>
+        <translation>Che cos&apos;è?</translation>
     </message>
     <message>
         <source>What the numbers mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Che cosa dicono i numeri</translation>
     </message>
     <message>
         <source>What this page is for</source>
-        <translation type="unfinished"></translation>
+        <translation>A che cosa serve la pagina</translation>
     </message>
     <message>
         <source>What to do now</source>
-        <translation type="unfinished"></translation>
+        <translation>Che cosa fare ora</translation>
     </message>
 </context>
 <context>
@@ -2184,181 +2184,181 @@ Già consegnato il {day}: {name}</translation>
     <name>InterruptedStrip</name>
     <message>
         <source>A fault ended it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Terminata da un guasto.</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>Scarta</translation>
     </message>
     <message>
         <source>Keep what is there</source>
-        <translation type="unfinished"></translation>
+        <translation>Tieni ciò che c&apos;è</translation>
     </message>
     <message>
         <source>Leave it out of the case; nothing is deleted.</source>
-        <translation type="unfinished"></translation>
+        <translation>La lascia fuori dal caso; niente viene cancellato.</translation>
     </message>
     <message>
         <source>Nothing was deleted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato cancellato.</translation>
     </message>
     <message>
         <source>Put the same object back: known points are measured again, and only what is missing is scanned.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rimettere lo stesso oggetto: punti noti sono rimisurati, e si scansiona solo ciò che manca.</translation>
     </message>
     <message>
         <source>Resume</source>
-        <translation type="unfinished">Riprendi</translation>
+        <translation>Riprendi</translation>
     </message>
     <message>
         <source>Take what was measured for the whole, and open the case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prende quanto misurato per intero e apre il caso.</translation>
     </message>
     <message>
         <source>The program ended in the middle of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il programma è terminato nel mezzo.</translation>
     </message>
     <message>
         <source>The scan of {order} did not come to its end.</source>
-        <translation type="unfinished"></translation>
+        <translation>La scansione di {order} non è arrivata alla fine.</translation>
     </message>
     <message>
         <source>The scan of {order} was discarded.</source>
-        <translation type="unfinished"></translation>
+        <translation>La scansione di {order} è stata scartata.</translation>
     </message>
     <message>
         <source>There are {n} more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce ne sono altre {n}.</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Annulla</translation>
     </message>
     <message>
         <source>{measured} of {wanted} points, {done} of {views} views complete; begun {when}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{measured} di {wanted} punti, {done} di {views} viste complete; iniziata {when}.</translation>
     </message>
 </context>
 <context>
     <name>JogPanel</name>
     <message>
         <source>Beam down</source>
-        <translation type="unfinished">Raggio in basso</translation>
+        <translation>Raggio in basso</translation>
     </message>
     <message>
         <source>Beam left</source>
-        <translation type="unfinished">Raggio a sinistra</translation>
+        <translation>Raggio a sinistra</translation>
     </message>
     <message>
         <source>Beam right</source>
-        <translation type="unfinished">Raggio a destra</translation>
+        <translation>Raggio a destra</translation>
     </message>
     <message>
         <source>Beam up</source>
-        <translation type="unfinished">Raggio in alto</translation>
+        <translation>Raggio in alto</translation>
     </message>
     <message>
         <source>By hand</source>
-        <translation type="unfinished">Manuale</translation>
+        <translation>Manuale</translation>
     </message>
     <message>
         <source>Show the spot</source>
-        <translation type="unfinished"></translation>
+        <translation>Mostra il punto</translation>
     </message>
     <message>
         <source>Steps of {n} degrees</source>
-        <translation type="unfinished">Passi di {n} gradi</translation>
+        <translation>Passi di {n} gradi</translation>
     </message>
     <message>
         <source>Stop moving</source>
-        <translation type="unfinished"></translation>
+        <translation>Ferma il moto</translation>
     </message>
     <message>
         <source>Table</source>
-        <translation type="unfinished"></translation>
+        <translation>Tavola</translation>
     </message>
     <message>
         <source>Table clockwise</source>
-        <translation type="unfinished">Tavola in senso orario</translation>
+        <translation>Tavola in senso orario</translation>
     </message>
     <message>
         <source>Table counter-clockwise</source>
-        <translation type="unfinished">Tavola in senso antiorario</translation>
+        <translation>Tavola in senso antiorario</translation>
     </message>
 </context>
 <context>
     <name>Legend</name>
     <message>
         <source>Age</source>
-        <translation type="unfinished"></translation>
+        <translation>Età</translation>
     </message>
     <message>
         <source>Colours: {name}, {low} to {high}</source>
-        <translation type="unfinished"></translation>
+        <translation>Colori: {name}, da {low} a {high}</translation>
     </message>
     <message>
         <source>Density, points/mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>Densità, punti/mm²</translation>
     </message>
     <message>
         <source>Epipolar residual, σ</source>
-        <translation type="unfinished"></translation>
+        <translation>Residuo epipolare, σ</translation>
     </message>
     <message>
         <source>Height, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Altezza, mm</translation>
     </message>
     <message>
         <source>Points by</source>
-        <translation type="unfinished"></translation>
+        <translation>Punti secondo</translation>
     </message>
     <message>
         <source>Standard uncertainty, µm</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertezza tipo, µm</translation>
     </message>
     <message>
         <source>Support by points</source>
-        <translation type="unfinished"></translation>
+        <translation>Sostegno dei punti</translation>
     </message>
     <message>
         <source>Surface by</source>
-        <translation type="unfinished"></translation>
+        <translation>Superficie secondo</translation>
     </message>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
+        <translation>Vista</translation>
     </message>
     <message>
         <source>What the colours mean; click to choose  (K: the next one)</source>
-        <translation type="unfinished"></translation>
+        <translation>Che cosa dicono i colori; clic per scegliere  (K: il successivo)</translation>
     </message>
     <message>
         <source>filled in</source>
-        <translation type="unfinished"></translation>
+        <translation>colmata</translation>
     </message>
     <message>
         <source>measured</source>
-        <translation type="unfinished"></translation>
+        <translation>misurata</translation>
     </message>
     <message>
         <source>newest</source>
-        <translation type="unfinished"></translation>
+        <translation>più nuovo</translation>
     </message>
     <message>
         <source>not known</source>
-        <translation type="unfinished"></translation>
+        <translation>non noto</translation>
     </message>
     <message>
         <source>oldest</source>
-        <translation type="unfinished"></translation>
+        <translation>più vecchio</translation>
     </message>
     <message>
         <source>{n} and more</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} e oltre</translation>
     </message>
     <message>
         <source>{n} s ago</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} s fa</translation>
     </message>
 </context>
 <context>
@@ -2439,122 +2439,126 @@ Già consegnato il {day}: {name}</translation>
     <name>MeasurePanel</name>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Across x</source>
-        <translation type="unfinished"></translation>
+        <translation>Attraverso x</translation>
     </message>
     <message>
         <source>Across y</source>
-        <translation type="unfinished"></translation>
+        <translation>Attraverso y</translation>
     </message>
     <message>
         <source>Canal</source>
-        <translation type="unfinished"></translation>
+        <translation>Condotto</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Annulla</translation>
+        <translation>Annulla</translation>
     </message>
     <message>
         <source>Click a place, or move the plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fare clic su un punto, o spostare il piano.</translation>
     </message>
     <message>
         <source>Click the second place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fare clic sul secondo punto.</translation>
     </message>
     <message>
         <source>Click two places on the surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fare clic su due punti della superficie.</translation>
     </message>
     <message>
         <source>Click two points. Sections, canal and volume are measured on the surface: reconstruct it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fare clic su due punti. Sezioni, condotto e volume si misurano sulla superficie: prima ricostruirla.</translation>
     </message>
     <message>
         <source>Copy as text</source>
-        <translation type="unfinished"></translation>
+        <translation>Copia come testo</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Distanza</translation>
     </message>
     <message>
         <source>From the highest point, or click the tip of the canal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dal punto più alto, o fare clic sulla punta del condotto.</translation>
     </message>
     <message>
         <source>Keep this section</source>
-        <translation type="unfinished"></translation>
+        <translation>Tieni questa sezione</translation>
     </message>
     <message>
         <source>Level</source>
-        <translation type="unfinished"></translation>
+        <translation>Orizzontale</translation>
     </message>
     <message>
         <source>Measure the canal</source>
-        <translation type="unfinished"></translation>
+        <translation>Misura il condotto</translation>
     </message>
     <message>
         <source>Measure the volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Misura il volume</translation>
     </message>
     <message>
         <source>Measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Misurato</translation>
     </message>
     <message>
         <source>Measuring…</source>
-        <translation type="unfinished"></translation>
+        <translation>Misura…</translation>
     </message>
     <message>
         <source>No canal was found there. Click the tip of the canal on the surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lì nessun condotto trovato. Fare clic sulla punta del condotto, sulla superficie.</translation>
     </message>
     <message>
         <source>Nothing yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ancora niente.</translation>
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>Posizione</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished">Rimuovi</translation>
+        <translation>Rimuovi</translation>
     </message>
     <message>
         <source>Remove measurement {n}</source>
-        <translation type="unfinished"></translation>
+        <translation>Rimuovi misura {n}</translation>
     </message>
     <message>
         <source>Scan an object or open a case first.</source>
-        <translation type="unfinished">Prima scansionare un oggetto o aprire un caso.</translation>
+        <translation>Prima scansionare un oggetto o aprire un caso.</translation>
     </message>
     <message>
         <source>Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Sezione</translation>
     </message>
     <message>
         <source>The surface is not closed, so it encloses no volume.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie non è chiusa, quindi non racchiude un volume.</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volume</translation>
     </message>
     <message>
         <source>What the closed surface encloses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ciò che la superficie chiusa racchiude.</translation>
     </message>
     <message>
         <source>mm perimeter</source>
-        <translation type="unfinished"></translation>
+        <translation>mm perimetro</translation>
     </message>
     <message>
         <source>mm² area</source>
+        <translation>mm² area</translation>
+    </message>
+    <message>
+        <source>{told}. Of another surface than the one that is shown.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2562,71 +2566,71 @@ Già consegnato il {day}: {name}</translation>
     <name>MountsPage</name>
     <message>
         <source>1  Set the object down anew</source>
-        <translation type="unfinished"></translation>
+        <translation>1  Posare l&apos;oggetto in altro modo</translation>
     </message>
     <message>
         <source>2  Scan it into the same case</source>
-        <translation type="unfinished"></translation>
+        <translation>2  Scansionare nello stesso caso</translation>
     </message>
     <message>
         <source>Another mount</source>
-        <translation type="unfinished">Altro posizionamento</translation>
+        <translation>Altro posizionamento</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Annulla</translation>
+        <translation>Annulla</translation>
     </message>
     <message>
         <source>How the mounts lie</source>
-        <translation type="unfinished"></translation>
+        <translation>Come stanno i posizionamenti</translation>
     </message>
     <message>
         <source>Leave about half of what was scanned in sight, near the middle of the table, and see that nothing wobbles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lasciare in vista circa metà di quanto scansionato, vicino al centro della tavola, e badare che niente dondoli.</translation>
     </message>
     <message>
         <source>Look again how they lie</source>
-        <translation type="unfinished"></translation>
+        <translation>Riesamina come stanno</translation>
     </message>
     <message>
         <source>Looking how the mounts lie on each other…</source>
-        <translation type="unfinished"></translation>
+        <translation>Esame di come stanno i posizionamenti fra loro…</translation>
     </message>
     <message>
         <source>Nothing is lost: all points are kept in the case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente va perso: tutti i punti restano nel caso.</translation>
     </message>
     <message>
         <source>Pick three points</source>
-        <translation type="unfinished">Scelta di tre punti</translation>
+        <translation>Scegli tre punti</translation>
     </message>
     <message>
         <source>Reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricostruisci</translation>
     </message>
     <message>
         <source>Registration</source>
-        <translation type="unfinished"></translation>
+        <translation>Registrazione</translation>
     </message>
     <message>
         <source>Scan another mount</source>
-        <translation type="unfinished">Altro posizionamento</translation>
+        <translation>Altro posizionamento</translation>
     </message>
     <message>
         <source>Scan this mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Scansiona posizionamento</translation>
     </message>
     <message>
         <source>The points of the earlier mounts stay (Shift+F9)</source>
-        <translation type="unfinished"></translation>
+        <translation>I punti dei posizionamenti precedenti restano (Maiusc+F9)</translation>
     </message>
     <message>
         <source>Tip it by 60 to 90° or turn it over, so that what was hidden comes into view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Inclinarlo di 60-90° o capovolgerlo, così che il nascosto diventi visibile.</translation>
     </message>
     <message>
         <source>Tip the virtual object</source>
-        <translation type="unfinished"></translation>
+        <translation>Inclina l&apos;oggetto virtuale</translation>
     </message>
 </context>
 <context>
@@ -2727,89 +2731,89 @@ Già consegnato il {day}: {name}</translation>
     <name>OutlierShape</name>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Annulla</translation>
+        <translation>Annulla</translation>
     </message>
     <message>
         <source>How many times the usual distance to its neighbours a point may lie off them</source>
-        <translation type="unfinished"></translation>
+        <translation>Quante volte la distanza usuale dai vicini un punto può scostarsene</translation>
     </message>
     <message>
         <source>Limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Limite</translation>
     </message>
     <message>
         <source>Looking at every point</source>
-        <translation type="unfinished"></translation>
+        <translation>Esame di ogni punto</translation>
     </message>
     <message>
         <source>Points that are far from their neighbours, off their surface, or in a small group of their own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punti lontani dai vicini, fuori dalla loro superficie, o in un piccolo gruppo a sé.</translation>
     </message>
 </context>
 <context>
     <name>PickPage</name>
     <message>
         <source>All mounts lie together; there is nothing to pick.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tutti i posizionamenti stanno insieme; niente da scegliere.</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Indietro</translation>
     </message>
     <message>
         <source>Click place {n} of three on the left, then the same place on the right; far from each other and easy to tell.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fare clic sul punto {n} di tre a sinistra, poi sullo stesso a destra; lontani fra loro e facili da riconoscere.</translation>
     </message>
     <message>
         <source>It did not fit from these points. Take the last one back, or start again with places that you are sure of.</source>
-        <translation type="unfinished"></translation>
+        <translation>Con questi punti non combacia. Togliere l&apos;ultimo, o ricominciare con punti sicuri.</translation>
     </message>
     <message>
         <source>Looking whether the mounts fit from there…</source>
-        <translation type="unfinished"></translation>
+        <translation>Prova se da lì i posizionamenti combaciano…</translation>
     </message>
     <message>
         <source>Now click the same place {n} on the right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ora fare clic sullo stesso punto {n} a destra.</translation>
     </message>
     <message>
         <source>Pick three points</source>
-        <translation type="unfinished">Scelta di tre punti</translation>
+        <translation>Scelta di tre punti</translation>
     </message>
     <message>
         <source>Points of the mount to be joined</source>
-        <translation type="unfinished"></translation>
+        <translation>Punti del posizionamento da unire</translation>
     </message>
     <message>
         <source>Points of the mounts that lie together</source>
-        <translation type="unfinished"></translation>
+        <translation>Punti dei posizionamenti già uniti</translation>
     </message>
     <message>
         <source>Preparing the 3D view…</source>
-        <translation type="unfinished"></translation>
+        <translation>Preparazione della vista 3D…</translation>
     </message>
     <message>
         <source>Start again</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricomincia</translation>
     </message>
     <message>
         <source>Take the last point back (Ctrl+Z)</source>
-        <translation type="unfinished"></translation>
+        <translation>Togli l&apos;ultimo punto (Ctrl+Z)</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Annulla</translation>
     </message>
     <message>
         <source>Where it is known</source>
-        <translation type="unfinished"></translation>
+        <translation>Dove è noto</translation>
     </message>
 </context>
 <context>
     <name>PickView</name>
     <message>
         <source>Turn it with the arrow keys, come nearer with plus and minus, pick the point in the middle with the space bar.</source>
-        <translation type="unfinished"></translation>
+        <translation>Girare con le frecce, avvicinare con più e meno, scegliere il punto al centro con la barra spaziatrice.</translation>
     </message>
 </context>
 <context>
@@ -2940,124 +2944,124 @@ Già consegnato il {day}: {name}</translation>
     <name>PortLine</name>
     <message>
         <source>Part of the program: to try the assistant without devices.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parte del programma: per provare l&apos;assistente senza dispositivi.</translation>
     </message>
     <message>
         <source>Virtual controller</source>
-        <translation type="unfinished"></translation>
+        <translation>Controllore virtuale</translation>
     </message>
 </context>
 <context>
     <name>Preferences</name>
     <message>
         <source>reset of the settings</source>
-        <translation type="unfinished"></translation>
+        <translation>ripristino delle impostazioni</translation>
     </message>
 </context>
 <context>
     <name>ProcessingRows</name>
     <message>
         <source> σ</source>
-        <translation type="unfinished"></translation>
+        <translation> σ</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished">Calibrazione</translation>
+        <translation>Calibrazione</translation>
     </message>
     <message>
         <source>Epipolar gate</source>
-        <translation type="unfinished"></translation>
+        <translation>Soglia epipolare</translation>
     </message>
     <message>
         <source>How far the two cameras may disagree, in standard uncertainties; scanned with 3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quanto le due telecamere possono discordare, in incertezze tipo; scansionato con 3.</translation>
     </message>
     <message>
         <source>Points of darker spots are left out; the brightest pixel is 255.</source>
-        <translation type="unfinished"></translation>
+        <translation>I punti laser più scuri sono esclusi; il pixel più chiaro è 255.</translation>
     </message>
     <message>
         <source>Spot peak</source>
-        <translation type="unfinished"></translation>
+        <translation>Picco del punto</translation>
     </message>
     <message>
         <source>as scanned</source>
-        <translation type="unfinished"></translation>
+        <translation>come scansionato</translation>
     </message>
     <message>
         <source>of the rig now</source>
-        <translation type="unfinished"></translation>
+        <translation>del banco attuale</translation>
     </message>
 </context>
 <context>
     <name>ProfilePanel</name>
     <message>
         <source>Certificate beside it (PDF and JSON)</source>
-        <translation type="unfinished"></translation>
+        <translation>Certificato accanto (PDF e JSON)</translation>
     </message>
     <message>
         <source>Choose a folder</source>
-        <translation type="unfinished">Scelta di una cartella</translation>
+        <translation>Scelta di una cartella</translation>
     </message>
     <message>
         <source>Copy as my own</source>
-        <translation type="unfinished"></translation>
+        <translation>Copia come mio</translation>
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished">Fatto</translation>
+        <translation>Fatto</translation>
     </message>
     <message>
         <source>Every change counts at once; Ctrl+Z takes it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ogni modifica vale subito; Ctrl+Z la annulla.</translation>
     </message>
     <message>
         <source>File name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome del file</translation>
     </message>
     <message>
         <source>Folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Cartella</translation>
     </message>
     <message>
         <source>Folder for exported files</source>
-        <translation type="unfinished"></translation>
+        <translation>Cartella dei file esportati</translation>
     </message>
     <message>
         <source>Format</source>
-        <translation type="unfinished"></translation>
+        <translation>Formato</translation>
     </message>
     <message>
         <source>In braces: {fields}</source>
-        <translation type="unfinished">Fra graffe: {fields}</translation>
+        <translation>Fra graffe: {fields}</translation>
     </message>
     <message>
         <source>Lies</source>
-        <translation type="unfinished"></translation>
+        <translation>Giacitura</translation>
     </message>
     <message>
         <source>Measured points beside it (XYZ)</source>
-        <translation type="unfinished"></translation>
+        <translation>Punti misurati accanto (XYZ)</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished">Rimuovi</translation>
+        <translation>Rimuovi</translation>
     </message>
     <message>
         <source>This profile belongs to the program. Copy it to change it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Questo profilo è del programma. Copiarlo per modificarlo.</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Unità</translation>
     </message>
     <message>
         <source>Without its base (open surface)</source>
-        <translation type="unfinished"></translation>
+        <translation>Senza base (superficie aperta)</translation>
     </message>
 </context>
 <context>
@@ -3242,7 +3246,7 @@ Dopo: {after}</translation>
     <name>ReconstructionWaiting</name>
     <message>
         <source>Waiting</source>
-        <translation type="unfinished"></translation>
+        <translation>In attesa</translation>
     </message>
 </context>
 <context>
@@ -3280,41 +3284,41 @@ Dopo: {after}</translation>
     <name>RejectList</name>
     <message>
         <source>Rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>Scartati</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>nessuno</translation>
     </message>
     <message>
         <source>other</source>
-        <translation type="unfinished"></translation>
+        <translation>altro</translation>
     </message>
     <message>
         <source>{count}  ·  {share} %</source>
-        <translation type="unfinished"></translation>
+        <translation>{count}  ·  {share} %</translation>
     </message>
 </context>
 <context>
     <name>Remarks</name>
     <message>
         <source>1 remark</source>
-        <translation type="unfinished"></translation>
+        <translation>1 osservazione</translation>
     </message>
     <message>
         <source>{n} remarks</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} osservazioni</translation>
     </message>
 </context>
 <context>
     <name>RemovedStrip</name>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Annulla</translation>
     </message>
     <message>
         <source>{order} was removed; its file is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>{order} rimosso; il suo file è conservato.</translation>
     </message>
 </context>
 <context>
@@ -3645,18 +3649,18 @@ Dopo: {after}</translation>
     <name>SceneLink</name>
     <message>
         <source>{n} points</source>
-        <translation type="unfinished">{n} punti</translation>
+        <translation>{n} punti</translation>
     </message>
     <message>
         <source>{n} triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} triangoli</translation>
     </message>
 </context>
 <context>
     <name>SceneView</name>
     <message>
         <source>grid {mm:.0f} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>griglia {mm:.0f} mm</translation>
     </message>
 </context>
 <context>
@@ -3810,72 +3814,72 @@ Dopo: {after}</translation>
     <name>ShortcutsDialog</name>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Chiudi</translation>
     </message>
     <message>
         <source>Copy as text</source>
-        <translation type="unfinished"></translation>
+        <translation>Copia come testo</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Scorciatoie da tastiera</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasti</translation>
     </message>
     <message>
         <source>No shortcut fits.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna scorciatoia trovata.</translation>
     </message>
     <message>
         <source>Search the shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerca nelle scorciatoie</translation>
     </message>
     <message>
         <source>Search: a word, or a key</source>
-        <translation type="unfinished"></translation>
+        <translation>Cerca: una parola o un tasto</translation>
     </message>
     <message>
         <source>What it does</source>
-        <translation type="unfinished"></translation>
+        <translation>Che cosa fa</translation>
     </message>
 </context>
 <context>
     <name>SizeHistogram</name>
     <message>
         <source>Drag a limit, or choose it with up and down and move it with left and right</source>
-        <translation type="unfinished"></translation>
+        <translation>Trascinare un limite, o sceglierlo con su e giù e muoverlo con sinistra e destra</translation>
     </message>
     <message>
         <source>Live shows how large spots are</source>
-        <translation type="unfinished"></translation>
+        <translation>«Dal vivo» mostra quanto sono grandi i punti</translation>
     </message>
     <message>
         <source>Size of a spot: {low} to {high} pixels, {chosen}</source>
-        <translation type="unfinished"></translation>
+        <translation>Dimensione di un punto: da {low} a {high} pixel, {chosen}</translation>
     </message>
     <message>
         <source>largest size chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>scelta la dimensione massima</translation>
     </message>
     <message>
         <source>smallest size chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>scelta la dimensione minima</translation>
     </message>
 </context>
 <context>
     <name>Sparkline</name>
     <message>
         <source>Size deviation of the last tests in µm: {values}</source>
-        <translation type="unfinished"></translation>
+        <translation>Scarto di misura delle ultime prove in µm: {values}</translation>
     </message>
 </context>
 <context>
     <name>Stage</name>
     <message>
         <source>Preparing the 3D view…</source>
-        <translation type="unfinished"></translation>
+        <translation>Preparazione della vista 3D…</translation>
     </message>
 </context>
 <context>
@@ -3953,62 +3957,62 @@ Dopo: {after}</translation>
     <name>SupportDialog</name>
     <message>
         <source>&amp;Save…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Salva…</translation>
     </message>
     <message>
         <source>Archives (*.zip)</source>
-        <translation type="unfinished"></translation>
+        <translation>Archivi (*.zip)</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Chiudi</translation>
     </message>
     <message>
         <source>Collect &amp;again</source>
-        <translation type="unfinished"></translation>
+        <translation>Raccogli di &amp;nuovo</translation>
     </message>
     <message>
         <source>Collecting…</source>
-        <translation type="unfinished"></translation>
+        <translation>Raccolta…</translation>
     </message>
     <message>
         <source>Entries; those with a tick are saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Voci; si salvano quelle spuntate</translation>
     </message>
     <message>
         <source>One file for whoever helps you. Orders, patients, file names, the user and this machine are replaced, as marked in the text. Nothing leaves this machine by itself: you save the file and send it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un solo file per chi vi assiste. Ordini, pazienti, nomi di file, utente e computer sono sostituiti, come segnato nel testo. Niente lascia da sé questo computer: il file si salva e si invia a mano.</translation>
     </message>
     <message>
         <source>Save the support bundle</source>
-        <translation type="unfinished"></translation>
+        <translation>Salva il pacchetto di assistenza</translation>
     </message>
     <message>
         <source>Saved as {path}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Salvato come {path}.</translation>
     </message>
     <message>
         <source>Support bundle</source>
-        <translation type="unfinished"></translation>
+        <translation>Pacchetto di assistenza</translation>
     </message>
     <message>
         <source>{size} in {n} entries. Replaced: {taken}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{size} in {n} voci. Sostituiti: {taken}.</translation>
     </message>
 </context>
 <context>
     <name>SupportPreview</name>
     <message>
         <source>(Only the first part is shown; the file holds all.)</source>
-        <translation type="unfinished"></translation>
+        <translation>(Si mostra solo la prima parte; il file contiene tutto.)</translation>
     </message>
     <message>
         <source>(Only the last part is shown; the file holds all.)</source>
-        <translation type="unfinished"></translation>
+        <translation>(Si mostra solo l&apos;ultima parte; il file contiene tutto.)</translation>
     </message>
     <message>
         <source>Content of the entry</source>
-        <translation type="unfinished"></translation>
+        <translation>Contenuto della voce</translation>
     </message>
 </context>
 <context>
@@ -4082,139 +4086,139 @@ Dopo: {after}</translation>
     <name>SurfacesPanel</name>
     <message>
         <source>After</source>
-        <translation type="unfinished"></translation>
+        <translation>Dopo</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation type="unfinished"></translation>
+        <translation>Prima</translation>
     </message>
     <message>
         <source>Kept in the open case</source>
-        <translation type="unfinished"></translation>
+        <translation>Conservati nel caso aperto</translation>
     </message>
     <message>
         <source>Nothing of a file is repaired: what is noticed about it is said here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente di un file viene riparato: ciò che vi si nota è detto qui.</translation>
     </message>
     <message>
         <source>Swap before and after</source>
-        <translation type="unfinished"></translation>
+        <translation>Scambia prima e dopo</translation>
     </message>
     <message>
         <source>not reliable</source>
-        <translation type="unfinished"></translation>
+        <translation>non affidabile</translation>
     </message>
     <message>
         <source>reliable</source>
-        <translation type="unfinished"></translation>
+        <translation>affidabile</translation>
     </message>
     <message>
         <source>{day}: with {before}, 1 area, {verdict}</source>
-        <translation type="unfinished"></translation>
+        <translation>{day}: con {before}, 1 area, {verdict}</translation>
     </message>
     <message>
         <source>{day}: with {before}, {n} areas, {verdict}</source>
-        <translation type="unfinished"></translation>
+        <translation>{day}: con {before}, {n} aree, {verdict}</translation>
     </message>
     <message>
         <source>{line}; of an earlier surface</source>
-        <translation type="unfinished"></translation>
+        <translation>{line}; di una superficie precedente</translation>
     </message>
 </context>
 <context>
     <name>Thumbnail</name>
     <message>
         <source>no picture</source>
-        <translation type="unfinished"></translation>
+        <translation>senza immagine</translation>
     </message>
 </context>
 <context>
     <name>TourCard</name>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Indietro</translation>
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished">Fatto</translation>
+        <translation>Fine</translation>
     </message>
     <message>
         <source>End the tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Termina la visita</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation type="unfinished"></translation>
+        <translation>Avanti</translation>
     </message>
     <message>
         <source>Tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Visita guidata</translation>
     </message>
     <message>
         <source>{n} of {all}</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} di {all}</translation>
     </message>
 </context>
 <context>
     <name>TranscriptWindow</name>
     <message>
         <source>&amp;Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Copia</translation>
     </message>
     <message>
         <source>&amp;Leave out the questions for the status</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ometti le richieste di stato</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Chiudi</translation>
     </message>
     <message>
         <source>Lines to (&gt;) and from (&lt;) the controller</source>
-        <translation type="unfinished"></translation>
+        <translation>Righe verso (&gt;) e da (&lt;) il controllore</translation>
     </message>
     <message>
         <source>Port {port}. Nothing has been said yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Porta {port}. Ancora nessuno scambio.</translation>
     </message>
     <message>
         <source>Port {port}. Seconds since the start, &gt; to the controller, &lt; from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Porta {port}. Secondi dall&apos;avvio, &gt; verso il controllore, &lt; da esso.</translation>
     </message>
     <message>
         <source>Transcript of the controller</source>
-        <translation type="unfinished"></translation>
+        <translation>Trascrizione del controllore</translation>
     </message>
 </context>
 <context>
     <name>Verdict</name>
     <message>
         <source>And {n} more, under Surfaces and Alignment.</source>
-        <translation type="unfinished"></translation>
+        <translation>E altre {n}, in Superfici e Allineamento.</translation>
     </message>
     <message>
         <source>Held fixed: {frame} ({share} %).</source>
-        <translation type="unfinished"></translation>
+        <translation>Tenuto fermo: {frame} ({share} %).</translation>
     </message>
     <message>
         <source>Not reliable</source>
-        <translation type="unfinished"></translation>
+        <translation>Non affidabile</translation>
     </message>
     <message>
         <source>Out of date</source>
-        <translation type="unfinished"></translation>
+        <translation>Superato</translation>
     </message>
     <message>
         <source>Reliable</source>
-        <translation type="unfinished"></translation>
+        <translation>Affidabile</translation>
     </message>
     <message>
         <source>Remarks, under Surfaces and Alignment: {n}</source>
-        <translation type="unfinished"></translation>
+        <translation>Osservazioni, in Superfici e Allineamento: {n}</translation>
     </message>
     <message>
         <source>What is shown was computed before the last change.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ciò che si vede è stato calcolato prima dell&apos;ultima modifica.</translation>
     </message>
 </context>
 <context>
@@ -4232,257 +4236,257 @@ Dopo: {after}</translation>
     <name>WindowHelp</name>
     <message>
         <source>At the end stands a file for the next machine, with its checks in plain words.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alla fine c&apos;è un file per la macchina successiva, con le verifiche in parole semplici.</translation>
     </message>
     <message>
         <source>Checked, then delivered</source>
-        <translation type="unfinished"></translation>
+        <translation>Verificato, poi consegnato</translation>
     </message>
     <message>
         <source>Esc does the same on every page. It is filled with red while the laser is on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esc fa lo stesso in ogni pagina. È rosso finché il laser è acceso.</translation>
     </message>
     <message>
         <source>Every order passes these steps. Ctrl and a number opens each.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ogni ordine passa questi passi. Ctrl e un numero apre ciascuno.</translation>
     </message>
     <message>
         <source>F1 explains the page and the control in hand, ? lists all keys, and Ctrl+Z takes back what you did.</source>
-        <translation type="unfinished"></translation>
+        <translation>F1 spiega la pagina e il controllo attivo, ? elenca tutti i tasti, e Ctrl+Z annulla l&apos;ultima azione.</translation>
     </message>
     <message>
         <source>Help is at hand</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;aiuto è a portata di mano</translation>
     </message>
     <message>
         <source>One button is next</source>
-        <translation type="unfinished"></translation>
+        <translation>Un pulsante indica il prossimo passo</translation>
     </message>
     <message>
         <source>Points and surface grow before you. Pause is safe: the laser goes dark and nothing is lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punti e superficie crescono sotto gli occhi. La pausa è sicura: il laser si spegne e niente va perso.</translation>
     </message>
     <message>
         <source>Scanning runs by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>La scansione procede da sé</translation>
     </message>
     <message>
         <source>Stop, from everywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Fermare, da ovunque</translation>
     </message>
     <message>
         <source>The filled button is what to do now. A demo order stands here already: press it and watch.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il pulsante pieno è ciò che va fatto ora. C&apos;è già un ordine demo: premere e osservare.</translation>
     </message>
     <message>
         <source>The work goes from the top down</source>
-        <translation type="unfinished"></translation>
+        <translation>Il lavoro va dall&apos;alto in basso</translation>
     </message>
 </context>
 <context>
     <name>WriteStep</name>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>File</translation>
     </message>
     <message>
         <source>Limits, the laser&apos;s place and the volume are those of the shipped bench. Correct them for your mechanics before the first scan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Limiti, posizione del laser e volume sono quelli del banco fornito. Correggerli per la propria meccanica prima della prima scansione.</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome</translation>
     </message>
     <message>
         <source>Name of the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Nome del banco</translation>
     </message>
     <message>
         <source>Other file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Altro file…</translation>
     </message>
     <message>
         <source>Replace it</source>
-        <translation type="unfinished"></translation>
+        <translation>Sostituisci</translation>
     </message>
     <message>
         <source>Rigs (*.toml)</source>
-        <translation type="unfinished"></translation>
+        <translation>Banchi (*.toml)</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>Salva</translation>
     </message>
     <message>
         <source>The Rig page shows it, and calibrates it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>La pagina Banco lo mostra e lo ricalibra.</translation>
     </message>
     <message>
         <source>The rig cannot measure before it is calibrated: the Rig page prints the target and takes you through it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il banco non può misurare prima di essere calibrato: la pagina Banco stampa la scacchiera e guida nella calibrazione.</translation>
     </message>
     <message>
         <source>The rig&apos;s file</source>
-        <translation type="unfinished"></translation>
+        <translation>Il file del banco</translation>
     </message>
     <message>
         <source>There is a file of this name already. Press once more to replace it, or choose another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>C&apos;è già un file con questo nome. Premere ancora per sostituirlo, o scegliere un altro nome.</translation>
     </message>
     <message>
         <source>Use this rig now</source>
-        <translation type="unfinished"></translation>
+        <translation>Usa ora questo banco</translation>
     </message>
     <message>
         <source>What will be written</source>
-        <translation type="unfinished"></translation>
+        <translation>Che cosa verrà scritto</translation>
     </message>
     <message>
         <source>Where to write the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Dove scrivere il banco</translation>
     </message>
     <message>
         <source>Written to {path}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scritto in {path}.</translation>
     </message>
 </context>
 <context>
     <name>_Entry</name>
     <message>
         <source>{n} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} mm</translation>
     </message>
 </context>
 <context>
     <name>_ExpertFields</name>
     <message>
         <source>As many triangles as it takes that 95 of 100 facets keep this tolerance; goes before the number of triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tanti triangoli quanti servono perché 95 faccette su 100 rispettino la tolleranza; prevale sul numero di triangoli.</translation>
     </message>
     <message>
         <source>Back to the defaults</source>
-        <translation type="unfinished">Ripristino dei valori predefiniti</translation>
+        <translation>Ripristina predefiniti</translation>
     </message>
     <message>
         <source>Density of the points, of that which they have among themselves, from which on the surface counts as measured. Default 45 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>Densità dei punti, rispetto a quella che hanno fra loro, da cui la superficie vale come misurata. Predefinito 45 %.</translation>
     </message>
     <message>
         <source>Goes before the slider.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prevale sul cursore.</translation>
     </message>
     <message>
         <source>Leave open what was not scanned</source>
-        <translation type="unfinished"></translation>
+        <translation>Lascia aperto il non scansionato</translation>
     </message>
     <message>
         <source>Of every random choice: the same points and seed give the same surface. Default 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Di ogni scelta casuale: stessi punti e stesso seme danno la stessa superficie. Predefinito 0.</translation>
     </message>
     <message>
         <source>Pass-band</source>
-        <translation type="unfinished"></translation>
+        <translation>Banda passante</translation>
     </message>
     <message>
         <source>Rounds of Taubin&apos;s filter in the last phase. Default 3; many of them inflate the surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Passate del filtro di Taubin nell&apos;ultima fase. Predefinito 3; molte gonfiano la superficie.</translation>
     </message>
     <message>
         <source>Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Seme</translation>
     </message>
     <message>
         <source>Smoothing rounds</source>
-        <translation type="unfinished"></translation>
+        <translation>Passate di lisciatura</translation>
     </message>
     <message>
         <source>Support from</source>
-        <translation type="unfinished"></translation>
+        <translation>Sostegno da</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Tolleranza</translation>
     </message>
     <message>
         <source>Triangles, at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Triangoli, al massimo</translation>
     </message>
     <message>
         <source>Waves longer than this share of the highest spatial frequency stay. Default 10 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le onde più lunghe di questa quota della massima frequenza spaziale restano. Predefinito 10 %.</translation>
     </message>
     <message>
         <source>Without it the surface is closed, as printing needs it; what is bridged is marked as not scanned.</source>
-        <translation type="unfinished"></translation>
+        <translation>Senza, la superficie è chiusa, come serve per la stampa; ciò che è colmato è segnato come non scansionato.</translation>
     </message>
     <message>
         <source>by detail</source>
-        <translation type="unfinished"></translation>
+        <translation>secondo dettaglio</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>nessuna</translation>
     </message>
 </context>
 <context>
     <name>_Facts</name>
     <message>
         <source>Closed</source>
-        <translation type="unfinished"></translation>
+        <translation>Chiusa</translation>
     </message>
     <message>
         <source>Noise of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>Rumore dei punti</translation>
     </message>
     <message>
         <source>Outliers rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>Anomali scartati</translation>
     </message>
     <message>
         <source>Points to surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Da punti a superficie</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>no</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>sì</translation>
     </message>
     <message>
         <source>{n} s</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} s</translation>
     </message>
     <message>
         <source>{n} µm</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} µm</translation>
     </message>
     <message>
         <source>{n} µm rms</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} µm rms</translation>
     </message>
 </context>
 <context>
     <name>_Line</name>
     <message>
         <source>{order}: do not reconstruct</source>
-        <translation type="unfinished"></translation>
+        <translation>{order}: non ricostruire</translation>
     </message>
     <message>
         <source>{order}: one place forward</source>
-        <translation type="unfinished"></translation>
+        <translation>{order}: un posto avanti</translation>
     </message>
 </context>
 <context>
     <name>_PhaseLine</name>
     <message>
         <source>{n} s</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} s</translation>
     </message>
 </context>
 <context>
@@ -4624,35 +4628,35 @@ Dopo: {after}</translation>
     <name>activity</name>
     <message>
         <source>Bringing the mounts together</source>
-        <translation type="unfinished"></translation>
+        <translation>Unione dei posizionamenti</translation>
     </message>
     <message>
         <source>Calibrating</source>
-        <translation type="unfinished"></translation>
+        <translation>Calibrazione</translation>
     </message>
     <message>
         <source>Comparing</source>
-        <translation type="unfinished"></translation>
+        <translation>Confronto</translation>
     </message>
     <message>
         <source>Computing the points anew…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricalcolo dei punti…</translation>
     </message>
     <message>
         <source>Looking for what is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricerca di ciò che manca</translation>
     </message>
     <message>
         <source>Opening the case…</source>
-        <translation type="unfinished"></translation>
+        <translation>Apertura del caso…</translation>
     </message>
     <message>
         <source>Scanning</source>
-        <translation type="unfinished">Scansione</translation>
+        <translation>Scansione</translation>
     </message>
     <message>
         <source>Setting up a rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Configurazione di un banco</translation>
     </message>
 </context>
 <context>
@@ -4750,465 +4754,465 @@ Dopo: {after}</translation>
     <name>assistant</name>
     <message>
         <source>Camera left</source>
-        <translation type="unfinished">Telecamera sinistra</translation>
+        <translation>Telecamera sinistra</translation>
     </message>
     <message>
         <source>Camera right</source>
-        <translation type="unfinished">Telecamera destra</translation>
+        <translation>Telecamera destra</translation>
     </message>
     <message>
         <source>Correct the steps of beam X: it moves {percent} % of what it is told.</source>
-        <translation type="unfinished"></translation>
+        <translation>Correggi i passi del raggio X: si muove del {percent} % del comando.</translation>
     </message>
     <message>
         <source>Correct the steps of beam Y: it moves {percent} % of what it is told.</source>
-        <translation type="unfinished"></translation>
+        <translation>Correggi i passi del raggio Y: si muove del {percent} % del comando.</translation>
     </message>
     <message>
         <source>Correct the steps of the table: it turns {percent} % of what it is told.</source>
-        <translation type="unfinished"></translation>
+        <translation>Correggi i passi della tavola: gira del {percent} % del comando.</translation>
     </message>
     <message>
         <source>Exchange the cameras: the one that is called left stands to the right of the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scambia le telecamere: quella detta sinistra sta a destra dell&apos;altra.</translation>
     </message>
     <message>
         <source>Expose both cameras for {ms} ms (left {left} dB, right {right} dB): it suits what stands there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esponi entrambe le telecamere per {ms} ms (sinistra {left} dB, destra {right} dB): adatto a ciò che c&apos;è.</translation>
     </message>
     <message>
         <source>Free: each by its own clock</source>
-        <translation type="unfinished"></translation>
+        <translation>Libero: ognuna col suo orologio</translation>
     </message>
     <message>
         <source>GRBL board, set up for something else</source>
-        <translation type="unfinished"></translation>
+        <translation>Scheda GRBL, configurata per altro</translation>
     </message>
     <message>
         <source>Hardware: a cable to both</source>
-        <translation type="unfinished"></translation>
+        <translation>Hardware: un cavo a entrambe</translation>
     </message>
     <message>
         <source>Left, difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Sinistra, differenza</translation>
     </message>
     <message>
         <source>Left, first end</source>
-        <translation type="unfinished"></translation>
+        <translation>Sinistra, primo capo</translation>
     </message>
     <message>
         <source>Left, laser off</source>
-        <translation type="unfinished"></translation>
+        <translation>Sinistra, laser spento</translation>
     </message>
     <message>
         <source>Left, laser on</source>
-        <translation type="unfinished"></translation>
+        <translation>Sinistra, laser acceso</translation>
     </message>
     <message>
         <source>Left, other end</source>
-        <translation type="unfinished"></translation>
+        <translation>Sinistra, altro capo</translation>
     </message>
     <message>
         <source>Right, difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Destra, differenza</translation>
     </message>
     <message>
         <source>Right, first end</source>
-        <translation type="unfinished"></translation>
+        <translation>Destra, primo capo</translation>
     </message>
     <message>
         <source>Right, laser off</source>
-        <translation type="unfinished"></translation>
+        <translation>Destra, laser spento</translation>
     </message>
     <message>
         <source>Right, laser on</source>
-        <translation type="unfinished"></translation>
+        <translation>Destra, laser acceso</translation>
     </message>
     <message>
         <source>Right, other end</source>
-        <translation type="unfinished"></translation>
+        <translation>Destra, altro capo</translation>
     </message>
     <message>
         <source>Software: a command for every picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Software: un comando per ogni immagine</translation>
     </message>
     <message>
         <source>Turn the direction of beam X round: it moves the spot the other way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Inverti la direzione del raggio X: muove il punto al contrario.</translation>
     </message>
     <message>
         <source>Turn the direction of beam Y round: it moves the spot the other way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Inverti la direzione del raggio Y: muove il punto al contrario.</translation>
     </message>
     <message>
         <source>Turn the direction of the table round: it turns the other way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Inverti la direzione della tavola: gira al contrario.</translation>
     </message>
     <message>
         <source>Virtual camera, left</source>
-        <translation type="unfinished"></translation>
+        <translation>Telecamera virtuale, sinistra</translation>
     </message>
     <message>
         <source>Virtual camera, right</source>
-        <translation type="unfinished"></translation>
+        <translation>Telecamera virtuale, destra</translation>
     </message>
     <message>
         <source>black picture</source>
-        <translation type="unfinished"></translation>
+        <translation>immagine nera</translation>
     </message>
     <message>
         <source>cannot be opened</source>
-        <translation type="unfinished"></translation>
+        <translation>non si apre</translation>
     </message>
     <message>
         <source>controller</source>
-        <translation type="unfinished">controllore</translation>
+        <translation>controllore</translation>
     </message>
     <message>
         <source>does not work</source>
-        <translation type="unfinished"></translation>
+        <translation>non funziona</translation>
     </message>
     <message>
         <source>good</source>
-        <translation type="unfinished"></translation>
+        <translation>buono</translation>
     </message>
     <message>
         <source>look at this</source>
-        <translation type="unfinished"></translation>
+        <translation>da guardare</translation>
     </message>
     <message>
         <source>no picture</source>
-        <translation type="unfinished"></translation>
+        <translation>nessuna immagine</translation>
     </message>
     <message>
         <source>not permitted</source>
-        <translation type="unfinished"></translation>
+        <translation>non permesso</translation>
     </message>
     <message>
         <source>ready</source>
-        <translation type="unfinished"></translation>
+        <translation>pronto</translation>
     </message>
     <message>
         <source>silent</source>
-        <translation type="unfinished"></translation>
+        <translation>muto</translation>
     </message>
     <message>
         <source>something else</source>
-        <translation type="unfinished"></translation>
+        <translation>qualcos&apos;altro</translation>
     </message>
     <message>
         <source>used by another program</source>
-        <translation type="unfinished"></translation>
+        <translation>usato da un altro programma</translation>
     </message>
     <message>
         <source>wrong format</source>
-        <translation type="unfinished"></translation>
+        <translation>formato errato</translation>
     </message>
     <message>
         <source>{width} × {height} px, {rate} frames/s</source>
-        <translation type="unfinished"></translation>
+        <translation>{width} × {height} px, {rate} immagini/s</translation>
     </message>
 </context>
 <context>
     <name>board</name>
     <message>
         <source>Angle {n} of {count}</source>
-        <translation type="unfinished"></translation>
+        <translation>Angolo {n} di {count}</translation>
     </message>
     <message>
         <source>Angle {n} taken. The table turns: hands off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angolo {n} preso. La tavola gira: via le mani.</translation>
     </message>
     <message>
         <source>Bar {n} taken. Now hold it another way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Barra {n} presa. Ora tenerla in altro modo.</translation>
     </message>
     <message>
         <source>Blurred</source>
-        <translation type="unfinished"></translation>
+        <translation>Sfocata</translation>
     </message>
     <message>
         <source>Both cameras see the board, but not the same part of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entrambe le telecamere vedono la scacchiera, ma non la stessa parte.</translation>
     </message>
     <message>
         <source>Both of its ends in sight of both cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>I due capi in vista a entrambe le telecamere.</translation>
     </message>
     <message>
         <source>Bring the board nearer and farther</source>
-        <translation type="unfinished"></translation>
+        <translation>Portare la scacchiera più vicino e più lontano</translation>
     </message>
     <message>
         <source>Bring the board to the left of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Portare la scacchiera a sinistra nell&apos;immagine {camera}</translation>
     </message>
     <message>
         <source>Bring the board to the lower left of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Portare la scacchiera in basso a sinistra nell&apos;immagine {camera}</translation>
     </message>
     <message>
         <source>Bring the board to the lower middle of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Portare la scacchiera in basso al centro nell&apos;immagine {camera}</translation>
     </message>
     <message>
         <source>Bring the board to the lower right of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Portare la scacchiera in basso a destra nell&apos;immagine {camera}</translation>
     </message>
     <message>
         <source>Bring the board to the middle of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Portare la scacchiera al centro dell&apos;immagine {camera}</translation>
     </message>
     <message>
         <source>Bring the board to the right of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Portare la scacchiera a destra nell&apos;immagine {camera}</translation>
     </message>
     <message>
         <source>Bring the board to the upper left of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Portare la scacchiera in alto a sinistra nell&apos;immagine {camera}</translation>
     </message>
     <message>
         <source>Bring the board to the upper middle of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Portare la scacchiera in alto al centro nell&apos;immagine {camera}</translation>
     </message>
     <message>
         <source>Bring the board to the upper right of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Portare la scacchiera in alto a destra nell&apos;immagine {camera}</translation>
     </message>
     <message>
         <source>Computing cameras and lenses from all views.</source>
-        <translation type="unfinished"></translation>
+        <translation>Calcolo di telecamere e obiettivi da tutte le viste.</translation>
     </message>
     <message>
         <source>Computing the scale from the length bar.</source>
-        <translation type="unfinished"></translation>
+        <translation>Calcolo della scala dalla barra campione.</translation>
     </message>
     <message>
         <source>Computing the table&apos;s axis and the uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Calcolo dell&apos;asse della tavola e dell&apos;incertezza.</translation>
     </message>
     <message>
         <source>Cut by the picture&apos;s edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagliata dal bordo dell&apos;immagine</translation>
     </message>
     <message>
         <source>Each time at another place and tilted another way; hold it still until it is taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ogni volta in un altro punto e con altra inclinazione; tenerla ferma finché è presa.</translation>
     </message>
     <message>
         <source>Flat, face up, about the table&apos;s middle; then the table turns by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>In piano, faccia in su, attorno al centro della tavola; poi la tavola gira da sé.</translation>
     </message>
     <message>
         <source>Hold the bar still.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tenere ferma la barra.</translation>
     </message>
     <message>
         <source>Hold the board into the volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Tenere la scacchiera nel volume</translation>
     </message>
     <message>
         <source>Hold the board still.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tenere ferma la scacchiera.</translation>
     </message>
     <message>
         <source>Hold the length bar into the volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Tenere la barra campione nel volume</translation>
     </message>
     <message>
         <source>Lay the board on the table</source>
-        <translation type="unfinished"></translation>
+        <translation>Posare la scacchiera sulla tavola</translation>
     </message>
     <message>
         <source>Length bar {n} of {count}</source>
-        <translation type="unfinished"></translation>
+        <translation>Barra campione {n} di {count}</translation>
     </message>
     <message>
         <source>More angles of the table: {n}</source>
-        <translation type="unfinished"></translation>
+        <translation>Altri angoli della tavola: {n}</translation>
     </message>
     <message>
         <source>More views of the length bar: {n}</source>
-        <translation type="unfinished"></translation>
+        <translation>Altre viste della barra campione: {n}</translation>
     </message>
     <message>
         <source>More views: {n}</source>
-        <translation type="unfinished"></translation>
+        <translation>Altre viste: {n}</translation>
     </message>
     <message>
         <source>Neither camera sees the board.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna telecamera vede la scacchiera.</translation>
     </message>
     <message>
         <source>No board in sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna scacchiera in vista</translation>
     </message>
     <message>
         <source>Only one camera sees the board.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una sola telecamera vede la scacchiera.</translation>
     </message>
     <message>
         <source>Take your hands away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Togliere le mani.</translation>
     </message>
     <message>
         <source>Tilt the board more, each time to another side</source>
-        <translation type="unfinished"></translation>
+        <translation>Inclinare di più la scacchiera, ogni volta da un altro lato</translation>
     </message>
     <message>
         <source>Too bright</source>
-        <translation type="unfinished"></translation>
+        <translation>Troppo chiara</translation>
     </message>
     <message>
         <source>Too dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Troppo scura</translation>
     </message>
     <message>
         <source>Too little of the board in sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Scacchiera troppo poco in vista</translation>
     </message>
     <message>
         <source>Too similar to an earlier view: move or tilt the board.</source>
-        <translation type="unfinished"></translation>
+        <translation>Troppo simile a una vista precedente: spostare o inclinare la scacchiera.</translation>
     </message>
     <message>
         <source>View taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vista presa.</translation>
     </message>
     <message>
         <source>View {n} of {count}</source>
-        <translation type="unfinished"></translation>
+        <translation>Vista {n} di {count}</translation>
     </message>
     <message>
         <source>View {n} taken. Now tilt it another way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vista {n} presa. Ora inclinare in altro modo.</translation>
     </message>
     <message>
         <source>left camera&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>sinistra</translation>
     </message>
     <message>
         <source>right camera&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>destra</translation>
     </message>
     <message>
         <source>{n} corners</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} angoli</translation>
     </message>
     <message>
         <source>{what} in the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>{what} nell&apos;immagine {camera}</translation>
     </message>
 </context>
 <context>
     <name>calibration</name>
     <message>
         <source>Age unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>Età ignota</translation>
     </message>
     <message>
         <source>Distance between the cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>Distanza fra le telecamere</translation>
     </message>
     <message>
         <source>Expired {n} days ago</source>
-        <translation type="unfinished"></translation>
+        <translation>Scaduta da {n} giorni</translation>
     </message>
     <message>
         <source>Expires soon: {n} days left</source>
-        <translation type="unfinished"></translation>
+        <translation>Scade presto: ancora {n} giorni</translation>
     </message>
     <message>
         <source>Focal length, left and right</source>
-        <translation type="unfinished"></translation>
+        <translation>Distanza focale, sinistra e destra</translation>
     </message>
     <message>
         <source>Identity</source>
-        <translation type="unfinished"></translation>
+        <translation>Identità</translation>
     </message>
     <message>
         <source>Image centre, left</source>
-        <translation type="unfinished"></translation>
+        <translation>Centro immagine, sinistra</translation>
     </message>
     <message>
         <source>Image centre, right</source>
-        <translation type="unfinished"></translation>
+        <translation>Centro immagine, destra</translation>
     </message>
     <message>
         <source>Length bar where it took no part</source>
-        <translation type="unfinished"></translation>
+        <translation>Barra campione dove non ha contribuito</translation>
     </message>
     <message>
         <source>Measured shapes change by {rms} µm rms over the volume, {largest} µm at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Le forme misurate cambiano di {rms} µm rms nel volume, al massimo {largest} µm</translation>
     </message>
     <message>
         <source>Reference sphere</source>
-        <translation type="unfinished">Sfera di riferimento</translation>
+        <translation>Sfera di riferimento</translation>
     </message>
     <message>
         <source>Reprojection error</source>
-        <translation type="unfinished"></translation>
+        <translation>Errore di riproiezione</translation>
     </message>
     <message>
         <source>Right camera against the left, turned</source>
-        <translation type="unfinished"></translation>
+        <translation>Telecamera destra rispetto alla sinistra, ruotata</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Scala</translation>
     </message>
     <message>
         <source>The reference sphere measured {change} µm otherwise than in the tests before: calibrate and test it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>La sfera di riferimento misurata differisce di {change} µm dalle prove precedenti: calibrare e riprovare.</translation>
     </message>
     <message>
         <source>This calibration is {n} days old and has expired: cameras creep. Calibrate before you measure.</source>
-        <translation type="unfinished"></translation>
+        <translation>Questa calibrazione ha {n} giorni ed è scaduta: le telecamere si assestano. Calibrare prima di misurare.</translation>
     </message>
     <message>
         <source>Turntable axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Asse della tavola rotante</translation>
     </message>
     <message>
         <source>Turntable axis, turned</source>
-        <translation type="unfinished"></translation>
+        <translation>Asse della tavola rotante, ruotato</translation>
     </message>
     <message>
         <source>Valid: {n} days left</source>
-        <translation type="unfinished"></translation>
+        <translation>Valida: ancora {n} giorni</translation>
     </message>
     <message>
         <source>Views of the board</source>
-        <translation type="unfinished"></translation>
+        <translation>Viste della scacchiera</translation>
     </message>
     <message>
         <source>by the print alone, not verified</source>
-        <translation type="unfinished"></translation>
+        <translation>solo dalla stampa, non verificata</translation>
     </message>
     <message>
         <source>more than three standard uncertainties of {u} µm explain: something has moved.</source>
-        <translation type="unfinished"></translation>
+        <translation>più di quanto spieghino tre incertezze tipo di {u} µm: qualcosa si è mosso.</translation>
     </message>
     <message>
         <source>not verified</source>
-        <translation type="unfinished"></translation>
+        <translation>non verificata</translation>
     </message>
     <message>
         <source>radius error {size} µm, D95 {d95} µm, {date}</source>
-        <translation type="unfinished"></translation>
+        <translation>errore del raggio {size} µm, D95 {d95} µm, {date}</translation>
     </message>
     <message>
         <source>the previous one does not state its uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>la precedente non dichiara la sua incertezza.</translation>
     </message>
     <message>
         <source>verified by the {length} mm bar</source>
-        <translation type="unfinished"></translation>
+        <translation>verificata con la barra da {length} mm</translation>
     </message>
     <message>
         <source>within three standard uncertainties of {u} µm each.</source>
-        <translation type="unfinished"></translation>
+        <translation>entro tre incertezze tipo di {u} µm ciascuna.</translation>
     </message>
 </context>
 <context>
@@ -5306,183 +5310,183 @@ Dopo: {after}</translation>
     <name>comparison</name>
     <message>
         <source>95 % below {p} mm, on {a} mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % sotto {p} mm, su {a} mm²</translation>
     </message>
     <message>
         <source>Aligning</source>
-        <translation type="unfinished"></translation>
+        <translation>Allineamento</translation>
     </message>
     <message>
         <source>As they lie</source>
-        <translation type="unfinished"></translation>
+        <translation>Come stanno</translation>
     </message>
     <message>
         <source>Change threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica soglia</translation>
     </message>
     <message>
         <source>Change unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica unità</translation>
     </message>
     <message>
         <source>Change what is held fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>Modifica ciò che è tenuto fermo</translation>
     </message>
     <message>
         <source>Click the tooth in the picture: the mark grows to its edge, and its motion is told.</source>
-        <translation type="unfinished"></translation>
+        <translation>Clic sul dente nell&apos;immagine: il segno cresce fino al bordo e ne è detto il moto.</translation>
     </message>
     <message>
         <source>Correct the marked tooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Correzione del dente segnato</translation>
     </message>
     <message>
         <source>Draw a line round what belongs to the tooth, too; only what is seen is added.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tracciare una linea attorno a ciò che appartiene ancora al dente; si aggiunge solo ciò che si vede.</translation>
     </message>
     <message>
         <source>Draw a line round what does not belong to the tooth; only what is seen is taken off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tracciare una linea attorno a ciò che non appartiene al dente; si toglie solo ciò che si vede.</translation>
     </message>
     <message>
         <source>Erase from the stable region</source>
-        <translation type="unfinished"></translation>
+        <translation>Cancellazione dalla regione stabile</translation>
     </message>
     <message>
         <source>Finding the areas</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricerca delle aree</translation>
     </message>
     <message>
         <source>Load the surface after</source>
-        <translation type="unfinished"></translation>
+        <translation>Caricamento della superficie dopo</translation>
     </message>
     <message>
         <source>Load the surface before</source>
-        <translation type="unfinished"></translation>
+        <translation>Caricamento della superficie prima</translation>
     </message>
     <message>
         <source>Looking for its edge…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ricerca del bordo…</translation>
     </message>
     <message>
         <source>Lower</source>
-        <translation type="unfinished"></translation>
+        <translation>Inferiore</translation>
     </message>
     <message>
         <source>Mark a tooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Segno su un dente</translation>
     </message>
     <message>
         <source>Measuring its motion…</source>
-        <translation type="unfinished"></translation>
+        <translation>Misura del suo moto…</translation>
     </message>
     <message>
         <source>Measuring the distances</source>
-        <translation type="unfinished"></translation>
+        <translation>Misura delle distanze</translation>
     </message>
     <message>
         <source>Paint as stable</source>
-        <translation type="unfinished"></translation>
+        <translation>Dipinto come stabile</translation>
     </message>
     <message>
         <source>Paint with the left button what did not move, then align on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dipingere col pulsante sinistro ciò che non si è mosso, poi allineare su quello.</translation>
     </message>
     <message>
         <source>Painted region</source>
-        <translation type="unfinished"></translation>
+        <translation>Regione dipinta</translation>
     </message>
     <message>
         <source>Pick no points</source>
-        <translation type="unfinished"></translation>
+        <translation>Rinuncia alla scelta dei punti</translation>
     </message>
     <message>
         <source>Pick three points on each</source>
-        <translation type="unfinished"></translation>
+        <translation>Scelta di tre punti su ognuna</translation>
     </message>
     <message>
         <source>Remove a surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Rimozione di una superficie</translation>
     </message>
     <message>
         <source>Remove the mark of the tooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Rimozione del segno del dente</translation>
     </message>
     <message>
         <source>Say which jaw it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Indicazione dell&apos;arcata</translation>
     </message>
     <message>
         <source>Swap before and after</source>
-        <translation type="unfinished"></translation>
+        <translation>Scambio di prima e dopo</translation>
     </message>
     <message>
         <source>Upper</source>
-        <translation type="unfinished"></translation>
+        <translation>Superiore</translation>
     </message>
     <message>
         <source>What did not move</source>
-        <translation type="unfinished"></translation>
+        <translation>Ciò che non si è mosso</translation>
     </message>
     <message>
         <source>Whole surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Superficie intera</translation>
     </message>
     <message>
         <source>Wipe with the left button over what may have moved, then align on the rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Passare col pulsante sinistro su ciò che può essersi mosso, poi allineare sul resto.</translation>
     </message>
     <message>
         <source>best fit of everything, also of what moved</source>
-        <translation type="unfinished"></translation>
+        <translation>miglior adattamento di tutto, anche di ciò che si è mosso</translation>
     </message>
     <message>
         <source>given</source>
-        <translation type="unfinished"></translation>
+        <translation>dato</translation>
     </message>
     <message>
         <source>moved {d} ± {u} mm, turned {a} ± {v}°</source>
-        <translation type="unfinished"></translation>
+        <translation>spostato {d} ± {u} mm, ruotato {a} ± {v}°</translation>
     </message>
     <message>
         <source>no counterpart</source>
-        <translation type="unfinished"></translation>
+        <translation>senza corrispondente</translation>
     </message>
     <message>
         <source>picked points</source>
-        <translation type="unfinished"></translation>
+        <translation>punti scelti</translation>
     </message>
     <message>
         <source>point-pair features</source>
-        <translation type="unfinished"></translation>
+        <translation>coppie di punti</translation>
     </message>
     <message>
         <source>principal axes</source>
-        <translation type="unfinished"></translation>
+        <translation>assi principali</translation>
     </message>
     <message>
         <source>the files share one frame; nothing is aligned</source>
-        <translation type="unfinished"></translation>
+        <translation>i file condividono un riferimento; niente è allineato</translation>
     </message>
     <message>
         <source>the stable region is found and held fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>la regione stabile è trovata e tenuta ferma</translation>
     </message>
     <message>
         <source>what was painted is held fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>ciò che è dipinto è tenuto fermo</translation>
     </message>
     <message>
         <source>{n} mm inwards</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} mm verso dentro</translation>
     </message>
     <message>
         <source>{n} mm outwards</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} mm verso fuori</translation>
     </message>
     <message>
         <source>± {u} mm, turned {a} ± {v}°</source>
-        <translation type="unfinished"></translation>
+        <translation>± {u} mm, ruotato {a} ± {v}°</translation>
     </message>
 </context>
 <context>
@@ -5692,7 +5696,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Closed</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Chiusa</translation>
     </message>
     <message>
         <source>Closure of the turn</source>
@@ -6142,30 +6146,30 @@ Dopo: {after}</translation>
     <name>emission</name>
     <message>
         <source>Laser ON</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser ACCESO</translation>
     </message>
     <message>
         <source>Laser off</source>
-        <translation type="unfinished">Spegni laser</translation>
+        <translation>Laser spento</translation>
     </message>
     <message>
         <source>Laser unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser ignoto</translation>
     </message>
     <message>
         <source>Laser: no rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser: nessun banco</translation>
     </message>
 </context>
 <context>
     <name>faults</name>
     <message>
         <source>Something unexpected happened ({kind}).</source>
-        <translation type="unfinished"></translation>
+        <translation>È accaduto qualcosa di imprevisto ({kind}).</translation>
     </message>
     <message>
         <source>What was measured is kept; the details help us to mend it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quanto misurato è conservato; i dettagli aiutano a rimediare.</translation>
     </message>
 </context>
 <context>
@@ -6532,102 +6536,102 @@ Dopo: {after}</translation>
     <name>measure</name>
     <message>
         <source>Canal length</source>
-        <translation type="unfinished"></translation>
+        <translation>Lunghezza del condotto</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Distanza</translation>
     </message>
     <message>
         <source>Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Sezione</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volume</translation>
     </message>
     <message>
         <source>at most ±{mm3} mm³; surface {mm2} mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>al massimo ±{mm3} mm³; superficie {mm2} mm²</translation>
     </message>
     <message>
         <source>from end to end</source>
-        <translation type="unfinished"></translation>
+        <translation>da capo a capo</translation>
     </message>
     <message>
         <source>from the tip to where it opens</source>
-        <translation type="unfinished"></translation>
+        <translation>dalla punta a dove si apre</translation>
     </message>
     <message>
         <source>its uncertainty is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>la sua incertezza non è nota</translation>
     </message>
     <message>
         <source>perimeter {mm} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>perimetro {mm} mm</translation>
     </message>
     <message>
         <source>perimeter {mm} mm; the section is open</source>
-        <translation type="unfinished"></translation>
+        <translation>perimetro {mm} mm; la sezione è aperta</translation>
     </message>
     <message>
         <source>surface {mm2} mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>superficie {mm2} mm²</translation>
     </message>
     <message>
         <source>{mm2} mm²</source>
-        <translation type="unfinished">{mm2} mm²</translation>
+        <translation>{mm2} mm²</translation>
     </message>
     <message>
         <source>{mm3} mm³</source>
-        <translation type="unfinished"></translation>
+        <translation>{mm3} mm³</translation>
     </message>
     <message>
         <source>{mm} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{mm} mm</translation>
     </message>
     <message>
         <source>± {um} µm, standard uncertainty of both places</source>
-        <translation type="unfinished"></translation>
+        <translation>± {um} µm, incertezza tipo dei due punti</translation>
     </message>
 </context>
 <context>
     <name>mounts</name>
     <message>
         <source>Mount {n}</source>
-        <translation type="unfinished"></translation>
+        <translation>Posizionamento {n}</translation>
     </message>
     <message>
         <source>Pick a point on a mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Scelta di un punto su un posizionamento</translation>
     </message>
     <message>
         <source>from your points</source>
-        <translation type="unfinished"></translation>
+        <translation>dai punti scelti</translation>
     </message>
     <message>
         <source>margin to the second-best pose {margin}</source>
-        <translation type="unfinished"></translation>
+        <translation>margine sulla seconda posa {margin}</translation>
     </message>
     <message>
         <source>unique</source>
-        <translation type="unfinished"></translation>
+        <translation>univoco</translation>
     </message>
     <message>
         <source>{points} points, kept apart</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} punti, tenuti a parte</translation>
     </message>
     <message>
         <source>{points} points; the others lie on it</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} punti; gli altri vi combaciano</translation>
     </message>
     <message>
         <source>{share} % overlap</source>
-        <translation type="unfinished"></translation>
+        <translation>{share} % di sovrapposizione</translation>
     </message>
     <message>
         <source>{um} µm residual</source>
-        <translation type="unfinished"></translation>
+        <translation>{um} µm di residuo</translation>
     </message>
 </context>
 <context>
@@ -6677,8 +6681,8 @@ Dopo: {after}</translation>
         <translation>Scelta di tre punti</translation>
     </message>
     <message>
-        <source>Points to be reconstructed</source>
-        <translation>Punti da ricostruire</translation>
+        <source>Points and measurements</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Reconstruct</source>
@@ -6740,43 +6744,43 @@ Dopo: {after}</translation>
     <name>preferences</name>
     <message>
         <source>another folder for cases</source>
-        <translation type="unfinished"></translation>
+        <translation>altra cartella dei casi</translation>
     </message>
     <message>
         <source>another folder for exports</source>
-        <translation type="unfinished"></translation>
+        <translation>altra cartella delle esportazioni</translation>
     </message>
     <message>
         <source>another pattern of file names</source>
-        <translation type="unfinished"></translation>
+        <translation>altro modello dei nomi dei file</translation>
     </message>
     <message>
         <source>change of the export profiles</source>
-        <translation type="unfinished"></translation>
+        <translation>modifica dei profili di esportazione</translation>
     </message>
     <message>
         <source>change of the language</source>
-        <translation type="unfinished"></translation>
+        <translation>modifica della lingua</translation>
     </message>
     <message>
         <source>change of the size</source>
-        <translation type="unfinished"></translation>
+        <translation>modifica della dimensione</translation>
     </message>
     <message>
         <source>change of the theme</source>
-        <translation type="unfinished"></translation>
+        <translation>modifica del tema</translation>
     </message>
     <message>
         <source>measuring weak places again</source>
-        <translation type="unfinished"></translation>
+        <translation>rimisura delle zone deboli</translation>
     </message>
     <message>
         <source>patient&apos;s code in file names</source>
-        <translation type="unfinished"></translation>
+        <translation>codice paziente nei nomi dei file</translation>
     </message>
     <message>
         <source>surface while scanning</source>
-        <translation type="unfinished"></translation>
+        <translation>superficie durante la scansione</translation>
     </message>
 </context>
 <context>
@@ -7036,67 +7040,67 @@ Dopo: {after}</translation>
     <name>reject_advice</name>
     <message>
         <source>Check the trigger cable of the cameras (Rig).</source>
-        <translation type="unfinished"></translation>
+        <translation>Controllare il cavo di trigger delle telecamere (Banco).</translation>
     </message>
     <message>
         <source>Focus the lenses on the object (Aim).</source>
-        <translation type="unfinished"></translation>
+        <translation>Mettere a fuoco gli obiettivi sull&apos;oggetto (Puntamento).</translation>
     </message>
     <message>
         <source>Lengthen the exposure (Aim), or dust the object with a matt white powder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aumentare l&apos;esposizione (Puntamento), o opacizzare l&apos;oggetto con polvere bianca.</translation>
     </message>
     <message>
         <source>Move the object to the middle of the table.</source>
-        <translation type="unfinished">Spostare l&apos;oggetto al centro della tavola.</translation>
+        <translation>Spostare l&apos;oggetto al centro della tavola.</translation>
     </message>
     <message>
         <source>Normal at the edges of the object, where the beam passes it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Normale ai bordi dell&apos;oggetto, dove il raggio lo oltrepassa.</translation>
     </message>
     <message>
         <source>Normal at the edges; if there are many, defocus the lenses a little (Aim).</source>
-        <translation type="unfinished"></translation>
+        <translation>Normale ai bordi; se sono molti, sfocare un poco gli obiettivi (Puntamento).</translation>
     </message>
     <message>
         <source>Normal in small numbers; if there are many, check the calibration (Rig).</source>
-        <translation type="unfinished"></translation>
+        <translation>Normale in piccolo numero; se sono molti, controllare la calibrazione (Banco).</translation>
     </message>
     <message>
         <source>Normal on steep flanks; another mount turns them towards the laser.</source>
-        <translation type="unfinished"></translation>
+        <translation>Normale sui fianchi ripidi; un altro posizionamento li gira verso il laser.</translation>
     </message>
     <message>
         <source>Normal: the beam met a mark of the table&apos;s rim.</source>
-        <translation type="unfinished"></translation>
+        <translation>Normale: il raggio ha colpito una tacca del bordo della tavola.</translation>
     </message>
     <message>
         <source>Normal: the beam met the table beside the object.</source>
-        <translation type="unfinished"></translation>
+        <translation>Normale: il raggio ha colpito la tavola accanto all&apos;oggetto.</translation>
     </message>
     <message>
         <source>Pictures come damaged: plug each camera into a USB port of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le immagini arrivano guaste: collegare ogni telecamera a una sua porta USB.</translation>
     </message>
     <message>
         <source>Pictures get lost: plug each camera into a USB port of its own, and close other programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si perdono immagini: collegare ogni telecamera a una sua porta USB, e chiudere altri programmi.</translation>
     </message>
     <message>
         <source>Shorten the exposure (Aim), or dust shiny places with a matt powder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ridurre l&apos;esposizione (Puntamento), o opacizzare i punti lucidi con polvere.</translation>
     </message>
     <message>
         <source>Something mirrors the laser: dust it with matt powder, or cover what shines beside the object.</source>
-        <translation type="unfinished"></translation>
+        <translation>Qualcosa riflette il laser: opacizzarlo con polvere, o coprire ciò che luccica accanto all&apos;oggetto.</translation>
     </message>
     <message>
         <source>Switch off lamps, keep the sun away, close the lid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Spegnere le lampade, tenere lontano il sole, chiudere il coperchio.</translation>
     </message>
     <message>
         <source>The object stands in the camera&apos;s way: another mount shows what is hidden.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;oggetto copre la vista alla telecamera: un altro posizionamento mostra il nascosto.</translation>
     </message>
 </context>
 <context>
@@ -8838,59 +8842,59 @@ Dopo: {after}</translation>
     <name>support</name>
     <message>
         <source>Checks</source>
-        <translation type="unfinished"></translation>
+        <translation>Verifiche</translation>
     </message>
     <message>
         <source>How large the cases are and when they changed; nothing of what is in them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quanto sono grandi i casi e quando sono cambiati; niente di ciò che contengono.</translation>
     </message>
     <message>
         <source>Log</source>
-        <translation type="unfinished">Registro</translation>
+        <translation>Registro</translation>
     </message>
     <message>
         <source>Rig file</source>
-        <translation type="unfinished"></translation>
+        <translation>File del banco</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished">Impostazioni</translation>
+        <translation>Impostazioni</translation>
     </message>
     <message>
         <source>Sizes of the cases</source>
-        <translation type="unfinished"></translation>
+        <translation>Dimensioni dei casi</translation>
     </message>
     <message>
         <source>The rig as it is used, with its calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il banco come è usato, con la sua calibrazione.</translation>
     </message>
     <message>
         <source>Transcript of the controller</source>
-        <translation type="unfinished"></translation>
+        <translation>Trascrizione del controllore</translation>
     </message>
     <message>
         <source>Versions and machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Versioni e computer</translation>
     </message>
     <message>
         <source>Versions, system, processors, memory, graphics.</source>
-        <translation type="unfinished"></translation>
+        <translation>Versioni, sistema, processori, memoria, grafica.</translation>
     </message>
     <message>
         <source>What program and controller said to each other: seconds, direction, line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ciò che programma e controllore si sono detti: secondi, direzione, riga.</translation>
     </message>
     <message>
         <source>What the program noted, the newest at the end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ciò che il programma ha annotato, il più recente alla fine.</translation>
     </message>
     <message>
         <source>What was checked without moving anything, each with its remedy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ciò che è stato verificato senza muovere nulla, ognuno col suo rimedio.</translation>
     </message>
     <message>
         <source>Without folders, recent cases and orders.</source>
-        <translation type="unfinished"></translation>
+        <translation>Senza cartelle, casi recenti e ordini.</translation>
     </message>
 </context>
 <context>
