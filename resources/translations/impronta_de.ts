@@ -5370,7 +5370,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Lower</source>
-        <translation>Unter</translation>
+        <translation>Unterkiefer</translation>
     </message>
     <message>
         <source>Mark a tooth</source>
@@ -5422,7 +5422,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Upper</source>
-        <translation>Ober</translation>
+        <translation>Oberkiefer</translation>
     </message>
     <message>
         <source>What did not move</source>
@@ -7584,1191 +7584,1191 @@ Nachher: {after}</translation>
     <name>sentences</name>
     <message>
         <source>A camera moved by about {shift_px} px: since the view at {table_deg} deg the marks on the table&apos;s rim are seen {shift_um} um beside.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kamera hat sich um etwa {shift_px} px bewegt: Seit der Ansicht bei {table_deg}° liegen die Marken am Tellerrand {shift_um} µm daneben.</translation>
     </message>
     <message>
         <source>A camera moved or the object moved: the view at {table_deg} deg lies {shift_um} um beside the earlier ones ({direction}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kamera oder das Objekt hat sich bewegt: Die Ansicht bei {table_deg}° liegt {shift_um} µm neben den früheren ({direction}).</translation>
     </message>
     <message>
         <source>A camera moved: the views from {table_deg} deg on lie {shift_um} um beside the earlier ones ({direction}, always as seen by the cameras).</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kamera hat sich bewegt: Die Ansichten ab {table_deg}° liegen {shift_um} µm neben den früheren ({direction}, stets aus Sicht der Kameras).</translation>
     </message>
     <message>
         <source>A camera or the object moved on the way; fix both, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kamera oder das Objekt hat sich unterwegs bewegt; beide befestigen und neu scannen.</translation>
     </message>
     <message>
         <source>A camera was moved across the epipolar lines by about {shift_px} px ({where}; noticed after {points} points).</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kamera wurde um etwa {shift_px} px quer zu den Epipolarlinien bewegt ({where}; bemerkt nach {points} Punkten).</translation>
     </message>
     <message>
         <source>A mesh of {triangles} triangles is too large to be kept in {path}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Netz mit {triangles} Dreiecken ist zu groß, um in {path} gesichert zu werden.</translation>
     </message>
     <message>
         <source>A reset was sent and the points so far are kept; check the cable (length, shield, plugs) and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Reset wurde gesendet, und die bisherigen Punkte sind gesichert; Kabel prüfen (Länge, Schirm, Stecker) und fortsetzen.</translation>
     </message>
     <message>
         <source>A reset was sent to switch it off; see that it is dark, then check the controller&apos;s laser mode ($32).</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Ausschalten wurde ein Reset gesendet; nachsehen, dass er dunkel ist, dann den Lasermodus der Steuerung ($32) prüfen.</translation>
     </message>
     <message>
         <source>A reset was sent to switch the laser off and the points so far are kept; see that it is dark, check cable and power, then resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Ausschalten des Lasers wurde ein Reset gesendet, und die bisherigen Punkte sind gesichert; nachsehen, dass er dunkel ist, Kabel und Strom prüfen, dann fortsetzen.</translation>
     </message>
     <message>
         <source>A rig needs a controller and two cameras that work; what was found: {controller}, cameras: {cameras}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Messplatz braucht eine Steuerung und zwei Kameras, die arbeiten; gefunden wurde: {controller}, Kameras: {cameras}.</translation>
     </message>
     <message>
         <source>A scan by a laser line is not steered by the uncertainty that it reaches.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Scan mit einer Laserlinie wird nicht nach der erreichten Unsicherheit gesteuert.</translation>
     </message>
     <message>
         <source>All lengths are off by as much; calibrate, or check &apos;distances_mm&apos; in the table [marks] of the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Längen weichen um so viel ab; kalibrieren oder &apos;distances_mm&apos; in der Tabelle [marks] der Messplatzdatei prüfen.</translation>
     </message>
     <message>
         <source>All points are kept in {path}; pick three points on both mounts (&apos;impronta register CASE --pairs FILE&apos;), or scan another mount that shares more with the earlier ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Punkte sind in {path} gesichert; auf beiden Aufstellungen drei Punkte wählen (&apos;impronta register CASE --pairs FILE&apos;) oder eine weitere Aufstellung scannen, die mehr mit den früheren gemeinsam hat.</translation>
     </message>
     <message>
         <source>All points are kept; measure another mount that shares more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Punkte sind gesichert; eine weitere Aufstellung messen, die mehr gemeinsam hat.</translation>
     </message>
     <message>
         <source>Both cameras of the rig file are the same one ({id}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Kameras der Messplatzdatei sind dieselbe ({id}).</translation>
     </message>
     <message>
         <source>Both files are untouched and nothing was mirrored; choose the same side, or export the mirrored one again without mirroring.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Dateien sind unberührt, und nichts wurde gespiegelt; dieselbe Seite wählen oder die gespiegelte noch einmal ohne Spiegeln exportieren.</translation>
     </message>
     <message>
         <source>Both files are untouched; check that they show the same object and that the normals of both point outwards, then pick three points on both.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Dateien sind unberührt; prüfen, ob sie dasselbe Objekt zeigen und beide Normalen nach außen zeigen, dann auf beiden drei Punkte wählen.</translation>
     </message>
     <message>
         <source>Both files are untouched; let the program find the pose, or pick three points on both.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Dateien sind unberührt; das Programm die Lage suchen lassen oder auf beiden drei Punkte wählen.</translation>
     </message>
     <message>
         <source>Camera {camera} ({id}) cannot be opened: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} ({id}) lässt sich nicht öffnen: {reason}.</translation>
     </message>
     <message>
         <source>Camera {camera} ({id}) is used by another program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} ({id}) wird von einem anderen Programm benutzt.</translation>
     </message>
     <message>
         <source>Camera {camera} cannot be triggered by {line}; it has: {lines}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} lässt sich nicht über {line} auslösen; sie hat: {lines}.</translation>
     </message>
     <message>
         <source>Camera {camera} delivered frames faster than they could be evaluated: {frames} frames are waiting.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} lieferte Bilder schneller, als sie ausgewertet werden konnten: {frames} Bilder warten.</translation>
     </message>
     <message>
         <source>Camera {camera} delivered {count} torn frames of {exposures}: part of each is another exposure&apos;s, or no picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} lieferte {count} zerrissene Bilder auf {exposures} Belichtungen: Ein Teil jedes Bildes gehört zu einer anderen Belichtung oder ist kein Bild.</translation>
     </message>
     <message>
         <source>Camera {camera} did not deliver {count} of {exposures} frames ({share} % of the last ones).</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} lieferte {count} von {exposures} Bildern nicht ({share} % der letzten).</translation>
     </message>
     <message>
         <source>Camera {camera} gave no frame within {seconds} s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} lieferte innerhalb von {seconds} s kein Bild.</translation>
     </message>
     <message>
         <source>Camera {camera} gives black frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} liefert schwarze Bilder.</translation>
     </message>
     <message>
         <source>Camera {camera} gives frames of another kind than can be measured: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} liefert andere Bilder, als gemessen werden können: {reason}.</translation>
     </message>
     <message>
         <source>Camera {camera} gives {measured_hz} frames/s where {wanted_hz} were asked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} liefert {measured_hz} Bilder/s, verlangt waren {wanted_hz}.</translation>
     </message>
     <message>
         <source>Camera {camera} is blind: {frames} spots in a row were seen by camera {other} alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} ist blind: {frames} Lichtpunkte in Folge sah nur Kamera {other}.</translation>
     </message>
     <message>
         <source>Camera {camera} is driven through OpenCV, which cannot trigger it by {trigger}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} läuft über OpenCV, das sie nicht über {trigger} auslösen kann.</translation>
     </message>
     <message>
         <source>Camera {camera} reported a fault: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} meldete einen Fehler: {reason}.</translation>
     </message>
     <message>
         <source>Camera {camera} was unplugged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} wurde ausgesteckt.</translation>
     </message>
     <message>
         <source>Camera {camera} was used after it had been closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} wurde benutzt, nachdem sie geschlossen war.</translation>
     </message>
     <message>
         <source>DICOM files are written by the package pydicom, which is not installed.</source>
-        <translation type="unfinished"></translation>
+        <translation>DICOM-Dateien schreibt das Paket pydicom, das nicht installiert ist.</translation>
     </message>
     <message>
         <source>Everything measured so far is safe and a new worker was started; run it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles bisher Gemessene ist sicher, und ein neuer Arbeitsprozess wurde gestartet; noch einmal ausführen.</translation>
     </message>
     <message>
         <source>Everything measured so far is safe; send the log if it happens again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles bisher Gemessene ist sicher; geschieht es wieder, das Protokoll einsenden.</translation>
     </message>
     <message>
         <source>Everything written before is kept; open it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles zuvor Geschriebene ist gesichert; wieder öffnen.</translation>
     </message>
     <message>
         <source>Files of the kind &apos;{suffix}&apos; cannot be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateien der Art &apos;{suffix}&apos; lassen sich nicht schreiben.</translation>
     </message>
     <message>
         <source>In the best pose the new mount stands where light to the earlier one passed: {share} % of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>In der besten Lage steht die neue Aufstellung dort, wo Licht zur früheren hindurchging: {share} % von ihr.</translation>
     </message>
     <message>
         <source>It contradicts the others: the loop of mounts would close with an error of {closure_um} um.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie widerspricht den anderen: Der Ring der Aufstellungen schlösse sich mit einem Fehler von {closure_um} µm.</translation>
     </message>
     <message>
         <source>It is left out of the list; correct the file or remove it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es fehlt in der Liste; die Datei berichtigen oder entfernen.</translation>
     </message>
     <message>
         <source>It is not used; take more views with the board filling the volume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie wird nicht benutzt; weitere Ansichten aufnehmen, in denen die Tafel das Messvolumen füllt.</translation>
     </message>
     <message>
         <source>It was not touched; choose another name, or overwrite it with --force.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie wurde nicht angerührt; anderen Namen wählen oder mit --force überschreiben.</translation>
     </message>
     <message>
         <source>It was not touched; open it with the newer program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Er wurde nicht angerührt; mit dem neueren Programm öffnen.</translation>
     </message>
     <message>
         <source>It was not touched; scan into a new case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Er wurde nicht angerührt; in einen neuen Fall scannen.</translation>
     </message>
     <message>
         <source>It was switched off again; check the controller&apos;s settings $30 to $32.</source>
-        <translation type="unfinished"></translation>
+        <translation>Er wurde wieder ausgeschaltet; die Einstellungen $30 bis $32 der Steuerung prüfen.</translation>
     </message>
     <message>
         <source>Its points are kept; fix cameras and object, then scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Punkte sind gesichert; Kameras und Objekt befestigen, dann neu scannen.</translation>
     </message>
     <message>
         <source>Its points may be right; a shape without rotational symmetry would tell.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Punkte können stimmen; eine Form ohne Drehsymmetrie würde es zeigen.</translation>
     </message>
     <message>
         <source>Its surface lies nowhere over that of the others.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Oberfläche liegt nirgends über der der anderen.</translation>
     </message>
     <message>
         <source>Lengths from there on are off by as much; let the cameras warm up, calibrate, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Längen weichen ab dort um so viel ab; Kameras warm werden lassen, kalibrieren und neu scannen.</translation>
     </message>
     <message>
         <source>Mark {number} on the table&apos;s rim was moved by {shift_um} um before the view at {table_deg} deg.</source>
-        <translation type="unfinished"></translation>
+        <translation>Marke {number} am Tellerrand wurde vor der Ansicht bei {table_deg}° um {shift_um} µm verschoben.</translation>
     </message>
     <message>
         <source>Mark {number} on the table&apos;s rim was not found at {table_deg} deg, where nothing should hide it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Marke {number} am Tellerrand wurde bei {table_deg}° nicht gefunden, wo nichts sie verdecken sollte.</translation>
     </message>
     <message>
         <source>Mount {mount} was not joined to the others. {reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufstellung {mount} wurde nicht mit den anderen verbunden. {reason}</translation>
     </message>
     <message>
         <source>Neither camera has seen the laser spot for {frames} exposures ({seconds} s), where the object was before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Kamera sah den Laserpunkt seit {frames} Belichtungen ({seconds} s), wo vorher das Objekt war.</translation>
     </message>
     <message>
         <source>No mesh was written and the points are kept; {do}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Netz wurde geschrieben, und die Punkte sind gesichert; {do}.</translation>
     </message>
     <message>
         <source>No mesh was written; export the points again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Netz wurde geschrieben; die Punkte noch einmal exportieren.</translation>
     </message>
     <message>
         <source>No mesh was written; reconstruct one object at a time, and cut the points of the others off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Netz wurde geschrieben; ein Objekt nach dem anderen rekonstruieren und die Punkte der übrigen abschneiden.</translation>
     </message>
     <message>
         <source>No mesh was written; scan more of the object.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Netz wurde geschrieben; mehr vom Objekt scannen.</translation>
     </message>
     <message>
         <source>No mesh was written; scan the object from more sides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Netz wurde geschrieben; das Objekt von mehr Seiten scannen.</translation>
     </message>
     <message>
         <source>No part of the surface in {path} was measured: its vertices all say that nothing supports them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Teil der Oberfläche in {path} wurde gemessen: Alle ihre Eckpunkte sagen, dass nichts sie belegt.</translation>
     </message>
     <message>
         <source>No rig file was written; &apos;impronta doctor --find&apos; says what became of every port and camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Messplatzdatei wurde geschrieben; &apos;impronta doctor --find&apos; sagt, was mit jedem Anschluss und jeder Kamera ist.</translation>
     </message>
     <message>
         <source>No sphere of {radius_mm} mm radius was found: {points} points were measured, {share} % of them lie on the best candidate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Kugel mit {radius_mm} mm Radius gefunden: {points} Punkte wurden gemessen, {share} % davon liegen auf der besten Kandidatin.</translation>
     </message>
     <message>
         <source>No surface was found: of {planned} planned measurements none gave a point ({reasons}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Oberfläche gefunden: Von {planned} geplanten Messungen ergab keine einen Punkt ({reasons}).</translation>
     </message>
     <message>
         <source>No trigger reached camera {camera} on {line} within {seconds} s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Trigger erreichte Kamera {camera} an {line} innerhalb von {seconds} s.</translation>
     </message>
     <message>
         <source>Nobody can place the artefacts of the test.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niemand kann die Prüfkörper der Prüfung aufstellen.</translation>
     </message>
     <message>
         <source>Nothing answers on the port {port}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Anschluss {port} antwortet nichts.</translation>
     </message>
     <message>
         <source>Nothing is measured meanwhile; see to its lens cap, aperture and view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solange wird nichts gemessen; Objektivdeckel, Blende und Sicht der Kamera prüfen.</translation>
     </message>
     <message>
         <source>Nothing is measured meanwhile; see whether the beam is blocked, the laser is off, or the object fell over.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solange wird nichts gemessen; prüfen, ob der Strahl verdeckt, der Laser aus oder das Objekt umgefallen ist.</translation>
     </message>
     <message>
         <source>Nothing is measured meanwhile; shorten the exposure or lower the laser&apos;s power.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solange wird nichts gemessen; kürzer belichten oder die Laserleistung senken.</translation>
     </message>
     <message>
         <source>Nothing is measured meanwhile; switch the lamp off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solange wird nichts gemessen; Lampe ausschalten.</translation>
     </message>
     <message>
         <source>Nothing was changed; check the name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geändert; den Namen prüfen.</translation>
     </message>
     <message>
         <source>Nothing was changed; choose another folder or give permission.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geändert; anderen Ordner wählen oder die Berechtigung geben.</translation>
     </message>
     <message>
         <source>Nothing was changed; close it there, or choose another case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geändert; dort schließen oder anderen Fall wählen.</translation>
     </message>
     <message>
         <source>Nothing was changed; mark more of the tooth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geändert; mehr vom Zahn markieren.</translation>
     </message>
     <message>
         <source>Nothing was changed; paint more, or use the automatic frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geändert; mehr malen oder den automatischen Bezug nehmen.</translation>
     </message>
     <message>
         <source>Nothing was changed; pick at least three points far from each other, in the same order on both surfaces.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geändert; mindestens drei Punkte weit auseinander wählen, auf beiden Oberflächen in gleicher Reihenfolge.</translation>
     </message>
     <message>
         <source>Nothing was changed; write one line a point: mount, x, y, z on that mount, and x, y, z of the same place on the first mount, in mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geändert; je Punkt eine Zeile schreiben: Aufstellung, x, y, z auf dieser Aufstellung und x, y, z derselben Stelle auf der ersten Aufstellung, in mm.</translation>
     </message>
     <message>
         <source>Nothing was changed; {do}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geändert; {do}.</translation>
     </message>
     <message>
         <source>Nothing was compared; choose the whole surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde verglichen; die ganze Oberfläche wählen.</translation>
     </message>
     <message>
         <source>Nothing was compared; export the mesh again from its program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde verglichen; das Netz noch einmal aus seinem Programm exportieren.</translation>
     </message>
     <message>
         <source>Nothing was compared; mark the stable part again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde verglichen; den stabilen Teil neu markieren.</translation>
     </message>
     <message>
         <source>Nothing was compared; scan it again, or reconstruct it from its points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde verglichen; neu scannen oder aus den Punkten rekonstruieren.</translation>
     </message>
     <message>
         <source>Nothing was done; check the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde getan; die Datei prüfen.</translation>
     </message>
     <message>
         <source>Nothing was done; check the name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde getan; den Namen prüfen.</translation>
     </message>
     <message>
         <source>Nothing was done; export the mesh again from its program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde getan; das Netz noch einmal aus seinem Programm exportieren.</translation>
     </message>
     <message>
         <source>Nothing was done; use PLY, XYZ, TXT, CSV, ASC, NPY or a case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde getan; PLY, XYZ, TXT, CSV, ASC, NPY oder einen Fall nehmen.</translation>
     </message>
     <message>
         <source>Nothing was done; use STL, PLY, OBJ, VTP or 3MF.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde getan; STL, PLY, OBJ, VTP oder 3MF nehmen.</translation>
     </message>
     <message>
         <source>Nothing was joined and all points are kept; measure more of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde verbunden, und alle Punkte sind gesichert; mehr davon messen.</translation>
     </message>
     <message>
         <source>Nothing was joined and all points are kept; pick three points far from each other, in the same order on both.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde verbunden, und alle Punkte sind gesichert; drei Punkte weit auseinander wählen, auf beiden in gleicher Reihenfolge.</translation>
     </message>
     <message>
         <source>Nothing was joined and all points are kept; pick three points on both, or measure another mount that shares more with the earlier ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde verbunden, und alle Punkte sind gesichert; auf beiden drei Punkte wählen oder eine weitere Aufstellung messen, die mehr mit den früheren gemeinsam hat.</translation>
     </message>
     <message>
         <source>Nothing was joined and all points are kept; see that the object did not change its shape, and measure the mount again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde verbunden, und alle Punkte sind gesichert; prüfen, dass das Objekt seine Form behielt, und die Aufstellung neu messen.</translation>
     </message>
     <message>
         <source>Nothing was measured; ask for a number of points instead, or scan by the spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; stattdessen eine Punktzahl verlangen oder mit dem Laserpunkt scannen.</translation>
     </message>
     <message>
         <source>Nothing was measured; choose another recording.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; andere Aufzeichnung wählen.</translation>
     </message>
     <message>
         <source>Nothing was measured; correct &apos;pixel_format&apos; or &apos;size_px&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; &apos;pixel_format&apos; oder &apos;size_px&apos; in der Messplatzdatei berichtigen.</translation>
     </message>
     <message>
         <source>Nothing was measured; correct &apos;trigger_line&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; &apos;trigger_line&apos; in der Messplatzdatei berichtigen.</translation>
     </message>
     <message>
         <source>Nothing was measured; give both the same &apos;rate_hz&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; beiden in der Messplatzdatei dieselbe &apos;rate_hz&apos; geben.</translation>
     </message>
     <message>
         <source>Nothing was measured; plug it into a USB port of its own, choose a smaller size, or lower &apos;rate_hz&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; an einen eigenen USB-Anschluss stecken, kleinere Größe wählen oder &apos;rate_hz&apos; in der Messplatzdatei senken.</translation>
     </message>
     <message>
         <source>Nothing was measured; run &apos;impronta calibrate&apos; or the Rig page first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; zuerst &apos;impronta calibrate&apos; ausführen oder auf der Seite Messplatz kalibrieren.</translation>
     </message>
     <message>
         <source>Nothing was measured; run it where a person or the virtual bench can.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; dort ausführen, wo eine Person oder die virtuelle Werkbank es kann.</translation>
     </message>
     <message>
         <source>Nothing was measured; take the lens cap off, open the shutter, and look at &apos;exposure_ms&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; Objektivdeckel abnehmen, Verschluss öffnen und &apos;exposure_ms&apos; in der Messplatzdatei prüfen.</translation>
     </message>
     <message>
         <source>Nothing was moved; choose another port in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; anderen Anschluss in der Messplatzdatei wählen.</translation>
     </message>
     <message>
         <source>Nothing was moved; choose another target, or correct the limits.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; anderes Ziel wählen oder die Grenzen berichtigen.</translation>
     </message>
     <message>
         <source>Nothing was moved; close the other program and connect again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; das andere Programm schließen und neu verbinden.</translation>
     </message>
     <message>
         <source>Nothing was moved; correct &apos;table_axis&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; &apos;table_axis&apos; in der Messplatzdatei berichtigen.</translation>
     </message>
     <message>
         <source>Nothing was moved; correct the file or take one of the presets.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; die Datei berichtigen oder eine der Vorlagen nehmen.</translation>
     </message>
     <message>
         <source>Nothing was moved; give the left and the right camera each an &apos;id&apos; of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; der linken und der rechten Kamera je eine eigene &apos;id&apos; geben.</translation>
     </message>
     <message>
         <source>Nothing was moved; install GRBL 1.1 or grblHAL with laser power on its PWM output.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; GRBL 1.1 oder grblHAL mit der Laserleistung am PWM-Ausgang installieren.</translation>
     </message>
     <message>
         <source>Nothing was moved; install GRBL 1.1 or newer on the controller.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; GRBL 1.1 oder neuer auf der Steuerung installieren.</translation>
     </message>
     <message>
         <source>Nothing was moved; install the rule of packaging/udev or join the group &apos;dialout&apos;, then log in again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; die Regel aus packaging/udev installieren oder der Gruppe &apos;dialout&apos; beitreten, dann neu anmelden.</translation>
     </message>
     <message>
         <source>Nothing was moved; install the rule of packaging/udev or join the group &apos;video&apos;, then log in again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; die Regel aus packaging/udev installieren oder der Gruppe &apos;video&apos; beitreten, dann neu anmelden.</translation>
     </message>
     <message>
         <source>Nothing was moved; plug it in, or correct &apos;id&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; einstecken oder &apos;id&apos; in der Messplatzdatei berichtigen.</translation>
     </message>
     <message>
         <source>Nothing was moved; plug the controller in or correct &apos;port&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; die Steuerung einstecken oder &apos;port&apos; in der Messplatzdatei berichtigen.</translation>
     </message>
     <message>
         <source>Nothing was moved; run: pip install &apos;impronta[{driver}]&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; ausführen: pip install &apos;impronta[{driver}]&apos;.</translation>
     </message>
     <message>
         <source>Nothing was moved; see that the controller has power and that the cable carries data, then check &apos;port&apos; and &apos;baud&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; prüfen, dass die Steuerung Strom hat und das Kabel Daten führt, dann &apos;port&apos; und &apos;baud&apos; in der Messplatzdatei prüfen.</translation>
     </message>
     <message>
         <source>Nothing was moved; unplug it, plug it in again, and connect again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; ausstecken, wieder einstecken und neu verbinden.</translation>
     </message>
     <message>
         <source>Nothing was moved; with $32=0 the beam would stand still while lit: send $32=1 to the controller once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; mit $32=0 stünde der Strahl leuchtend still: einmal $32=1 an die Steuerung senden.</translation>
     </message>
     <message>
         <source>Nothing was moved; write trigger = &quot;free&quot; into the rig file, or use a camera with a trigger of its own and its own driver.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; trigger = &quot;free&quot; in die Messplatzdatei schreiben oder eine Kamera mit eigenem Trigger und eigenem Treiber verwenden.</translation>
     </message>
     <message>
         <source>Nothing was scanned; choose a smaller specimen, or scale it (is its unit millimetres?).</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gescannt; kleineren Prüfling wählen oder ihn skalieren (ist seine Einheit Millimeter?).</translation>
     </message>
     <message>
         <source>Nothing was scanned; correct the plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gescannt; den Plan berichtigen.</translation>
     </message>
     <message>
         <source>Nothing was split and every point is kept; a single impression needs no tray, for a pair set both on their seats and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde aufgeteilt, und jeder Punkt ist gesichert; eine einzelne Abformung braucht keinen Träger, für ein Paar beide auf ihre Sitze stellen und neu scannen.</translation>
     </message>
     <message>
         <source>Nothing was split and every point is kept; take those points out (Edit), or set the impressions on their seats and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde aufgeteilt, und jeder Punkt ist gesichert; diese Punkte herausnehmen (Bearbeiten) oder die Abformungen auf ihre Sitze stellen und neu scannen.</translation>
     </message>
     <message>
         <source>Nothing was touched, and what was measured can be used as it is; scan again into a new case, which takes about half a minute.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde angerührt, und das Gemessene ist so verwendbar; neu in einen neuen Fall scannen, das dauert etwa eine halbe Minute.</translation>
     </message>
     <message>
         <source>Nothing was written; close other programs, or ask for fewer points or triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geschrieben; andere Programme schließen oder weniger Punkte oder Dreiecke verlangen.</translation>
     </message>
     <message>
         <source>Nothing was written; install it with pip install &apos;impronta[dicom]&apos;, or choose another format.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geschrieben; mit pip install &apos;impronta[dicom]&apos; installieren oder anderes Format wählen.</translation>
     </message>
     <message>
         <source>Nothing was written; mend that, or deliver it anyway, and the certificate says so.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geschrieben; das beheben oder trotzdem ausliefern, und der Prüfbericht sagt es.</translation>
     </message>
     <message>
         <source>Nothing was written; see what would be in it with --list.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geschrieben; mit --list ansehen, was darin wäre.</translation>
     </message>
     <message>
         <source>Nothing was written; use one of {known}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geschrieben; eines von {known} nehmen.</translation>
     </message>
     <message>
         <source>Nothing was written; use one of: {known}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geschrieben; eines davon nehmen: {known}.</translation>
     </message>
     <message>
         <source>Nothing was written; write .ply, .obj or .3mf instead, or move the points nearer to the origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geschrieben; stattdessen .ply, .obj oder .3mf schreiben oder die Punkte näher an den Ursprung bringen.</translation>
     </message>
     <message>
         <source>One of {after} and {before} is mirrored, or they show opposite sides: {score} % of the surface agrees as it is, {mirrored} % of its mirror image.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eines von {after} und {before} ist gespiegelt, oder sie zeigen gegenüberliegende Seiten: Ungespiegelt stimmen {score} % der Oberfläche überein, gespiegelt {mirrored} %.</translation>
     </message>
     <message>
         <source>Only {count} points in {path} lie on the seat of the {side} ear.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur {count} Punkte in {path} liegen auf dem Sitz des Ohrs ({side}).</translation>
     </message>
     <message>
         <source>Over the others its surface is {residual_um} um away (noise explains {most_um} um), and {agree} % of it agrees with theirs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Über den anderen liegt ihre Oberfläche {residual_um} µm entfernt (Rauschen erklärt {most_um} µm), und {agree} % davon stimmen mit deren überein.</translation>
     </message>
     <message>
         <source>Points from there on may be off; see that both cameras are fixed, and calibrate before the next scan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte ab dort können daneben liegen; nachsehen, dass beide Kameras fest sind, und vor dem nächsten Scan kalibrieren.</translation>
     </message>
     <message>
         <source>Room light drowned the laser spot: of {planned} planned measurements none gave a point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Raumlicht überstrahlte den Laserpunkt: Von {planned} geplanten Messungen ergab keine einen Punkt.</translation>
     </message>
     <message>
         <source>Room light drowns the laser spot: {frames} frames in a row of camera {camera} are too bright.</source>
-        <translation type="unfinished"></translation>
+        <translation>Raumlicht überstrahlt den Laserpunkt: {frames} Bilder in Folge von Kamera {camera} sind zu hell.</translation>
     </message>
     <message>
         <source>The ball bar was not found in position {position}: {found} of its two spheres was seen.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Kugelstab wurde in Position {position} nicht gefunden: {found} seiner zwei Kugeln war zu sehen.</translation>
     </message>
     <message>
         <source>The board&apos;s squares measure {measured_mm} mm where {given_mm} mm was given (by the bar of {bar_mm} mm).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Felder der Tafel messen {measured_mm} mm, angegeben waren {given_mm} mm (laut dem {bar_mm}-mm-Stab).</translation>
     </message>
     <message>
         <source>The calibration failed: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kalibrierung ist fehlgeschlagen: {reason}.</translation>
     </message>
     <message>
         <source>The calibration of this rig is not the one with which the scan in {path} was begun.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kalibrierung dieses Messplatzes ist nicht die, mit der der Scan in {path} begann.</translation>
     </message>
     <message>
         <source>The calibration was not accepted: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kalibrierung wurde nicht angenommen: {reason}.</translation>
     </message>
     <message>
         <source>The cameras are exchanged: what is called the right camera stands to the left of the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kameras sind vertauscht: Die als rechte bezeichnete steht links von der anderen.</translation>
     </message>
     <message>
         <source>The cameras are out of step by {count} frame: camera {late} lost a trigger, and every pair since then mixes two instants.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kameras sind um {count} Bild versetzt: Kamera {late} verlor einen Trigger, und jedes Paar seither mischt zwei Augenblicke.</translation>
     </message>
     <message>
         <source>The cameras do not expose together: camera {late} is {skew_ms} ms late.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kameras belichten nicht gleichzeitig: Kamera {late} ist {skew_ms} ms zu spät.</translation>
     </message>
     <message>
         <source>The case is unchanged; reconstruct it with &apos;impronta reconstruct&apos; and ask again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Fall ist unverändert; mit &apos;impronta reconstruct&apos; rekonstruieren und noch einmal anfragen.</translation>
     </message>
     <message>
         <source>The case is unchanged; reconstruct with fewer triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Fall ist unverändert; mit weniger Dreiecken rekonstruieren.</translation>
     </message>
     <message>
         <source>The case is unchanged; {do}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Fall ist unverändert; {do}.</translation>
     </message>
     <message>
         <source>The case {path} was used after it had been closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Fall {path} wurde benutzt, nachdem er geschlossen war.</translation>
     </message>
     <message>
         <source>The connection to the controller on {port} was lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Verbindung zur Steuerung an {port} ging verloren.</translation>
     </message>
     <message>
         <source>The controller on {port} did not answer &apos;{command}&apos; within {seconds} s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung an {port} beantwortete &apos;{command}&apos; nicht innerhalb von {seconds} s.</translation>
     </message>
     <message>
         <source>The controller on {port} does not tell its setting {setting} ({meaning}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung an {port} nennt ihre Einstellung {setting} ({meaning}) nicht.</translation>
     </message>
     <message>
         <source>The controller on {port} has no axis &apos;{axis}&apos; for the table (it has {axes}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung an {port} hat keine Achse &apos;{axis}&apos; für den Drehteller (sie hat {axes}).</translation>
     </message>
     <message>
         <source>The controller on {port} is not in laser mode ($32={value}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung an {port} ist nicht im Lasermodus ($32={value}).</translation>
     </message>
     <message>
         <source>The controller on {port} reports another position each time although it rests.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung an {port} meldet jedes Mal eine andere Position, obwohl sie ruht.</translation>
     </message>
     <message>
         <source>The controller on {port} restarted by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung an {port} hat von selbst neu gestartet.</translation>
     </message>
     <message>
         <source>The controller on {port} runs {firmware}, which knows no laser mode.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf der Steuerung an {port} läuft {firmware}, das keinen Lasermodus kennt.</translation>
     </message>
     <message>
         <source>The controller on {port} was used after it had been closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung an {port} wurde benutzt, nachdem sie geschlossen war.</translation>
     </message>
     <message>
         <source>The controller refused &apos;{command}&apos; with error:{number} ({meaning}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung lehnte &apos;{command}&apos; mit error:{number} ab ({meaning}).</translation>
     </message>
     <message>
         <source>The controller reports ALARM:{alarm} ({meaning}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung meldet ALARM:{alarm} ({meaning}).</translation>
     </message>
     <message>
         <source>The controller reports a lit laser (S{power}) where it must be dark.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung meldet einen leuchtenden Laser (S{power}), wo er dunkel sein muss.</translation>
     </message>
     <message>
         <source>The file is untouched; scan or export the surface again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei ist unberührt; die Oberfläche neu scannen oder neu exportieren.</translation>
     </message>
     <message>
         <source>The file of picked points {path} cannot be used: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei gewählter Punkte {path} ist nicht verwendbar: {reason}.</translation>
     </message>
     <message>
         <source>The file was not touched; choose another file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei wurde nicht angerührt; andere Datei wählen.</translation>
     </message>
     <message>
         <source>The frames of camera {camera} cannot be recorded into {path}: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bilder von Kamera {camera} lassen sich nicht nach {path} aufzeichnen: {reason}.</translation>
     </message>
     <message>
         <source>The interrupted scan cannot go on: of {known} known points {seen} were found again, {shift_um} um beside where they were.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der unterbrochene Scan kann nicht weitergehen: Von {known} bekannten Punkten wurden {seen} wiedergefunden, {shift_um} µm neben ihrem Platz.</translation>
     </message>
     <message>
         <source>The interrupted scan cannot go on: the marks on the table&apos;s rim are seen {shift_um} um beside where they were ({cause}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Der unterbrochene Scan kann nicht weitergehen: Die Marken am Tellerrand liegen {shift_um} µm neben ihrem Platz ({cause}).</translation>
     </message>
     <message>
         <source>The interrupted scan of {path} was made by a laser line, which is not resumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der unterbrochene Scan von {path} entstand mit einer Laserlinie, das lässt sich nicht fortsetzen.</translation>
     </message>
     <message>
         <source>The laser did not light although it was asked to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser leuchtete nicht, obwohl es verlangt war.</translation>
     </message>
     <message>
         <source>The laser is off and everything written before is kept; free some space and go on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und alles zuvor Geschriebene ist gesichert; Platz schaffen und weitermachen.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are in {case}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind in {case}.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; check its cable and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind gesichert; ihr Kabel prüfen und fortsetzen.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; check the trigger cable, or set trigger = &quot;free&quot; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind gesichert; Triggerkabel prüfen oder trigger = &quot;free&quot; in die Messplatzdatei setzen.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; close other programs and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind gesichert; andere Programme schließen und fortsetzen.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; close the door and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind gesichert; Tür schließen und fortsetzen.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; free some space or choose another folder, and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind gesichert; Platz schaffen oder anderen Ordner wählen und fortsetzen.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; its position is lost, home it and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind gesichert; ihre Position ist verloren, Referenz suchen und fortsetzen.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; plug it in and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind gesichert; einstecken und fortsetzen.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; resume when the rig is free.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind gesichert; fortsetzen, wenn der Messplatz frei ist.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; unplug the camera, plug it in again, and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind gesichert; Kamera ausstecken, wieder einstecken und fortsetzen.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; {remedy}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind gesichert; {remedy}.</translation>
     </message>
     <message>
         <source>The laser is off and what was measured before is kept; put table and cameras back as they were and resume, or scan anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und das zuvor Gemessene ist gesichert; Teller und Kameras zurückstellen und fortsetzen oder von vorn scannen.</translation>
     </message>
     <message>
         <source>The laser is off and what was measured before is kept; put the object and the cameras back as they were and resume, or scan anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und das zuvor Gemessene ist gesichert; Objekt und Kameras zurückstellen und fortsetzen oder von vorn scannen.</translation>
     </message>
     <message>
         <source>The laser is off and what was measured before is kept; switch the lamp off, then resume or scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und das zuvor Gemessene ist gesichert; Lampe ausschalten, dann fortsetzen oder neu scannen.</translation>
     </message>
     <message>
         <source>The laser is off; ask for more points, or more views.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; mehr Punkte oder mehr Ansichten verlangen.</translation>
     </message>
     <message>
         <source>The laser is off; check --spacing-mm and that nothing else of the spheres&apos; size stands in the volume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; --spacing-mm prüfen, und dass nichts anderes von der Größe der Kugeln im Messvolumen steht.</translation>
     </message>
     <message>
         <source>The laser is off; check the rig file and the controller&apos;s settings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; Messplatzdatei und Einstellungen der Steuerung prüfen.</translation>
     </message>
     <message>
         <source>The laser is off; open the rig again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; den Messplatz neu öffnen.</translation>
     </message>
     <message>
         <source>The laser is off; place the bar as the plan of the test says, and check --reference-mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; den Stab nach dem Plan der Prüfung aufstellen und --reference-mm prüfen.</translation>
     </message>
     <message>
         <source>The laser is off; put the matt white plate into the middle of the volume, facing the cameras, and keep the lamps away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; die matte weiße Platte in die Mitte des Messvolumens stellen, zu den Kameras gewandt, und Lampen fernhalten.</translation>
     </message>
     <message>
         <source>The laser is off; put the object on the table, and check the laser and the lens caps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; das Objekt auf den Teller stellen und Laser und Objektivdeckel prüfen.</translation>
     </message>
     <message>
         <source>The laser is off; put the reference sphere alone into the middle of the table, and check --reference-mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; die Referenzkugel allein in die Mitte des Tellers stellen und --reference-mm prüfen.</translation>
     </message>
     <message>
         <source>The laser is off; take all but one away and start the test again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; alle bis auf eine wegnehmen und die Prüfung neu starten.</translation>
     </message>
     <message>
         <source>The laser may be on: switch off its power before you reach into the rig, then connect again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser kann an sein: seinen Strom abschalten, bevor jemand in den Messplatz greift, dann neu verbinden.</translation>
     </message>
     <message>
         <source>The laser spot is saturated in {frames} frames in a row of camera {camera}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laserpunkt ist in {frames} Bildern in Folge von Kamera {camera} übersteuert.</translation>
     </message>
     <message>
         <source>The laser was switched off and the points so far are kept; free the machine of other work, then resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser wurde ausgeschaltet, und die bisherigen Punkte sind gesichert; den Rechner von anderer Arbeit befreien, dann fortsetzen.</translation>
     </message>
     <message>
         <source>The laser was switched off by a reset; connect again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser wurde durch einen Reset ausgeschaltet; neu verbinden.</translation>
     </message>
     <message>
         <source>The left camera gives {left_hz} frames/s and the right one {right_hz}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die linke Kamera liefert {left_hz} Bilder/s und die rechte {right_hz}.</translation>
     </message>
     <message>
         <source>The marked part holds {marked} measured vertices; at least {least} are needed for a motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der markierte Teil enthält {marked} gemessene Eckpunkte; für eine Bewegung sind mindestens {least} nötig.</translation>
     </message>
     <message>
         <source>The mask {path} cannot be used: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Maske {path} ist nicht verwendbar: {reason}.</translation>
     </message>
     <message>
         <source>The material {path} cannot be used: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Material {path} ist nicht verwendbar: {reason}.</translation>
     </message>
     <message>
         <source>The mesh of {path} does not say how certain it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Netz aus {path} sagt nicht, wie sicher es ist.</translation>
     </message>
     <message>
         <source>The motion was stopped during &apos;{command}&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bewegung wurde während &apos;{command}&apos; gestoppt.</translation>
     </message>
     <message>
         <source>The new mount fits in more than one way: a pose that is turned by {angle} degrees against the best one fits about as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die neue Aufstellung passt auf mehr als eine Weise: Eine um {angle} Grad gegen die beste gedrehte Lage passt etwa ebenso gut.</translation>
     </message>
     <message>
         <source>The new mount fits nowhere on what was measured before: in the best pose only {agree} % of the surface that both show agrees.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die neue Aufstellung passt nirgends auf das zuvor Gemessene: In der besten Lage stimmen nur {agree} % der gemeinsam gezeigten Oberfläche überein.</translation>
     </message>
     <message>
         <source>The new mount shares too little with what was measured before: {overlap} % of it, and at least {least} % are needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die neue Aufstellung hat zu wenig mit dem zuvor Gemessenen gemeinsam: {overlap} % von ihr, mindestens {least} % sind nötig.</translation>
     </message>
     <message>
         <source>The new mount, or what was measured before, has too few points to find its place: {points}, but at least {least} are needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die neue Aufstellung oder das zuvor Gemessene hat zu wenige Punkte, um ihre Lage zu finden: {points}, mindestens {least} sind nötig.</translation>
     </message>
     <message>
         <source>The null comparison says nothing of the rig: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Nullvergleich sagt nichts über den Messplatz: {reason}.</translation>
     </message>
     <message>
         <source>The object moved on the table: the views from {table_deg} deg on lie {shift_um} um beside the earlier ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objekt hat sich auf dem Teller bewegt: Die Ansichten ab {table_deg}° liegen {shift_um} µm neben den früheren.</translation>
     </message>
     <message>
         <source>The picked points do not belong to each other: after the best fit of the surfaces they lie {apart_mm} mm apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählten Punkte gehören nicht zueinander: Nach der besten Anpassung der Oberflächen liegen sie {apart_mm} mm auseinander.</translation>
     </message>
     <message>
         <source>The picked points do not say how the surfaces lie: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählten Punkte sagen nicht, wie die Oberflächen liegen: {reason}.</translation>
     </message>
     <message>
         <source>The plan {path} cannot be used: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Plan {path} ist nicht verwendbar: {reason}.</translation>
     </message>
     <message>
         <source>The points are kept and the other marks go on watching; fix it, and see that nothing touches it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte sind gesichert, und die anderen Marken wachen weiter; sie befestigen und darauf achten, dass nichts sie berührt.</translation>
     </message>
     <message>
         <source>The points are kept and the other marks go on watching; see whether it is covered or was knocked off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte sind gesichert, und die anderen Marken wachen weiter; nachsehen, ob sie verdeckt oder abgeschlagen ist.</translation>
     </message>
     <message>
         <source>The points are noisier than they claim; look for vibration, moving reflections or a dirty lens.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte rauschen stärker, als sie angeben; nach Erschütterungen, bewegten Reflexen oder einem schmutzigen Objektiv suchen.</translation>
     </message>
     <message>
         <source>The points are shifted along the sweep; trigger both cameras from one source.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte sind längs der Bahn verschoben; beide Kameras aus einer Quelle auslösen.</translation>
     </message>
     <message>
         <source>The points belong to {count} separate objects: the second largest holds {share} % of them and lies {gap_mm} mm from the largest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte gehören zu {count} getrennten Objekten: Das zweitgrößte enthält {share} % davon und liegt {gap_mm} mm vom größten.</translation>
     </message>
     <message>
         <source>The points contain {count} values that are not finite numbers, or impossibly far away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte enthalten {count} Werte, die keine endlichen Zahlen oder unmöglich weit weg sind.</translation>
     </message>
     <message>
         <source>The points do not enclose a body: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte umschließen keinen Körper: {reason}.</translation>
     </message>
     <message>
         <source>The points from there on are off; fix the cameras, calibrate, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte ab dort liegen daneben; Kameras befestigen, kalibrieren und neu scannen.</translation>
     </message>
     <message>
         <source>The points since then are wrong; check the trigger cable and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte seither sind falsch; Triggerkabel prüfen und neu scannen.</translation>
     </message>
     <message>
         <source>The points so far are kept. A sweep ends dark by itself, a standing spot may stay lit: see that the laser is off, plug it in, then resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die bisherigen Punkte sind gesichert. Eine Bahn endet von selbst dunkel, ein stehender Laserpunkt kann weiterleuchten: nachsehen, dass der Laser aus ist, einstecken, dann fortsetzen.</translation>
     </message>
     <message>
         <source>The port {port} does not exist or cannot be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Anschluss {port} gibt es nicht, oder er lässt sich nicht öffnen.</translation>
     </message>
     <message>
         <source>The port {port} is used by another program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Anschluss {port} wird von einem anderen Programm benutzt.</translation>
     </message>
     <message>
         <source>The previous calibration stays in use; exchange the two cameras in the rig file, then calibrate again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die vorige Kalibrierung bleibt in Gebrauch; die Kameras in der Messplatzdatei tauschen, dann neu kalibrieren.</translation>
     </message>
     <message>
         <source>The previous calibration stays in use; give the right size with --square-mm, or the bar&apos;s certified length with --length-mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die vorige Kalibrierung bleibt in Gebrauch; die richtige Größe mit --square-mm oder die zertifizierte Länge des Stabs mit --length-mm angeben.</translation>
     </message>
     <message>
         <source>The previous calibration stays in use; take the views again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die vorige Kalibrierung bleibt in Gebrauch; die Ansichten neu aufnehmen.</translation>
     </message>
     <message>
         <source>The program did not look after the lit laser for {seconds} s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Programm kümmerte sich {seconds} s lang nicht um den leuchtenden Laser.</translation>
     </message>
     <message>
         <source>The recording {path} cannot be replayed: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufzeichnung {path} lässt sich nicht abspielen: {reason}.</translation>
     </message>
     <message>
         <source>The recording {path} holds no frames for what was asked of camera {camera}: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufzeichnung {path} enthält keine Bilder für das, was von Kamera {camera} verlangt wurde: {reason}.</translation>
     </message>
     <message>
         <source>The rig file is unchanged; measure the same model twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Messplatzdatei ist unverändert; dasselbe Modell zweimal messen.</translation>
     </message>
     <message>
         <source>The rig file {path} cannot be used: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Messplatzdatei {path} ist nicht verwendbar: {reason}.</translation>
     </message>
     <message>
         <source>The rig file&apos;s own settings are used; set exposure and sizes on the Aim page again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Einstellungen der Messplatzdatei gelten; Belichtung und Größen auf der Seite Anvisieren neu einstellen.</translation>
     </message>
     <message>
         <source>The rig has no calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Messplatz hat keine Kalibrierung.</translation>
     </message>
     <message>
         <source>The right camera exposes {skew_us} us after the left one, and a moving laser line is then not the same line in both images.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die rechte Kamera belichtet {skew_us} µs nach der linken, und eine bewegte Laserlinie ist dann in beiden Bildern nicht dieselbe Linie.</translation>
     </message>
     <message>
         <source>The safety door of the rig is open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schutztür des Messplatzes ist offen.</translation>
     </message>
     <message>
         <source>The safety relay of the serial port stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sicherheitsweiche des seriellen Anschlusses ist stehen geblieben.</translation>
     </message>
     <message>
         <source>The safety relay of the serial port {port} stopped, and the controller could not be reset.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sicherheitsweiche des seriellen Anschlusses {port} ist stehen geblieben, und die Steuerung ließ sich nicht zurücksetzen.</translation>
     </message>
     <message>
         <source>The scale changed by {percent} %: since the view at {table_deg} deg the marks on the table&apos;s rim have other distances.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Maßstab hat sich um {percent} % geändert: Seit der Ansicht bei {table_deg}° haben die Marken am Tellerrand andere Abstände.</translation>
     </message>
     <message>
         <source>The scale is off by {percent} % against the calibrated distances of the marks on the table&apos;s rim.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Maßstab weicht um {percent} % von den kalibrierten Abständen der Marken am Tellerrand ab.</translation>
     </message>
     <message>
         <source>The scan stopped on an unexpected fault ({reason}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Scan stoppte durch eine unerwartete Störung ({reason}).</translation>
     </message>
     <message>
         <source>The software for cameras of the kind &apos;{driver}&apos; is not installed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Software für Kameras der Art &apos;{driver}&apos; ist nicht installiert.</translation>
     </message>
     <message>
         <source>The specimen is {size_mm} mm large, but both cameras see a volume of {volume_mm} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Prüfling ist {size_mm} mm groß, beide Kameras sehen aber ein Volumen von {volume_mm} mm.</translation>
     </message>
     <message>
         <source>The spheres in position {position} stand {measured_mm} mm apart, not {reference_mm} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kugeln in Position {position} stehen {measured_mm} mm auseinander, nicht {reference_mm} mm.</translation>
     </message>
     <message>
         <source>The standing spot was seen by both cameras in {seen} of {exposed} exposures only ({reasons}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Der stehende Lichtpunkt wurde von beiden Kameras nur in {seen} von {exposed} Belichtungen gesehen ({reasons}).</translation>
     </message>
     <message>
         <source>The support bundle has no entry &apos;{name}&apos;; it has {known}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Support-Paket hat keinen Eintrag &apos;{name}&apos;; es hat {known}.</translation>
     </message>
     <message>
         <source>The surface that both mounts show does not tell how they lie: {directions} of six directions of motion stay open, as on a ball or a cylinder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche, die beide Aufstellungen zeigen, sagt nicht, wie sie liegen: {directions} von sechs Bewegungsrichtungen bleiben offen, wie bei Kugel oder Zylinder.</translation>
     </message>
     <message>
         <source>The surface that was found is not trustworthy: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gefundene Oberfläche ist nicht vertrauenswürdig: {reason}.</translation>
     </message>
     <message>
         <source>The table lost steps: by the marks on its rim it stands {turn_deg} deg beside its reading, since the view at {table_deg} deg.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Teller hat Schritte verloren: Nach den Marken an seinem Rand steht er {turn_deg}° neben seiner Anzeige, seit der Ansicht bei {table_deg}°.</translation>
     </message>
     <message>
         <source>The table lost steps: it stands {turn_deg} deg beside its reading{where}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Teller hat Schritte verloren: Er steht {turn_deg}° neben seiner Anzeige{where}.</translation>
     </message>
     <message>
         <source>The table or a camera moved: since the view at {table_deg} deg the marks on the table&apos;s rim are seen up to {shift_um} um beside.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Teller oder eine Kamera hat sich bewegt: Seit der Ansicht bei {table_deg}° liegen die Marken am Tellerrand bis zu {shift_um} µm daneben.</translation>
     </message>
     <message>
         <source>The triangles of {path} all lie in one point or line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Dreiecke aus {path} liegen alle in einem Punkt oder einer Linie.</translation>
     </message>
     <message>
         <source>The turn does not close: the first view measured again lies {shift_um} um beside its first measurement.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Drehung schließt sich nicht: Die erste Ansicht, noch einmal gemessen, liegt {shift_um} µm neben ihrer ersten Messung.</translation>
     </message>
     <message>
         <source>The two ears in {path} cannot be told apart: {count} points lie half way between the seats of the tray.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die beiden Ohren in {path} lassen sich nicht trennen: {count} Punkte liegen auf halbem Weg zwischen den Sitzen des Trägers.</translation>
     </message>
     <message>
         <source>The two images of the spot disagree by {sd_px} px, where {expected_px} px are expected ({where}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die beiden Bilder des Lichtpunkts weichen um {sd_px} px ab, erwartet werden {expected_px} px ({where}).</translation>
     </message>
     <message>
         <source>The views from there on are turned; see that the table moves freely, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ansichten ab dort sind verdreht; prüfen, dass der Teller frei läuft, und neu scannen.</translation>
     </message>
     <message>
         <source>The worker process ended unexpectedly during {phase} ({reason}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Arbeitsprozess endete unerwartet während {phase} ({reason}).</translation>
     </message>
     <message>
         <source>The worker process failed: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Arbeitsprozess ist gescheitert: {reason}.</translation>
     </message>
     <message>
         <source>The {part} of the rig is not the one with which the scan in {path} was begun.</source>
-        <translation type="unfinished"></translation>
+        <translation>Teil des Messplatzes ({part}) ist nicht der, mit dem der Scan in {path} begann.</translation>
     </message>
     <message>
         <source>Their points are kept; fix the cameras, calibrate, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Punkte sind gesichert; Kameras befestigen, kalibrieren und neu scannen.</translation>
     </message>
     <message>
         <source>Their points are kept; fix the object to the table and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Punkte sind gesichert; das Objekt am Teller befestigen und neu scannen.</translation>
     </message>
     <message>
         <source>There is no camera {camera} ({id}); this machine has: {found}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Kamera {camera} ({id}); dieser Rechner hat: {found}.</translation>
     </message>
     <message>
         <source>There is no export profile &apos;{name}&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt kein Exportprofil &apos;{name}&apos;.</translation>
     </message>
     <message>
         <source>There is no space left on the disk of {path}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf dem Datenträger von {path} ist kein Platz mehr.</translation>
     </message>
     <message>
         <source>There is not enough memory for &apos;{command}&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für &apos;{command}&apos; ist nicht genug Speicher da.</translation>
     </message>
     <message>
         <source>This surface is not ready to be delivered: {checks}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Oberfläche ist nicht bereit zur Auslieferung: {checks}.</translation>
     </message>
     <message>
         <source>This user may not open camera {camera} ({id}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Benutzer darf Kamera {camera} ({id}) nicht öffnen.</translation>
     </message>
     <message>
         <source>This user may not open the port {port}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Benutzer darf den Anschluss {port} nicht öffnen.</translation>
     </message>
     <message>
         <source>Those measurements are missing; check its cable and port, and close other programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Messungen fehlen; Kabel und Anschluss prüfen und andere Programme schließen.</translation>
     </message>
     <message>
         <source>Two spheres stand on the table: {first} points lie on the one, {second} on the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Kugeln stehen auf dem Teller: {first} Punkte liegen auf der einen, {second} auf der anderen.</translation>
     </message>
     <message>
         <source>What answers on {port} is no GRBL controller (it said: {said}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Was an {port} antwortet, ist keine GRBL-Steuerung (es sagte: {said}).</translation>
     </message>
     <message>
         <source>What was measured is kept; use the rig file of that scan to resume it, or keep what is there and scan anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gemessene ist gesichert; zum Fortsetzen die Messplatzdatei jenes Scans benutzen, oder Vorhandenes behalten und von vorn scannen.</translation>
     </message>
     <message>
         <source>What was measured so far is kept and the laser is off; let a trigger line expose both cameras at once, then scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das bisher Gemessene ist gesichert, und der Laser ist aus; eine Triggerleitung beide Kameras gleichzeitig auslösen lassen, dann neu scannen.</translation>
     </message>
     <message>
         <source>What was measured so far is kept; replay with the rig, plan and seed that it was recorded with.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das bisher Gemessene ist gesichert; mit Messplatz, Plan und Startwert der Aufzeichnung abspielen.</translation>
     </message>
     <message>
         <source>What was set while aiming cannot be read ({path}: {reason}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Einstellungen vom Anvisieren sind nicht lesbar ({path}: {reason}).</translation>
     </message>
     <message>
         <source>Whether the table lost steps cannot be judged on this object: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob der Teller Schritte verlor, lässt sich an diesem Objekt nicht beurteilen: {reason}.</translation>
     </message>
     <message>
         <source>Which of them it was is not decided; the points from there on are off: fix cameras and table, calibrate, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was davon es war, ist nicht entschieden; die Punkte ab dort liegen daneben: Kameras und Teller befestigen, kalibrieren und neu scannen.</translation>
     </message>
     <message>
         <source>{after} and {before} do not fit onto each other: in the best pose only {score} % of the surface agrees. They seem to be different objects, or opposite sides of one.</source>
-        <translation type="unfinished"></translation>
+        <translation>{after} und {before} passen nicht aufeinander: In der besten Lage stimmen nur {score} % der Oberfläche überein. Es scheinen verschiedene Objekte zu sein oder gegenüberliegende Seiten von einem.</translation>
     </message>
     <message>
         <source>{after} and {before} do not overlap: nothing of one lies within {reach_mm} mm of the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>{after} und {before} überlappen sich nicht: Nichts vom einen liegt innerhalb von {reach_mm} mm des anderen.</translation>
     </message>
     <message>
         <source>{area_mm2} mm2 with a counterpart are painted as stable; at least {least_mm2} mm2 are needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>{area_mm2} mm² mit Gegenstück sind als stabil gemalt; mindestens {least_mm2} mm² sind nötig.</translation>
     </message>
     <message>
         <source>{axis} cannot go to {target} deg: {whose} allow {low} to {high} deg.</source>
-        <translation type="unfinished"></translation>
+        <translation>{axis} kann nicht auf {target}° fahren: {whose} erlauben {low} bis {high}°.</translation>
     </message>
     <message>
         <source>{name} holds too few measured triangles with an area: {triangles}, but a comparison needs at least {least}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} enthält zu wenige gemessene Dreiecke mit Fläche: {triangles}, ein Vergleich braucht mindestens {least}.</translation>
     </message>
     <message>
         <source>{path} cannot be read as points: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} ist nicht als Punkte lesbar: {reason}.</translation>
     </message>
     <message>
         <source>{path} cannot be read: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} ist nicht lesbar: {reason}.</translation>
     </message>
     <message>
         <source>{path} cannot be written: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} lässt sich nicht schreiben: {reason}.</translation>
     </message>
     <message>
         <source>{path} cannot hold this mesh: so far from the origin the numbers of an STL file have steps of {step_mm} mm, wider than its triangles allow.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} kann dieses Netz nicht fassen: So weit vom Ursprung haben die Zahlen einer STL-Datei Schritte von {step_mm} mm, gröber, als seine Dreiecke erlauben.</translation>
     </message>
     <message>
         <source>{path} does not exist.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} gibt es nicht.</translation>
     </message>
     <message>
         <source>{path} exists already.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} gibt es schon.</translation>
     </message>
     <message>
         <source>{path} holds no interrupted scan.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} enthält keinen unterbrochenen Scan.</translation>
     </message>
     <message>
         <source>{path} holds no triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} enthält keine Dreiecke.</translation>
     </message>
     <message>
         <source>{path} holds no {what} yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} enthält noch nicht: {what}.</translation>
     </message>
     <message>
         <source>{path} holds too few triangles for a comparison: {triangles}, but at least {least} are needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} enthält zu wenige Dreiecke für einen Vergleich: {triangles}, mindestens {least} sind nötig.</translation>
     </message>
     <message>
         <source>{path} is no Impronta case: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} ist kein Impronta-Fall: {reason}.</translation>
     </message>
     <message>
         <source>{path} is no mesh that can be read: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} ist kein lesbares Netz: {reason}.</translation>
     </message>
     <message>
         <source>{path} is open in another window or program.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} ist in einem anderen Fenster oder Programm offen.</translation>
     </message>
     <message>
         <source>{path} was written by a newer Impronta (case version {version}, this program knows {known}).</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} wurde von einem neueren Impronta geschrieben (Fallversion {version}, dieses Programm kennt {known}).</translation>
     </message>
     <message>
         <source>{points} points are too few for a sphere; at least {least} are needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} Punkte sind zu wenige für eine Kugel; mindestens {least} sind nötig.</translation>
     </message>
     <message>
         <source>{points} points are too few for a surface; at least {least} are needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} Punkte sind zu wenige für eine Oberfläche; mindestens {least} sind nötig.</translation>
     </message>
     <message>
         <source>{what}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{what}.</translation>
     </message>
 </context>
 <context>
