@@ -5,111 +5,112 @@
     <name>AboutDialog</name>
     <message>
         <source>About Impronta</source>
-        <translation type="unfinished"></translation>
+        <translation>Über Impronta</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Copy versions</source>
-        <translation type="unfinished"></translation>
+        <translation>Versionen kopieren</translation>
     </message>
     <message>
         <source>Impronta itself is free software under the MIT licence.</source>
-        <translation type="unfinished"></translation>
+        <translation>Impronta selbst ist freie Software unter der MIT-Lizenz.</translation>
     </message>
     <message>
         <source>Impronta {version}</source>
-        <translation type="unfinished"></translation>
+        <translation>Impronta {version}</translation>
     </message>
     <message>
         <source>Its package brings no text of the licence along.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Paket bringt keinen Lizenztext mit.</translation>
     </message>
     <message>
         <source>Libraries and their licences</source>
-        <translation type="unfinished"></translation>
+        <translation>Bibliotheken und ihre Lizenzen</translation>
     </message>
     <message>
         <source>Libraries in this program</source>
-        <translation type="unfinished"></translation>
+        <translation>Bibliotheken in diesem Programm</translation>
     </message>
     <message>
         <source>Measures an object with two cameras and a laser spot, and turns the points into a closed surface: ear impressions, dental models.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vermisst ein Objekt mit zwei Kameras und einem Laserpunkt und macht aus den Punkten eine geschlossene Oberfläche: Ohrabformungen, Dentalmodelle.</translation>
     </message>
     <message>
         <source>Names and versions of everything in this program, as text</source>
-        <translation type="unfinished"></translation>
+        <translation>Namen und Versionen von allem in diesem Programm, als Text</translation>
     </message>
     <message>
         <source>Text of the licence</source>
-        <translation type="unfinished"></translation>
+        <translation>Text der Lizenz</translation>
     </message>
     <message>
         <source>The method is the published one of G. Tognola et al., “Contact-less 3D-Coordinate Measurement System by Laser Scanning and Image Reconstruction from Unorganized Data”: two cameras see a laser spot, and a surface adapts itself to the points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Verfahren ist das veröffentlichte von G. Tognola et al., „Contact-less 3D-Coordinate Measurement System by Laser Scanning and Image Reconstruction from Unorganized Data“: Zwei Kameras sehen einen Laserpunkt, und eine Oberfläche passt sich den Punkten an.</translation>
     </message>
 </context>
 <context>
     <name>AccuracyCard</name>
     <message>
         <source>95 % of the measured points lie within this width around the sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % der Messpunkte liegen innerhalb dieser Breite um die Kugel</translation>
     </message>
     <message>
         <source>Calibrated on {date}; {rms} µm rms at corners of the board that were left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibriert am {date}; {rms} µm rms an nicht benutzten Ecken der Tafel.</translation>
     </message>
     <message>
         <source>Diameter of the reference sphere as measured, less what its certificate says</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessener Durchmesser der Referenzkugel abzüglich dessen, was ihr Zertifikat nennt</translation>
     </message>
     <message>
         <source>How accurate is it?</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie genau ist er?</translation>
     </message>
     <message>
         <source>It measures otherwise than in the tests before: calibrate, and test it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Er misst anders als in den Prüfungen zuvor: kalibrieren und neu prüfen.</translation>
     </message>
     <message>
         <source>No reference sphere was measured with this rig yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit diesem Messplatz wurde noch keine Referenzkugel gemessen.</translation>
     </message>
     <message>
         <source>Put the sphere on the table and run:
 {command}</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kugel auf den Teller stellen und ausführen:
+{command}</translation>
     </message>
     <message>
         <source>Reference sphere, {date} ({age})</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenzkugel, {date} ({age})</translation>
     </message>
     <message>
         <source>The Rig page says what is wrong with the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Seite Messplatz sagt, was an der Messplatzdatei falsch ist.</translation>
     </message>
     <message>
         <source>The rig was calibrated since.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Messplatz wurde seither kalibriert.</translation>
     </message>
     <message>
         <source>The test is {n} days old.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Prüfung ist {n} Tage alt.</translation>
     </message>
     <message>
         <source>This rig is not calibrated. The Rig page does that in a few minutes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Messplatz ist nicht kalibriert. Die Seite Messplatz tut das in wenigen Minuten.</translation>
     </message>
     <message>
         <source>µm D95</source>
-        <translation type="unfinished"></translation>
+        <translation>µm D95</translation>
     </message>
     <message>
         <source>µm size deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>µm Maßabweichung</translation>
     </message>
 </context>
 <context>
@@ -246,43 +247,43 @@
     <name>AlignmentPanel</name>
     <message>
         <source>Erase</source>
-        <translation type="unfinished"></translation>
+        <translation>Radieren</translation>
     </message>
     <message>
         <source>Held fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>Festgehalten</translation>
     </message>
     <message>
         <source>Noise of a distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Rauschen eines Abstands</translation>
     </message>
     <message>
         <source>Paint stable</source>
-        <translation type="unfinished"></translation>
+        <translation>Stabil malen</translation>
     </message>
     <message>
         <source>Pick three points on each…</source>
-        <translation type="unfinished"></translation>
+        <translation>Je drei Punkte wählen…</translation>
     </message>
     <message>
         <source>Residual there</source>
-        <translation type="unfinished"></translation>
+        <translation>Restfehler dort</translation>
     </message>
     <message>
         <source>Show the stable region</source>
-        <translation type="unfinished"></translation>
+        <translation>Stabilen Bereich zeigen</translation>
     </message>
     <message>
         <source>Size, after to before</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe, nachher zu vorher</translation>
     </message>
     <message>
         <source>Stable share</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil stabil</translation>
     </message>
     <message>
         <source>Start found by</source>
-        <translation type="unfinished"></translation>
+        <translation>Start gefunden durch</translation>
     </message>
     <message>
         <source>Uncertainty</source>
@@ -290,46 +291,46 @@
     </message>
     <message>
         <source>With a counterpart</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit Gegenstück</translation>
     </message>
     <message>
         <source>not estimated</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht geschätzt</translation>
     </message>
     <message>
         <source>{frame} instead would shift everything by {rms} mm on average, {most} mm at most.</source>
-        <translation type="unfinished"></translation>
+        <translation>{frame} würde stattdessen alles um im Mittel {rms} mm verschieben, höchstens {most} mm.</translation>
     </message>
     <message>
         <source>{frame} instead would shift the front teeth by {n} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{frame} würde stattdessen die Frontzähne um {n} mm verschieben.</translation>
     </message>
     <message>
         <source>{frame} instead would shift the molars by {n} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{frame} würde stattdessen die Backenzähne um {n} mm verschieben.</translation>
     </message>
     <message>
         <source>{n} %</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} %</translation>
     </message>
     <message>
         <source>{n} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} mm</translation>
     </message>
     <message>
         <source>{n} mm rms</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} mm rms</translation>
     </message>
     <message>
         <source>± {n} mm (k = 2)</source>
-        <translation type="unfinished"></translation>
+        <translation>± {n} mm (k = 2)</translation>
     </message>
 </context>
 <context>
     <name>AreaList</name>
     <message>
         <source>Areas of greatest difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächen mit dem größten Unterschied</translation>
     </message>
 </context>
 <context>
@@ -442,46 +443,46 @@
     <name>Banner</name>
     <message>
         <source>Close this message</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Meldung schließen</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren</translation>
     </message>
     <message>
         <source>Details</source>
-        <translation type="unfinished"></translation>
+        <translation>Details</translation>
     </message>
     <message>
         <source>Support bundle…</source>
-        <translation type="unfinished"></translation>
+        <translation>Support-Paket…</translation>
     </message>
 </context>
 <context>
     <name>BaseShape</name>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Find it again</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu suchen</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe</translation>
     </message>
     <message>
         <source>Tilt along x</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigung längs x</translation>
     </message>
     <message>
         <source>Tilt along y</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigung längs y</translation>
     </message>
     <message>
         <source>What is below the plane goes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was unter der Ebene liegt, fällt weg.</translation>
     </message>
 </context>
 <context>
@@ -503,93 +504,93 @@
     <name>BrushSize</name>
     <message>
         <source>Brush {mm} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinsel {mm} mm</translation>
     </message>
     <message>
         <source>Size of the brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe des Pinsels</translation>
     </message>
 </context>
 <context>
     <name>ByHandPanel</name>
     <message>
         <source>1.  Light the board well and evenly; the cameras set their exposure by themselves.</source>
-        <translation type="unfinished"></translation>
+        <translation>1.  Die Tafel gut und gleichmäßig beleuchten; die Kameras stellen ihre Belichtung selbst ein.</translation>
     </message>
     <message>
         <source>2.  Hold it into the volume, each time tilted another way and at another place. Rest it until the view is taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>2.  Sie in das Messvolumen halten, jedes Mal anders geneigt und an anderer Stelle. Ruhig halten, bis die Ansicht aufgenommen ist.</translation>
     </message>
     <message>
         <source>3.  With a length bar: hold that likewise, both ends in sight.</source>
-        <translation type="unfinished"></translation>
+        <translation>3.  Mit einem Längenstab: ebenso halten, beide Enden im Bild.</translation>
     </message>
     <message>
         <source>4.  Lay the board on the table and take your hands away: the table turns by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>4.  Die Tafel auf den Teller legen und die Hände wegnehmen: Der Teller dreht von selbst.</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>Calibrate by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Hand kalibrieren</translation>
     </message>
     <message>
         <source>Certified length bar</source>
-        <translation type="unfinished"></translation>
+        <translation>Zertifizierter Längenstab</translation>
     </message>
     <message>
         <source>Certified length of the bar</source>
-        <translation type="unfinished"></translation>
+        <translation>Zertifizierte Länge des Stabs</translation>
     </message>
     <message>
         <source>From the table to the printed face: it places the origin on the table.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vom Teller bis zur bedruckten Seite: Das legt den Ursprung auf den Teller.</translation>
     </message>
     <message>
         <source>Known length</source>
-        <translation type="unfinished"></translation>
+        <translation>Bekannte Länge</translation>
     </message>
     <message>
         <source>Neither: the scale stays unverified</source>
-        <translation type="unfinished"></translation>
+        <translation>Keines: Der Maßstab bleibt ungeprüft</translation>
     </message>
     <message>
         <source>Print measured with a caliper</source>
-        <translation type="unfinished"></translation>
+        <translation>Druck mit Messschieber gemessen</translation>
     </message>
     <message>
         <source>Printed row of squares, outer edge to outer edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Gedruckte Feldreihe, Außenkante zu Außenkante</translation>
     </message>
     <message>
         <source>Start</source>
-        <translation type="unfinished"></translation>
+        <translation>Starten</translation>
     </message>
     <message>
         <source>The print: its whole row of squares, from outer edge to outer edge.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Druck: seine ganze Feldreihe, von Außenkante zu Außenkante.</translation>
     </message>
     <message>
         <source>Thickness of the board</source>
-        <translation type="unfinished"></translation>
+        <translation>Dicke der Tafel</translation>
     </message>
     <message>
         <source>You show the printed board to both cameras; it takes about ten minutes. The laser stays off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gedruckte Tafel wird beiden Kameras gezeigt; das dauert etwa zehn Minuten. Der Laser bleibt aus.</translation>
     </message>
 </context>
 <context>
     <name>CalibratingPanel</name>
     <message>
         <source>% done</source>
-        <translation type="unfinished"></translation>
+        <translation>% fertig</translation>
     </message>
     <message>
         <source>Calibrating</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>Camera left</source>
@@ -609,43 +610,43 @@
     </message>
     <message>
         <source>Covered by the board</source>
-        <translation type="unfinished"></translation>
+        <translation>Von der Tafel überdeckt</translation>
     </message>
     <message>
         <source>Distances of the board</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernungen der Tafel</translation>
     </message>
     <message>
         <source>Largest tilt between two boards</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Neigung zwischen zwei Tafeln</translation>
     </message>
     <message>
         <source>Nothing: all views are taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts: Alle Ansichten sind aufgenommen.</translation>
     </message>
     <message>
         <source>Still missing</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch fehlt</translation>
     </message>
     <message>
         <source>Then the calibration of {date} stays in use.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dann bleibt die Kalibrierung vom {date} in Gebrauch.</translation>
     </message>
     <message>
         <source>Transcript…</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitschrift…</translation>
     </message>
     <message>
         <source>Without a calibration the rig cannot scan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Kalibrierung kann der Messplatz nicht scannen.</translation>
     </message>
     <message>
         <source>and {n} more</source>
-        <translation type="unfinished"></translation>
+        <translation>und {n} weitere</translation>
     </message>
     <message>
         <source>{left}  ·  the virtual rig shows the board by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>{left}  ·  der virtuelle Messplatz zeigt die Tafel von selbst</translation>
     </message>
     <message>
         <source>{left} left</source>
@@ -653,82 +654,82 @@
     </message>
     <message>
         <source>{near} to {far} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{near} bis {far} mm</translation>
     </message>
     <message>
         <source>{n} of {count} fields</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} von {count} Feldern</translation>
     </message>
 </context>
 <context>
     <name>CalibrationPanel</name>
     <message>
         <source>Accepted  ·  {age}</source>
-        <translation type="unfinished"></translation>
+        <translation>Angenommen  ·  {age}</translation>
     </message>
     <message>
         <source>Calibrate</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrieren</translation>
     </message>
     <message>
         <source>Calibrated on {date}, {age}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibriert am {date}, {age}.</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>Its calibration stands in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seine Kalibrierung steht in der Messplatzdatei.</translation>
     </message>
     <message>
         <source>New calibration not accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Kalibrierung nicht angenommen</translation>
     </message>
     <message>
         <source>Not calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht kalibriert</translation>
     </message>
     <message>
         <source>Not calibrated yet: show the board to both cameras before the first scan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht kalibriert: Vor dem ersten Scan die Tafel beiden Kameras zeigen.</translation>
     </message>
     <message>
         <source>PDF (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF (*.pdf)</translation>
     </message>
     <message>
         <source>Print the target…</source>
-        <translation type="unfinished"></translation>
+        <translation>Tafel drucken…</translation>
     </message>
     <message>
         <source>Since the previous calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Seit der vorigen Kalibrierung</translation>
     </message>
     <message>
         <source>The calibration of {date} stays in use.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kalibrierung vom {date} bleibt in Gebrauch.</translation>
     </message>
     <message>
         <source>The calibration target as a page to print</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kalibriertafel als Seite zum Drucken</translation>
     </message>
     <message>
         <source>Without a calibration the rig cannot scan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Kalibrierung kann der Messplatz nicht scannen.</translation>
     </message>
     <message>
         <source>Written to {path}. Print it at 100 % and check that its ruler measures {ruler} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschrieben nach {path}. Mit 100 % drucken und prüfen, dass das Lineal {ruler} mm misst.</translation>
     </message>
     <message>
         <source>not known</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht bekannt</translation>
     </message>
     <message>
         <source>µm rms at board corners that were not used</source>
-        <translation type="unfinished"></translation>
+        <translation>µm rms an nicht benutzten Tafelecken</translation>
     </message>
 </context>
 <context>
@@ -743,61 +744,61 @@
     </message>
     <message>
         <source>{camera} is the {side} camera</source>
-        <translation type="unfinished"></translation>
+        <translation>{camera} ist die Kamera {side}</translation>
     </message>
 </context>
 <context>
     <name>CameraPreview</name>
     <message>
         <source>Wheel: zoom. Drag: move. Double click: whole picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rad: Zoom. Ziehen: verschieben. Doppelklick: ganzes Bild.</translation>
     </message>
     <message>
         <source>no picture yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch kein Bild</translation>
     </message>
     <message>
         <source>recorded: shown while it is measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahme: wird beim Messen gezeigt</translation>
     </message>
     <message>
         <source>σ {x} × {y} px · peak {peak} %</source>
-        <translation type="unfinished"></translation>
+        <translation>σ {x} × {y} px · Spitze {peak} %</translation>
     </message>
 </context>
 <context>
     <name>CameraSettings</name>
     <message>
         <source> frames/s</source>
-        <translation type="unfinished"></translation>
+        <translation> Bilder/s</translation>
     </message>
     <message>
         <source> ms</source>
-        <translation type="unfinished"></translation>
+        <translation> ms</translation>
     </message>
     <message>
         <source>Exposure</source>
-        <translation type="unfinished"></translation>
+        <translation>Belichtung</translation>
     </message>
     <message>
         <source>Rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildrate</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>Trigger</source>
-        <translation type="unfinished"></translation>
+        <translation>Trigger</translation>
     </message>
     <message>
         <source>as the camera has it</source>
-        <translation type="unfinished"></translation>
+        <translation>wie in der Kamera</translation>
     </message>
     <message>
         <source>{width} × {height} px</source>
-        <translation type="unfinished"></translation>
+        <translation>{width} × {height} px</translation>
     </message>
 </context>
 <context>
@@ -815,7 +816,7 @@
     <name>CheckList</name>
     <message>
         <source>Checks</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfungen</translation>
     </message>
 </context>
 <context>
@@ -873,18 +874,18 @@
     <name>ChosenView</name>
     <message>
         <source>Measure this view once more: after the last one while the scan runs, else at once</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Ansicht noch einmal messen: bei laufendem Scan nach der letzten, sonst sofort</translation>
     </message>
     <message>
         <source>Redo this view</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht wiederholen</translation>
     </message>
 </context>
 <context>
     <name>CompareFoot</name>
     <message>
         <source>Align on the painted region</source>
-        <translation type="unfinished"></translation>
+        <translation>Am gemalten Bereich ausrichten</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -896,7 +897,7 @@
     </message>
     <message>
         <source>Click three points on each surface, in the same order and far from each other. Before: {b} of 3, after: {a} of 3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf jeder Oberfläche drei Punkte anklicken, in gleicher Reihenfolge und weit auseinander. Vorher: {b} von 3, nachher: {a} von 3.</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -904,23 +905,23 @@
     </message>
     <message>
         <source>Keep it in the open case</source>
-        <translation type="unfinished"></translation>
+        <translation>Im offenen Fall sichern</translation>
     </message>
     <message>
         <source>Paint what did not move, then align on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Malen, was sich nicht bewegt hat, dann daran ausrichten.</translation>
     </message>
     <message>
         <source>Pick three points on each…</source>
-        <translation type="unfinished"></translation>
+        <translation>Je drei Punkte wählen…</translation>
     </message>
     <message>
         <source>Save the report…</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht speichern…</translation>
     </message>
     <message>
         <source>Show in its folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Ordner zeigen</translation>
     </message>
     <message>
         <source>Starting…</source>
@@ -928,46 +929,46 @@
     </message>
     <message>
         <source>Try again</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch einmal</translation>
     </message>
     <message>
         <source>Two surfaces are needed: one before, one after.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Oberflächen sind nötig: eine vorher, eine nachher.</translation>
     </message>
     <message>
         <source>Writing the report: {left} left</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht wird geschrieben: noch {left}</translation>
     </message>
     <message>
         <source>Writing the report…</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht wird geschrieben…</translation>
     </message>
     <message>
         <source>Written: {folder}</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschrieben: {folder}</translation>
     </message>
     <message>
         <source>{phase}: {left} left</source>
-        <translation type="unfinished"></translation>
+        <translation>{phase}: noch {left}</translation>
     </message>
 </context>
 <context>
     <name>ComparePage</name>
     <message>
         <source>A surface is an STL, PLY, OBJ, VTP or 3MF file, or a case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Oberfläche ist eine STL-, PLY-, OBJ-, VTP- oder 3MF-Datei oder ein Fall.</translation>
     </message>
     <message>
         <source>After</source>
-        <translation type="unfinished"></translation>
+        <translation>Nachher</translation>
     </message>
     <message>
         <source>Alignment</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausrichtung</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorher</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -975,86 +976,86 @@
     </message>
     <message>
         <source>Findings</source>
-        <translation type="unfinished"></translation>
+        <translation>Befunde</translation>
     </message>
     <message>
         <source>Folder for the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner für den Bericht</translation>
     </message>
     <message>
         <source>Preparing the 3D view…</source>
-        <translation type="unfinished"></translation>
+        <translation>3D-Ansicht wird vorbereitet…</translation>
     </message>
     <message>
         <source>Surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberflächen</translation>
     </message>
     <message>
         <source>Surfaces ({kinds})</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberflächen ({kinds})</translation>
     </message>
     <message>
         <source>The state that everything is compared with</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Zustand, mit dem alles verglichen wird</translation>
     </message>
     <message>
         <source>The state whose changes are shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Zustand, dessen Änderungen gezeigt werden</translation>
     </message>
     <message>
         <source>The surface after</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche nachher</translation>
     </message>
     <message>
         <source>The surface before</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche vorher</translation>
     </message>
     <message>
         <source>There is no 3D view; the numbers stand beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine 3D-Ansicht; die Zahlen stehen daneben.</translation>
     </message>
     <message>
         <source>Two surfaces are compared: the first two files were taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Oberflächen werden verglichen: Die ersten zwei Dateien wurden genommen.</translation>
     </message>
     <message>
         <source>{names}: not read.</source>
-        <translation type="unfinished"></translation>
+        <translation>{names}: nicht gelesen.</translation>
     </message>
 </context>
 <context>
     <name>CompareStage</name>
     <message>
         <source>Blend</source>
-        <translation type="unfinished"></translation>
+        <translation>Mischen</translation>
     </message>
     <message>
         <source>Comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleich</translation>
     </message>
     <message>
         <source>Curtain</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorhang</translation>
     </message>
     <message>
         <source>Cut both: through the chosen area from cheek to tongue, or through the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide schneiden: durch die gewählte Fläche von der Wange zur Zunge oder durch die Mitte</translation>
     </message>
     <message>
         <source>Fit (F)</source>
-        <translation type="unfinished"></translation>
+        <translation>Einpassen (F)</translation>
     </message>
     <message>
         <source>Flicker</source>
-        <translation type="unfinished"></translation>
+        <translation>Wechseln</translation>
     </message>
     <message>
         <source>From before to after</source>
-        <translation type="unfinished"></translation>
+        <translation>Von vorher zu nachher</translation>
     </message>
     <message>
         <source>Frontal (1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Frontal (1)</translation>
     </message>
     <message>
         <source>Left</source>
@@ -1062,27 +1063,27 @@
     </message>
     <message>
         <source>Lingual</source>
-        <translation type="unfinished"></translation>
+        <translation>Lingual</translation>
     </message>
     <message>
         <source>Map</source>
-        <translation type="unfinished"></translation>
+        <translation>Karte</translation>
     </message>
     <message>
         <source>Morph</source>
-        <translation type="unfinished"></translation>
+        <translation>Morphen</translation>
     </message>
     <message>
         <source>Occlusal (7)</source>
-        <translation type="unfinished"></translation>
+        <translation>Okklusal (7)</translation>
     </message>
     <message>
         <source>One surface in place of the other (space bar)</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Oberfläche anstelle der anderen (Leertaste)</translation>
     </message>
     <message>
         <source>Place of the section</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage des Schnitts</translation>
     </message>
     <message>
         <source>Right</source>
@@ -1090,71 +1091,71 @@
     </message>
     <message>
         <source>Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt</translation>
     </message>
     <message>
         <source>Side by side</source>
-        <translation type="unfinished"></translation>
+        <translation>Nebeneinander</translation>
     </message>
     <message>
         <source>Underside</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterseite</translation>
     </message>
 </context>
 <context>
     <name>ComparisonCaptions</name>
     <message>
         <source>After</source>
-        <translation type="unfinished"></translation>
+        <translation>Nachher</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorher</translation>
     </message>
     <message>
         <source>L</source>
-        <translation type="unfinished"></translation>
+        <translation>L</translation>
     </message>
     <message>
         <source>R</source>
-        <translation type="unfinished"></translation>
+        <translation>R</translation>
     </message>
     <message>
         <source>{mm:g} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{mm:g} mm</translation>
     </message>
 </context>
 <context>
     <name>ComparisonTools</name>
     <message>
         <source>no counterpart</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Gegenstück</translation>
     </message>
     <message>
         <source>within ±{mm} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>innerhalb ±{mm} mm</translation>
     </message>
     <message>
         <source>{mm} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{mm} mm</translation>
     </message>
 </context>
 <context>
     <name>Corrections</name>
     <message>
         <source>Correct and check again</source>
-        <translation type="unfinished"></translation>
+        <translation>Berichtigen und neu prüfen</translation>
     </message>
     <message>
         <source>To be corrected</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu berichtigen</translation>
     </message>
 </context>
 <context>
     <name>CoverageMap</name>
     <message>
         <source>{n} of {count} fields covered</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} von {count} Feldern überdeckt</translation>
     </message>
 </context>
 <context>
@@ -1268,35 +1269,35 @@
     <name>CropShape</name>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>What is inside the box stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was im Quader liegt, bleibt.</translation>
     </message>
     <message>
         <source>x from</source>
-        <translation type="unfinished"></translation>
+        <translation>x von</translation>
     </message>
     <message>
         <source>x to</source>
-        <translation type="unfinished"></translation>
+        <translation>x bis</translation>
     </message>
     <message>
         <source>y from</source>
-        <translation type="unfinished"></translation>
+        <translation>y von</translation>
     </message>
     <message>
         <source>y to</source>
-        <translation type="unfinished"></translation>
+        <translation>y bis</translation>
     </message>
     <message>
         <source>z from</source>
-        <translation type="unfinished"></translation>
+        <translation>z von</translation>
     </message>
     <message>
         <source>z to</source>
-        <translation type="unfinished"></translation>
+        <translation>z bis</translation>
     </message>
 </context>
 <context>
@@ -1452,27 +1453,27 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     <name>DeviationLegend</name>
     <message>
         <source>after against before, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>nachher gegen vorher, mm</translation>
     </message>
     <message>
         <source>no counterpart</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Gegenstück</translation>
     </message>
     <message>
         <source>outward +</source>
-        <translation type="unfinished"></translation>
+        <translation>nach außen +</translation>
     </message>
     <message>
         <source>within ±{mm} mm: not detectable</source>
-        <translation type="unfinished"></translation>
+        <translation>innerhalb ±{mm} mm: nicht nachweisbar</translation>
     </message>
     <message>
         <source>±{mm} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>±{mm} mm</translation>
     </message>
     <message>
         <source>− inward</source>
-        <translation type="unfinished"></translation>
+        <translation>− nach innen</translation>
     </message>
 </context>
 <context>
@@ -1487,162 +1488,162 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>Controller</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerung</translation>
     </message>
     <message>
         <source>Devices</source>
-        <translation type="unfinished"></translation>
+        <translation>Geräte</translation>
     </message>
     <message>
         <source>Ends the alarm; nothing moves, and the position may be lost</source>
-        <translation type="unfinished"></translation>
+        <translation>Beendet den Alarm; nichts bewegt sich, und die Position kann verloren sein</translation>
     </message>
     <message>
         <source>Find reference</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenz suchen</translation>
     </message>
     <message>
         <source>It is opened again by itself when it is back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wird von selbst wieder geöffnet, sobald es zurück ist.</translation>
     </message>
     <message>
         <source>Laser</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser</translation>
     </message>
     <message>
         <source>Take it off the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus der Liste nehmen</translation>
     </message>
     <message>
         <source>The axes move until they find their switches; nobody may reach into the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Achsen fahren, bis sie ihre Schalter finden; niemand darf in den Messplatz greifen</translation>
     </message>
     <message>
         <source>The last 200 lines to and from the controller</source>
-        <translation type="unfinished"></translation>
+        <translation>Die letzten 200 Zeilen von und zur Steuerung</translation>
     </message>
     <message>
         <source>Transcript…</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitschrift…</translation>
     </message>
     <message>
         <source>Try again</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch einmal</translation>
     </message>
     <message>
         <source>Turntable</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehteller</translation>
     </message>
     <message>
         <source>Unlock</source>
-        <translation type="unfinished"></translation>
+        <translation>Entriegeln</translation>
     </message>
     <message>
         <source>alarm</source>
-        <translation type="unfinished"></translation>
+        <translation>Alarm</translation>
     </message>
     <message>
         <source>as the controller reports it</source>
-        <translation type="unfinished"></translation>
+        <translation>wie die Steuerung meldet</translation>
     </message>
     <message>
         <source>axes {letters}</source>
-        <translation type="unfinished"></translation>
+        <translation>Achsen {letters}</translation>
     </message>
     <message>
         <source>door open</source>
-        <translation type="unfinished"></translation>
+        <translation>Tür offen</translation>
     </message>
     <message>
         <source>emitting</source>
-        <translation type="unfinished"></translation>
+        <translation>leuchtet</translation>
     </message>
     <message>
         <source>finding its reference…</source>
-        <translation type="unfinished"></translation>
+        <translation>sucht seine Referenz…</translation>
     </message>
     <message>
         <source>free running</source>
-        <translation type="unfinished"></translation>
+        <translation>frei laufend</translation>
     </message>
     <message>
         <source>hardware trigger</source>
-        <translation type="unfinished"></translation>
+        <translation>Hardware-Trigger</translation>
     </message>
     <message>
         <source>held</source>
-        <translation type="unfinished"></translation>
+        <translation>gehalten</translation>
     </message>
     <message>
         <source>homing</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenzfahrt</translation>
     </message>
     <message>
         <source>idle</source>
-        <translation type="unfinished"></translation>
+        <translation>ruht</translation>
     </message>
     <message>
         <source>laser mode off</source>
-        <translation type="unfinished"></translation>
+        <translation>Lasermodus aus</translation>
     </message>
     <message>
         <source>laser mode on</source>
-        <translation type="unfinished"></translation>
+        <translation>Lasermodus an</translation>
     </message>
     <message>
         <source>moving</source>
-        <translation type="unfinished"></translation>
+        <translation>fährt</translation>
     </message>
     <message>
         <source>not available</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht verfügbar</translation>
     </message>
     <message>
         <source>not open</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht offen</translation>
     </message>
     <message>
         <source>off</source>
-        <translation type="unfinished"></translation>
+        <translation>aus</translation>
     </message>
     <message>
         <source>opening…</source>
-        <translation type="unfinished"></translation>
+        <translation>wird geöffnet…</translation>
     </message>
     <message>
         <source>position unknown: find the reference</source>
-        <translation type="unfinished"></translation>
+        <translation>Position unbekannt: Referenz suchen</translation>
     </message>
     <message>
         <source>ready</source>
-        <translation type="unfinished"></translation>
+        <translation>bereit</translation>
     </message>
     <message>
         <source>ready, not as asked</source>
-        <translation type="unfinished"></translation>
+        <translation>bereit, nicht wie verlangt</translation>
     </message>
     <message>
         <source>software trigger</source>
-        <translation type="unfinished"></translation>
+        <translation>Software-Trigger</translation>
     </message>
     <message>
         <source>stopped</source>
-        <translation type="unfinished"></translation>
+        <translation>gestoppt</translation>
     </message>
     <message>
         <source>take it for lit: the controller reports nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>als leuchtend ansehen: Die Steuerung meldet nichts</translation>
     </message>
     <message>
         <source>unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>unbekannt</translation>
     </message>
 </context>
 <context>
     <name>DistanceChart</name>
     <message>
         <source>95 % {length}</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % {length}</translation>
     </message>
     <message>
         <source>Distance of the points from the surface</source>
@@ -1650,46 +1651,46 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>Half of the points are nearer to the surface than the first mark, 95 of 100 nearer than the second.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Hälfte der Punkte liegt näher an der Oberfläche als die erste Marke, 95 von 100 näher als die zweite.</translation>
     </message>
     <message>
         <source>Half of the points are within {median} of the surface, 95 of 100 within {p95}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Hälfte der Punkte liegt innerhalb {median} zur Oberfläche, 95 von 100 innerhalb {p95}.</translation>
     </message>
     <message>
         <source>half {length}</source>
-        <translation type="unfinished"></translation>
+        <translation>Hälfte {length}</translation>
     </message>
 </context>
 <context>
     <name>DropTarget</name>
     <message>
         <source>Choose a file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei wählen…</translation>
     </message>
     <message>
         <source>Drop a file here</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei hierher ziehen</translation>
     </message>
     <message>
         <source>Reading…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird gelesen…</translation>
     </message>
     <message>
         <source>Recent cases</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzte Fälle</translation>
     </message>
     <message>
         <source>STL, PLY, OBJ, VTP, 3MF, or a case</source>
-        <translation type="unfinished"></translation>
+        <translation>STL, PLY, OBJ, VTP, 3MF oder ein Fall</translation>
     </message>
     <message>
         <source>The open case</source>
-        <translation type="unfinished"></translation>
+        <translation>Der offene Fall</translation>
     </message>
     <message>
         <source>{n} triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} Dreiecke</translation>
     </message>
 </context>
 <context>
@@ -1743,116 +1744,116 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     <name>FaultPanel</name>
     <message>
         <source> s from now</source>
-        <translation type="unfinished"></translation>
+        <translation> s ab jetzt</translation>
     </message>
     <message>
         <source>Fault</source>
-        <translation type="unfinished"></translation>
+        <translation>Störung</translation>
     </message>
     <message>
         <source>Let it happen</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschehen lassen</translation>
     </message>
     <message>
         <source>Let something go wrong…</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwas schiefgehen lassen…</translation>
     </message>
     <message>
         <source>Opens the virtual rig anew</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnet den virtuellen Messplatz neu</translation>
     </message>
     <message>
         <source>Put everything right</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles in Ordnung bringen</translation>
     </message>
     <message>
         <source>So far: {faults}</source>
-        <translation type="unfinished"></translation>
+        <translation>Bisher: {faults}</translation>
     </message>
     <message>
         <source>now</source>
-        <translation type="unfinished"></translation>
+        <translation>jetzt</translation>
     </message>
     <message>
         <source>{fault} in {n} s</source>
-        <translation type="unfinished"></translation>
+        <translation>{fault} in {n} s</translation>
     </message>
     <message>
         <source>{happens}. The program {expected}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{happens}. Das Programm: {expected}.</translation>
     </message>
     <message>
         <source>{n} before</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} zuvor</translation>
     </message>
 </context>
 <context>
     <name>FileDialog</name>
     <message>
         <source>Replace it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ersetzen</translation>
     </message>
     <message>
         <source>There is no such file:</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Datei gibt es nicht:</translation>
     </message>
     <message>
         <source>This file exists:</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Datei gibt es schon:</translation>
     </message>
 </context>
 <context>
     <name>FileNameLine</name>
     <message>
         <source>Both files would have one name: put {side} into the template.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Dateien hießen gleich: {side} in die Vorlage setzen.</translation>
     </message>
     <message>
         <source>Change the file names…</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateinamen ändern…</translation>
     </message>
     <message>
         <source>In braces: {fields}</source>
-        <translation type="unfinished"></translation>
+        <translation>In Klammern: {fields}</translation>
     </message>
     <message>
         <source>Template of the file names</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorlage der Dateinamen</translation>
     </message>
     <message>
         <source>The patient code may stand in file names</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Patientencode darf in Dateinamen stehen</translation>
     </message>
     <message>
         <source>There is no field {unknown}; the fields are {fields}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt kein Feld {unknown}; die Felder sind {fields}.</translation>
     </message>
     <message>
         <source>{field} is left out: no patient in file names unless that is switched on below.</source>
-        <translation type="unfinished"></translation>
+        <translation>{field} fehlt: kein Patient in Dateinamen, außer es wird unten erlaubt.</translation>
     </message>
 </context>
 <context>
     <name>FindStep</name>
     <message>
         <source>Cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameras</translation>
     </message>
     <message>
         <source>Controller</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerung</translation>
     </message>
     <message>
         <source>Exchange left and right</source>
-        <translation type="unfinished"></translation>
+        <translation>Links und rechts tauschen</translation>
     </message>
     <message>
         <source>How both cameras are wanted</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie beide Kameras gewünscht sind</translation>
     </message>
     <message>
         <source>Left and right as seen from behind the cameras. Wave a hand before one: its picture moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Links und rechts, von hinter den Kameras gesehen. Eine Hand vor eine halten: Ihr Bild bewegt sich.</translation>
     </message>
     <message>
         <source>Looking…</source>
@@ -1860,209 +1861,209 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>No camera was found on this machine. Plug both cameras in, each into a USB port of its own, and look again.</source>
-        <translation type="unfinished"></translation>
+        <translation>An diesem Rechner wurde keine Kamera gefunden. Beide Kameras einstecken, jede an ihren eigenen USB-Anschluss, und neu suchen.</translation>
     </message>
     <message>
         <source>No serial port was found on this machine. Plug the controller in by USB, switch it on, and look again.</source>
-        <translation type="unfinished"></translation>
+        <translation>An diesem Rechner wurde kein serieller Anschluss gefunden. Die Steuerung per USB einstecken, einschalten und neu suchen.</translation>
     </message>
     <message>
         <source>None of these ports can move the rig: see what each of them says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keiner dieser Anschlüsse kann den Messplatz bewegen: ansehen, was jeder meldet.</translation>
     </message>
     <message>
         <source>Plug both cameras in, each into a USB port of its own and not into a common hub.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Kameras einstecken, jede an ihren eigenen USB-Anschluss, nicht an einen gemeinsamen Hub.</translation>
     </message>
     <message>
         <source>Plug the controller of laser and turntable in by USB, and switch it on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung von Laser und Drehteller per USB einstecken und einschalten.</translation>
     </message>
     <message>
         <source>Take the lens caps off, and close other programs that use the cameras or the port.</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektivdeckel abnehmen und andere Programme schließen, die Kameras oder Anschluss benutzen.</translation>
     </message>
     <message>
         <source>The rig needs two cameras that give pictures: see what each of them says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Messplatz braucht zwei Kameras, die Bilder liefern: ansehen, was jede meldet.</translation>
     </message>
     <message>
         <source>Then look for devices, below. Without any, everything here can be tried on the virtual rig, which is always found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dann unten nach Geräten suchen. Ohne Geräte lässt sich hier alles am virtuellen Messplatz ausprobieren, der immer gefunden wird.</translation>
     </message>
     <message>
         <source>Try it on the virtual rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Am virtuellen Messplatz probieren</translation>
     </message>
     <message>
         <source>What is plugged in?</source>
-        <translation type="unfinished"></translation>
+        <translation>Was ist eingesteckt?</translation>
     </message>
 </context>
 <context>
     <name>FindingsPanel</name>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>95 % below</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % unter</translation>
     </message>
     <message>
         <source>99 % below</source>
-        <translation type="unfinished"></translation>
+        <translation>99 % unter</translation>
     </message>
     <message>
         <source>Above {n} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Über {n} mm</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinzufügen</translation>
     </message>
     <message>
         <source>Areas</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächen</translation>
     </message>
     <message>
         <source>Click it: the mark grows to its edge, and its motion is told</source>
-        <translation type="unfinished"></translation>
+        <translation>Anklicken: Die Marke wächst bis zu seinem Rand, und seine Bewegung wird genannt</translation>
     </message>
     <message>
         <source>Detection level here</source>
-        <translation type="unfinished"></translation>
+        <translation>Nachweisgrenze hier</translation>
     </message>
     <message>
         <source>Detection level of the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Nachweisgrenze des Messplatzes</translation>
     </message>
     <message>
         <source>From which change on it matters: the line on the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Ab welcher Änderung es zählt: die Linie auf der Karte</translation>
     </message>
     <message>
         <source>Greatest</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte</translation>
     </message>
     <message>
         <source>Half below</source>
-        <translation type="unfinished"></translation>
+        <translation>Hälfte unter</translation>
     </message>
     <message>
         <source>Hausdorff of counterparts, after to before</source>
-        <translation type="unfinished"></translation>
+        <translation>Hausdorff der Gegenstücke, nachher zu vorher</translation>
     </message>
     <message>
         <source>Hausdorff of counterparts, before to after</source>
-        <translation type="unfinished"></translation>
+        <translation>Hausdorff der Gegenstücke, vorher zu nachher</translation>
     </message>
     <message>
         <source>Mark a tooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahn markieren</translation>
     </message>
     <message>
         <source>Mean, signed</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittel, vorzeichenbehaftet</translation>
     </message>
     <message>
         <source>No area of {area} mm² or more differs by more than {n} mm (smoothed). The map shows smaller differences.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Fläche von {area} mm² oder mehr weicht um mehr als {n} mm ab (geglättet). Die Karte zeigt kleinere Unterschiede.</translation>
     </message>
     <message>
         <source>Numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen</translation>
     </message>
     <message>
         <source>Remove the mark</source>
-        <translation type="unfinished"></translation>
+        <translation>Marke entfernen</translation>
     </message>
     <message>
         <source>Take off</source>
-        <translation type="unfinished"></translation>
+        <translation>Wegnehmen</translation>
     </message>
     <message>
         <source>Threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwelle</translation>
     </message>
     <message>
         <source>Which jaw?</source>
-        <translation type="unfinished"></translation>
+        <translation>Welcher Kiefer?</translation>
     </message>
     <message>
         <source>Without counterpart</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Gegenstück</translation>
     </message>
     <message>
         <source>areas</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächen</translation>
     </message>
     <message>
         <source>mm detectable</source>
-        <translation type="unfinished"></translation>
+        <translation>mm nachweisbar</translation>
     </message>
     <message>
         <source>mm² above threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>mm² über Schwelle</translation>
     </message>
     <message>
         <source>mm² above {n} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm² über {n} mm</translation>
     </message>
     <message>
         <source>rms</source>
-        <translation type="unfinished"></translation>
+        <translation>rms</translation>
     </message>
     <message>
         <source>{n} %</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} %</translation>
     </message>
     <message>
         <source>{n} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} mm</translation>
     </message>
     <message>
         <source>{n} mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} mm²</translation>
     </message>
 </context>
 <context>
     <name>HelpPanel</name>
     <message>
         <source>? shows all keys</source>
-        <translation type="unfinished"></translation>
+        <translation>? zeigt alle Tasten</translation>
     </message>
     <message>
         <source>Close the help</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe schließen</translation>
     </message>
     <message>
         <source>Close the help (F1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe schließen (F1)</translation>
     </message>
     <message>
         <source>Go to a control with Tab: what it does is said here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit Tab zu einem Bedienelement gehen: Was es tut, steht dann hier.</translation>
     </message>
     <message>
         <source>Help</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe</translation>
     </message>
     <message>
         <source>What is this?</source>
-        <translation type="unfinished"></translation>
+        <translation>Was ist das?</translation>
     </message>
     <message>
         <source>What the numbers mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Zahlen bedeuten</translation>
     </message>
     <message>
         <source>What this page is for</source>
-        <translation type="unfinished"></translation>
+        <translation>Wozu diese Seite da ist</translation>
     </message>
     <message>
         <source>What to do now</source>
-        <translation type="unfinished"></translation>
+        <translation>Was jetzt zu tun ist</translation>
     </message>
 </context>
 <context>
@@ -2136,35 +2137,35 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>An ear on the virtual rig: nothing has to be connected, and nothing is overwritten</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Ohr am virtuellen Messplatz: Nichts muss angeschlossen sein, und nichts wird überschrieben</translation>
     </message>
     <message>
         <source>Change</source>
-        <translation type="unfinished"></translation>
+        <translation>Ändern</translation>
     </message>
     <message>
         <source>Change the order</source>
-        <translation type="unfinished"></translation>
+        <translation>Auftrag ändern</translation>
     </message>
     <message>
         <source>Left and right: two cases with one order number</source>
-        <translation type="unfinished"></translation>
+        <translation>Links und rechts: zwei Fälle mit einer Auftragsnummer</translation>
     </message>
     <message>
         <source>New dental model</source>
-        <translation type="unfinished"></translation>
+        <translation>Neues Dentalmodell</translation>
     </message>
     <message>
         <source>New ear impression</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Ohrabformung</translation>
     </message>
     <message>
         <source>New ear pair</source>
-        <translation type="unfinished"></translation>
+        <translation>Neues Ohrpaar</translation>
     </message>
     <message>
         <source>Open now</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt offen</translation>
     </message>
     <message>
         <source>Rig</source>
@@ -2172,38 +2173,38 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>Try a demo order</source>
-        <translation type="unfinished"></translation>
+        <translation>Demo-Auftrag ausprobieren</translation>
     </message>
     <message>
         <source>{rig}, virtual; on the table: {specimen}</source>
-        <translation type="unfinished"></translation>
+        <translation>{rig}, virtuell; auf dem Teller: {specimen}</translation>
     </message>
 </context>
 <context>
     <name>InterruptedStrip</name>
     <message>
         <source>A fault ended it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Störung beendete ihn.</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwerfen</translation>
     </message>
     <message>
         <source>Keep what is there</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorhandenes behalten</translation>
     </message>
     <message>
         <source>Leave it out of the case; nothing is deleted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht in den Fall nehmen; nichts wird gelöscht.</translation>
     </message>
     <message>
         <source>Nothing was deleted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gelöscht.</translation>
     </message>
     <message>
         <source>Put the same object back: known points are measured again, and only what is missing is scanned.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dasselbe Objekt zurückstellen: Bekannte Punkte werden noch einmal gemessen, und nur das Fehlende wird gescannt.</translation>
     </message>
     <message>
         <source>Resume</source>
@@ -2211,31 +2212,31 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>Take what was measured for the whole, and open the case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gemessene als Ganzes nehmen und den Fall öffnen.</translation>
     </message>
     <message>
         <source>The program ended in the middle of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Programm endete mittendrin.</translation>
     </message>
     <message>
         <source>The scan of {order} did not come to its end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Scan von {order} kam nicht zu Ende.</translation>
     </message>
     <message>
         <source>The scan of {order} was discarded.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Scan von {order} wurde verworfen.</translation>
     </message>
     <message>
         <source>There are {n} more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt {n} weitere.</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig</translation>
     </message>
     <message>
         <source>{measured} of {wanted} points, {done} of {views} views complete; begun {when}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{measured} von {wanted} Punkten, {done} von {views} Ansichten vollständig; begonnen {when}.</translation>
     </message>
 </context>
 <context>
@@ -2262,7 +2263,7 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>Show the spot</source>
-        <translation type="unfinished"></translation>
+        <translation>Laserpunkt zeigen</translation>
     </message>
     <message>
         <source>Steps of {n} degrees</source>
@@ -2270,11 +2271,11 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>Stop moving</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegung stoppen</translation>
     </message>
     <message>
         <source>Table</source>
-        <translation type="unfinished"></translation>
+        <translation>Teller</translation>
     </message>
     <message>
         <source>Table clockwise</source>
@@ -2289,102 +2290,102 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     <name>Legend</name>
     <message>
         <source>Age</source>
-        <translation type="unfinished"></translation>
+        <translation>Alter</translation>
     </message>
     <message>
         <source>Colours: {name}, {low} to {high}</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben: {name}, {low} bis {high}</translation>
     </message>
     <message>
         <source>Density, points/mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>Dichte, Punkte/mm²</translation>
     </message>
     <message>
         <source>Epipolar residual, σ</source>
-        <translation type="unfinished"></translation>
+        <translation>Epipolarfehler, σ</translation>
     </message>
     <message>
         <source>Height, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe, mm</translation>
     </message>
     <message>
         <source>Points by</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte nach</translation>
     </message>
     <message>
         <source>Standard uncertainty, µm</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardunsicherheit, µm</translation>
     </message>
     <message>
         <source>Support by points</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Punkten belegt</translation>
     </message>
     <message>
         <source>Surface by</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche nach</translation>
     </message>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht</translation>
     </message>
     <message>
         <source>What the colours mean; click to choose  (K: the next one)</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Farben bedeuten; Klick zum Wählen  (K: die nächste)</translation>
     </message>
     <message>
         <source>filled in</source>
-        <translation type="unfinished"></translation>
+        <translation>überbrückt</translation>
     </message>
     <message>
         <source>measured</source>
-        <translation type="unfinished"></translation>
+        <translation>gemessen</translation>
     </message>
     <message>
         <source>newest</source>
-        <translation type="unfinished"></translation>
+        <translation>neueste</translation>
     </message>
     <message>
         <source>not known</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht bekannt</translation>
     </message>
     <message>
         <source>oldest</source>
-        <translation type="unfinished"></translation>
+        <translation>älteste</translation>
     </message>
     <message>
         <source>{n} and more</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} und mehr</translation>
     </message>
     <message>
         <source>{n} s ago</source>
-        <translation type="unfinished"></translation>
+        <translation>vor {n} s</translation>
     </message>
 </context>
 <context>
     <name>LiveSurface</name>
     <message>
         <source>No surface yet: some parts are too thin so far</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Oberfläche: Manche Teile sind bisher zu dünn belegt</translation>
     </message>
     <message>
         <source>No surface yet: the body has a hole right through it</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Oberfläche: Der Körper hat ein Loch, das hindurchgeht</translation>
     </message>
     <message>
         <source>No surface yet: the points make no body</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Oberfläche: Die Punkte ergeben keinen Körper</translation>
     </message>
     <message>
         <source>No surface yet: too few points</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Oberfläche: zu wenige Punkte</translation>
     </message>
     <message>
         <source>Surface so far: {share} % scanned, nets are holes</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche bisher: {share} % gescannt, Netze sind Lücken</translation>
     </message>
     <message>
         <source>The live surface has ended; the scan goes on without it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Live-Oberfläche ist beendet; der Scan geht ohne sie weiter.</translation>
     </message>
 </context>
 <context>
@@ -2403,31 +2404,31 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>Both ears are measured: {left} points on the left one, {right} on the right one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Ohren sind gemessen: {left} Punkte auf dem linken, {right} auf dem rechten.</translation>
     </message>
     <message>
         <source>Cases (*.impronta)</source>
-        <translation type="unfinished"></translation>
+        <translation>Fälle (*.impronta)</translation>
     </message>
     <message>
         <source>Each is an order of its own now; both stand in the worklist.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes ist jetzt ein eigener Auftrag; beide stehen in der Arbeitsliste.</translation>
     </message>
     <message>
         <source>It is kept in its case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie ist in ihrem Fall gesichert.</translation>
     </message>
     <message>
         <source>Open a case</source>
-        <translation type="unfinished"></translation>
+        <translation>Fall öffnen</translation>
     </message>
     <message>
         <source>Open it</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>The surface of {case} is done.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche von {case} ist fertig.</translation>
     </message>
     <message>
         <source>Wait for its end or stop it first (Esc).</source>
@@ -2438,19 +2439,19 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     <name>MeasurePanel</name>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Across x</source>
-        <translation type="unfinished"></translation>
+        <translation>Quer zu x</translation>
     </message>
     <message>
         <source>Across y</source>
-        <translation type="unfinished"></translation>
+        <translation>Quer zu y</translation>
     </message>
     <message>
         <source>Canal</source>
-        <translation type="unfinished"></translation>
+        <translation>Gehörgang</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -2458,67 +2459,67 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>Click a place, or move the plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Stelle anklicken oder die Ebene verschieben.</translation>
     </message>
     <message>
         <source>Click the second place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die zweite Stelle anklicken.</translation>
     </message>
     <message>
         <source>Click two places on the surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Stellen auf der Oberfläche anklicken.</translation>
     </message>
     <message>
         <source>Click two points. Sections, canal and volume are measured on the surface: reconstruct it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Punkte anklicken. Schnitte, Gehörgang und Volumen werden an der Oberfläche gemessen: Zuerst rekonstruieren.</translation>
     </message>
     <message>
         <source>Copy as text</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Text kopieren</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand</translation>
     </message>
     <message>
         <source>From the highest point, or click the tip of the canal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vom höchsten Punkt, oder die Gehörgangspitze anklicken.</translation>
     </message>
     <message>
         <source>Keep this section</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Schnitt behalten</translation>
     </message>
     <message>
         <source>Level</source>
-        <translation type="unfinished"></translation>
+        <translation>Waagrecht</translation>
     </message>
     <message>
         <source>Measure the canal</source>
-        <translation type="unfinished"></translation>
+        <translation>Gehörgang messen</translation>
     </message>
     <message>
         <source>Measure the volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen messen</translation>
     </message>
     <message>
         <source>Measured</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessen</translation>
     </message>
     <message>
         <source>Measuring…</source>
-        <translation type="unfinished"></translation>
+        <translation>Misst…</translation>
     </message>
     <message>
         <source>No canal was found there. Click the tip of the canal on the surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dort wurde kein Gehörgang gefunden. Die Gehörgangspitze auf der Oberfläche anklicken.</translation>
     </message>
     <message>
         <source>Nothing yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nichts.</translation>
     </message>
     <message>
         <source>Place</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -2526,7 +2527,7 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>Remove measurement {n}</source>
-        <translation type="unfinished"></translation>
+        <translation>Messung {n} entfernen</translation>
     </message>
     <message>
         <source>Scan an object or open a case first.</source>
@@ -2534,27 +2535,27 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt</translation>
     </message>
     <message>
         <source>The surface is not closed, so it encloses no volume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche ist nicht geschlossen, sie umschließt also kein Volumen.</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen</translation>
     </message>
     <message>
         <source>What the closed surface encloses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die geschlossene Oberfläche umschließt.</translation>
     </message>
     <message>
         <source>mm perimeter</source>
-        <translation type="unfinished"></translation>
+        <translation>mm Umfang</translation>
     </message>
     <message>
         <source>mm² area</source>
-        <translation type="unfinished"></translation>
+        <translation>mm² Fläche</translation>
     </message>
     <message>
         <source>{told}. Of another surface than the one that is shown.</source>
@@ -2565,11 +2566,11 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     <name>MountsPage</name>
     <message>
         <source>1  Set the object down anew</source>
-        <translation type="unfinished"></translation>
+        <translation>1  Das Objekt neu aufstellen</translation>
     </message>
     <message>
         <source>2  Scan it into the same case</source>
-        <translation type="unfinished"></translation>
+        <translation>2  In denselben Fall scannen</translation>
     </message>
     <message>
         <source>Another mount</source>
@@ -2581,23 +2582,23 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>How the mounts lie</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Aufstellungen liegen</translation>
     </message>
     <message>
         <source>Leave about half of what was scanned in sight, near the middle of the table, and see that nothing wobbles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwa die Hälfte des Gescannten sichtbar lassen, nahe der Tellermitte, und darauf achten, dass nichts wackelt.</translation>
     </message>
     <message>
         <source>Look again how they lie</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage noch einmal suchen</translation>
     </message>
     <message>
         <source>Looking how the mounts lie on each other…</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesucht wird, wie die Aufstellungen aufeinander liegen…</translation>
     </message>
     <message>
         <source>Nothing is lost: all points are kept in the case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts ist verloren: Alle Punkte sind im Fall gesichert.</translation>
     </message>
     <message>
         <source>Pick three points</source>
@@ -2609,7 +2610,7 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>Registration</source>
-        <translation type="unfinished"></translation>
+        <translation>Registrierung</translation>
     </message>
     <message>
         <source>Scan another mount</source>
@@ -2617,105 +2618,105 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>Scan this mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Aufstellung scannen</translation>
     </message>
     <message>
         <source>The points of the earlier mounts stay (Shift+F9)</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte der früheren Aufstellungen bleiben (Umschalt+F9)</translation>
     </message>
     <message>
         <source>Tip it by 60 to 90° or turn it over, so that what was hidden comes into view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um 60 bis 90° kippen oder umdrehen, damit Verdecktes sichtbar wird.</translation>
     </message>
     <message>
         <source>Tip the virtual object</source>
-        <translation type="unfinished"></translation>
+        <translation>Virtuelles Objekt kippen</translation>
     </message>
 </context>
 <context>
     <name>OrderForm</name>
     <message>
         <source>Back to the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zur Liste</translation>
     </message>
     <message>
         <source>Ctrl+Enter</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg+Eingabe</translation>
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished"></translation>
+        <translation>Fertig</translation>
     </message>
     <message>
         <source>Every change is kept in the case, and can be undone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Änderung wird im Fall gesichert und lässt sich rückgängig machen.</translation>
     </message>
     <message>
         <source>File names</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateinamen</translation>
     </message>
     <message>
         <source>Keep it in the list</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Liste lassen</translation>
     </message>
     <message>
         <source>Make both orders, scan the first</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Aufträge anlegen, ersten scannen</translation>
     </message>
     <message>
         <source>Make the order and scan</source>
-        <translation type="unfinished"></translation>
+        <translation>Auftrag anlegen und scannen</translation>
     </message>
     <message>
         <source>New order</source>
-        <translation type="unfinished"></translation>
+        <translation>Neuer Auftrag</translation>
     </message>
     <message>
         <source>Order</source>
-        <translation type="unfinished"></translation>
+        <translation>Auftrag</translation>
     </message>
     <message>
         <source>Order number</source>
-        <translation type="unfinished"></translation>
+        <translation>Auftragsnummer</translation>
     </message>
     <message>
         <source>Patient code</source>
-        <translation type="unfinished"></translation>
+        <translation>Patientencode</translation>
     </message>
     <message>
         <source>Side</source>
-        <translation type="unfinished"></translation>
+        <translation>Seite</translation>
     </message>
     <message>
         <source>The order has no number yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Auftrag hat noch keine Nummer.</translation>
     </message>
     <message>
         <source>Type</source>
-        <translation type="unfinished"></translation>
+        <translation>Typ</translation>
     </message>
     <message>
         <source>Which jaw is it?</source>
-        <translation type="unfinished"></translation>
+        <translation>Welcher Kiefer ist es?</translation>
     </message>
     <message>
         <source>Which side is it?</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Seite ist es?</translation>
     </message>
     <message>
         <source>a code, not the name</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Code, nicht der Name</translation>
     </message>
     <message>
         <source>as on the order form</source>
-        <translation type="unfinished"></translation>
+        <translation>wie auf dem Auftragsschein</translation>
     </message>
 </context>
 <context>
     <name>OrderList</name>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>Orders</source>
@@ -2723,7 +2724,7 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>Remove from the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus der Liste entfernen</translation>
     </message>
 </context>
 <context>
@@ -2734,46 +2735,46 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>How many times the usual distance to its neighbours a point may lie off them</source>
-        <translation type="unfinished"></translation>
+        <translation>Um das Wievielfache des üblichen Abstands zu seinen Nachbarn ein Punkt neben ihnen liegen darf</translation>
     </message>
     <message>
         <source>Limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenze</translation>
     </message>
     <message>
         <source>Looking at every point</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Punkte werden geprüft</translation>
     </message>
     <message>
         <source>Points that are far from their neighbours, off their surface, or in a small group of their own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte weit weg von ihren Nachbarn, neben deren Oberfläche oder in einer kleinen Gruppe für sich.</translation>
     </message>
 </context>
 <context>
     <name>PickPage</name>
     <message>
         <source>All mounts lie together; there is nothing to pick.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Aufstellungen liegen aufeinander; es gibt nichts zu wählen.</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>Click place {n} of three on the left, then the same place on the right; far from each other and easy to tell.</source>
-        <translation type="unfinished"></translation>
+        <translation>Links die Stelle {n} von drei anklicken, dann dieselbe rechts; weit voneinander und leicht zu erkennen.</translation>
     </message>
     <message>
         <source>It did not fit from these points. Take the last one back, or start again with places that you are sure of.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von diesen Punkten aus passte es nicht. Den letzten zurücknehmen oder mit sicheren Stellen neu beginnen.</translation>
     </message>
     <message>
         <source>Looking whether the mounts fit from there…</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüft, ob die Aufstellungen von dort aus passen…</translation>
     </message>
     <message>
         <source>Now click the same place {n} on the right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt dieselbe Stelle {n} rechts anklicken.</translation>
     </message>
     <message>
         <source>Pick three points</source>
@@ -2781,270 +2782,270 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>Points of the mount to be joined</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte der Aufstellung, die hinzukommen soll</translation>
     </message>
     <message>
         <source>Points of the mounts that lie together</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte der Aufstellungen, die aufeinander liegen</translation>
     </message>
     <message>
         <source>Preparing the 3D view…</source>
-        <translation type="unfinished"></translation>
+        <translation>3D-Ansicht wird vorbereitet…</translation>
     </message>
     <message>
         <source>Start again</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu beginnen</translation>
     </message>
     <message>
         <source>Take the last point back (Ctrl+Z)</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzten Punkt zurücknehmen (Strg+Z)</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig</translation>
     </message>
     <message>
         <source>Where it is known</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo es bekannt ist</translation>
     </message>
 </context>
 <context>
     <name>PickView</name>
     <message>
         <source>Turn it with the arrow keys, come nearer with plus and minus, pick the point in the middle with the space bar.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit den Pfeiltasten drehen, mit Plus und Minus nähern, den Punkt in der Mitte mit der Leertaste wählen.</translation>
     </message>
 </context>
 <context>
     <name>PlaceEntry</name>
     <message>
         <source>✓ Accepted as it is: {why}</source>
-        <translation type="unfinished"></translation>
+        <translation>✓ So angenommen: {why}</translation>
     </message>
 </context>
 <context>
     <name>PlaceList</name>
     <message>
         <source>Places that are not as certain as wanted</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellen, die nicht so sicher sind wie gewünscht</translation>
     </message>
 </context>
 <context>
     <name>PlanBar</name>
     <message>
         <source>Plan: {done} of {count} views are done</source>
-        <translation type="unfinished"></translation>
+        <translation>Plan: {done} von {count} Ansichten sind fertig</translation>
     </message>
     <message>
         <source>View {number} at {angle:.0f}°: {state}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht {number} bei {angle:.0f}°: {state}</translation>
     </message>
     <message>
         <source>being measured</source>
-        <translation type="unfinished"></translation>
+        <translation>wird gemessen</translation>
     </message>
     <message>
         <source>done</source>
-        <translation type="unfinished"></translation>
+        <translation>fertig</translation>
     </message>
     <message>
         <source>far fewer points than its neighbours</source>
-        <translation type="unfinished"></translation>
+        <translation>weit weniger Punkte als ihre Nachbarn</translation>
     </message>
     <message>
         <source>to come</source>
-        <translation type="unfinished"></translation>
+        <translation>folgt</translation>
     </message>
     <message>
         <source>will be measured once more</source>
-        <translation type="unfinished"></translation>
+        <translation>wird noch einmal gemessen</translation>
     </message>
     <message>
         <source>{points} of {wanted} points, {rejected} rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} von {wanted} Punkten, {rejected} verworfen</translation>
     </message>
     <message>
         <source>{points} points, {rejected} rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} Punkte, {rejected} verworfen</translation>
     </message>
     <message>
         <source>{told}; measured twice</source>
-        <translation type="unfinished"></translation>
+        <translation>{told}; zweimal gemessen</translation>
     </message>
 </context>
 <context>
     <name>PointsPanel</name>
     <message>
         <source>Also what lies behind</source>
-        <translation type="unfinished"></translation>
+        <translation>Auch, was dahinter liegt</translation>
     </message>
     <message>
         <source>Box</source>
-        <translation type="unfinished"></translation>
+        <translation>Quader</translation>
     </message>
     <message>
         <source>Bring all back</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle zurückholen</translation>
     </message>
     <message>
         <source>Bring points back instead</source>
-        <translation type="unfinished"></translation>
+        <translation>Stattdessen Punkte zurückholen</translation>
     </message>
     <message>
         <source>Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinsel</translation>
     </message>
     <message>
         <source>Crop</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuschneiden</translation>
     </message>
     <message>
         <source>Cut the base</source>
-        <translation type="unfinished"></translation>
+        <translation>Basis abschneiden</translation>
     </message>
     <message>
         <source>Invert</source>
-        <translation type="unfinished"></translation>
+        <translation>Umkehren</translation>
     </message>
     <message>
         <source>Lasso</source>
-        <translation type="unfinished"></translation>
+        <translation>Lasso</translation>
     </message>
     <message>
         <source>Many at once</source>
-        <translation type="unfinished"></translation>
+        <translation>Viele auf einmal</translation>
     </message>
     <message>
         <source>On the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Bild</translation>
     </message>
     <message>
         <source>Otherwise only what is in front, as it is seen, is taken</source>
-        <translation type="unfinished"></translation>
+        <translation>Sonst wird nur genommen, was vorne zu sehen ist</translation>
     </message>
     <message>
         <source>Outliers</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausreißer</translation>
     </message>
     <message>
         <source>Show what was taken out</source>
-        <translation type="unfinished"></translation>
+        <translation>Herausgenommenes zeigen</translation>
     </message>
     <message>
         <source>Take out what is left, and bring back what was taken out</source>
-        <translation type="unfinished"></translation>
+        <translation>Herausnehmen, was übrig ist, und zurückholen, was herausgenommen war</translation>
     </message>
     <message>
         <source>of {n} points taken out</source>
-        <translation type="unfinished"></translation>
+        <translation>von {n} Punkten herausgenommen</translation>
     </message>
 </context>
 <context>
     <name>PortLine</name>
     <message>
         <source>Part of the program: to try the assistant without devices.</source>
-        <translation type="unfinished"></translation>
+        <translation>Teil des Programms: um den Assistenten ohne Geräte zu erproben.</translation>
     </message>
     <message>
         <source>Virtual controller</source>
-        <translation type="unfinished"></translation>
+        <translation>Virtuelle Steuerung</translation>
     </message>
 </context>
 <context>
     <name>Preferences</name>
     <message>
         <source>reset of the settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurücksetzen der Einstellungen</translation>
     </message>
 </context>
 <context>
     <name>ProcessingRows</name>
     <message>
         <source> σ</source>
-        <translation type="unfinished"></translation>
+        <translation> σ</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>Epipolar gate</source>
-        <translation type="unfinished"></translation>
+        <translation>Epipolargrenze</translation>
     </message>
     <message>
         <source>How far the two cameras may disagree, in standard uncertainties; scanned with 3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit die beiden Kameras abweichen dürfen, in Standardunsicherheiten; gescannt mit 3.</translation>
     </message>
     <message>
         <source>Points of darker spots are left out; the brightest pixel is 255.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte aus dunkleren Lichtpunkten fallen weg; das hellste Pixel ist 255.</translation>
     </message>
     <message>
         <source>Spot peak</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtpunktspitze</translation>
     </message>
     <message>
         <source>as scanned</source>
-        <translation type="unfinished"></translation>
+        <translation>wie gescannt</translation>
     </message>
     <message>
         <source>of the rig now</source>
-        <translation type="unfinished"></translation>
+        <translation>des Messplatzes jetzt</translation>
     </message>
 </context>
 <context>
     <name>ProfilePanel</name>
     <message>
         <source>Certificate beside it (PDF and JSON)</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfbericht daneben (PDF und JSON)</translation>
     </message>
     <message>
         <source>Choose a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner wählen</translation>
     </message>
     <message>
         <source>Copy as my own</source>
-        <translation type="unfinished"></translation>
+        <translation>Als eigenes kopieren</translation>
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished"></translation>
+        <translation>Fertig</translation>
     </message>
     <message>
         <source>Every change counts at once; Ctrl+Z takes it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Änderung gilt sofort; Strg+Z nimmt sie zurück.</translation>
     </message>
     <message>
         <source>File name</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateiname</translation>
     </message>
     <message>
         <source>Folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner</translation>
     </message>
     <message>
         <source>Folder for exported files</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner für exportierte Dateien</translation>
     </message>
     <message>
         <source>Format</source>
-        <translation type="unfinished"></translation>
+        <translation>Format</translation>
     </message>
     <message>
         <source>In braces: {fields}</source>
-        <translation type="unfinished"></translation>
+        <translation>In Klammern: {fields}</translation>
     </message>
     <message>
         <source>Lies</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage</translation>
     </message>
     <message>
         <source>Measured points beside it (XYZ)</source>
-        <translation type="unfinished"></translation>
+        <translation>Messpunkte daneben (XYZ)</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -3052,15 +3053,15 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>This profile belongs to the program. Copy it to change it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Profil gehört zum Programm. Zum Ändern kopieren.</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit</translation>
     </message>
     <message>
         <source>Without its base (open surface)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Basis (offene Oberfläche)</translation>
     </message>
 </context>
 <context>
@@ -3283,7 +3284,7 @@ Nachher: {after}</translation>
     <name>RejectList</name>
     <message>
         <source>Rejected</source>
-        <translation type="unfinished"></translation>
+        <translation>Verworfen</translation>
     </message>
     <message>
         <source>none</source>
@@ -3291,33 +3292,33 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>other</source>
-        <translation type="unfinished"></translation>
+        <translation>andere</translation>
     </message>
     <message>
         <source>{count}  ·  {share} %</source>
-        <translation type="unfinished"></translation>
+        <translation>{count}  ·  {share} %</translation>
     </message>
 </context>
 <context>
     <name>Remarks</name>
     <message>
         <source>1 remark</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Hinweis</translation>
     </message>
     <message>
         <source>{n} remarks</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} Hinweise</translation>
     </message>
 </context>
 <context>
     <name>RemovedStrip</name>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig</translation>
     </message>
     <message>
         <source>{order} was removed; its file is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>{order} wurde entfernt; die Datei bleibt erhalten.</translation>
     </message>
 </context>
 <context>
@@ -3652,125 +3653,125 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>{n} triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} Dreiecke</translation>
     </message>
 </context>
 <context>
     <name>SceneView</name>
     <message>
         <source>grid {mm:.0f} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Raster {mm:.0f} mm</translation>
     </message>
 </context>
 <context>
     <name>SettingsPage</name>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das System</translation>
     </message>
     <message>
         <source>As the system ({language})</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das System ({language})</translation>
     </message>
     <message>
         <source>At the end of a view, with the beam as slow as it needs to be; it costs some seconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Ende einer Ansicht, mit so langsamem Strahl wie nötig; es kostet einige Sekunden.</translation>
     </message>
     <message>
         <source>Cases</source>
-        <translation type="unfinished"></translation>
+        <translation>Fälle</translation>
     </message>
     <message>
         <source>Choose a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner wählen</translation>
     </message>
     <message>
         <source>Choose the folder: {name}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner wählen: {name}</translation>
     </message>
     <message>
         <source>Choose…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen…</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Dunkel</translation>
     </message>
     <message>
         <source>Everything on this page as on the first day; Ctrl+Z takes it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles auf dieser Seite wie am ersten Tag; Strg+Z nimmt es zurück.</translation>
     </message>
     <message>
         <source>Exports</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporte</translation>
     </message>
     <message>
         <source>File names</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateinamen</translation>
     </message>
     <message>
         <source>Files</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateien</translation>
     </message>
     <message>
         <source>Folder of the log</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner des Protokolls</translation>
     </message>
     <message>
         <source>Folder: {name}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner: {name}</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Hell</translation>
     </message>
     <message>
         <source>Live surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche live</translation>
     </message>
     <message>
         <source>Log</source>
-        <translation type="unfinished"></translation>
+        <translation>Protokoll</translation>
     </message>
     <message>
         <source>Looks</source>
-        <translation type="unfinished"></translation>
+        <translation>Aussehen</translation>
     </message>
     <message>
         <source>Measure weak places again by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwache Stellen von selbst noch einmal messen</translation>
     </message>
     <message>
         <source>Of everything in the window, from the next start on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von allem im Fenster, ab dem nächsten Start.</translation>
     </message>
     <message>
         <source>Off leaves a slow computer more time for the points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus lässt einem langsamen Rechner mehr Zeit für die Punkte.</translation>
     </message>
     <message>
         <source>Open the folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner öffnen</translation>
     </message>
     <message>
         <source>Program</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm</translation>
     </message>
     <message>
         <source>Reset to defaults</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf Vorgaben zurücksetzen</translation>
     </message>
     <message>
         <source>Scanning</source>
-        <translation type="unfinished"></translation>
+        <translation>Scannen</translation>
     </message>
     <message>
         <source>Second try</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweiter Versuch</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -3778,240 +3779,240 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Show the surface while it is scanned</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche während des Scans zeigen</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>The log holds no patients and no orders. A support bundle (Help) packs it with what else helps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Protokoll enthält keine Patienten und keine Aufträge. Ein Support-Paket (Hilfe) packt es mit dem, was sonst noch hilft.</translation>
     </message>
     <message>
         <source>The window changes its language when the scan or the reconstruction has ended and the program starts again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Fenster wechselt seine Sprache, wenn Scan oder Rekonstruktion beendet ist und das Programm neu startet.</translation>
     </message>
     <message>
         <source>The window is made anew in it; the open case stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Fenster wird in ihr neu aufgebaut; der offene Fall bleibt.</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Design</translation>
     </message>
     <message>
         <source>Without it a file that leaves the house tells the order, the side and the day, and no patient.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne ihn nennt eine Datei, die das Haus verlässt, Auftrag, Seite und Tag, aber keinen Patienten.</translation>
     </message>
     <message>
         <source>{n} %</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} %</translation>
     </message>
 </context>
 <context>
     <name>ShortcutsDialog</name>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Copy as text</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Text kopieren</translation>
     </message>
     <message>
         <source>Keyboard shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Tastenkürzel</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten</translation>
     </message>
     <message>
         <source>No shortcut fits.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Tastenkürzel passt.</translation>
     </message>
     <message>
         <source>Search the shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Tastenkürzel suchen</translation>
     </message>
     <message>
         <source>Search: a word, or a key</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen: ein Wort oder eine Taste</translation>
     </message>
     <message>
         <source>What it does</source>
-        <translation type="unfinished"></translation>
+        <translation>Was es tut</translation>
     </message>
 </context>
 <context>
     <name>SizeHistogram</name>
     <message>
         <source>Drag a limit, or choose it with up and down and move it with left and right</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Grenze ziehen, oder mit auf und ab wählen und mit links und rechts verschieben</translation>
     </message>
     <message>
         <source>Live shows how large spots are</source>
-        <translation type="unfinished"></translation>
+        <translation>Live zeigt, wie groß die Lichtpunkte sind</translation>
     </message>
     <message>
         <source>Size of a spot: {low} to {high} pixels, {chosen}</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe eines Lichtpunkts: {low} bis {high} Pixel, {chosen}</translation>
     </message>
     <message>
         <source>largest size chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>größte Größe gewählt</translation>
     </message>
     <message>
         <source>smallest size chosen</source>
-        <translation type="unfinished"></translation>
+        <translation>kleinste Größe gewählt</translation>
     </message>
 </context>
 <context>
     <name>Sparkline</name>
     <message>
         <source>Size deviation of the last tests in µm: {values}</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßabweichung der letzten Prüfungen in µm: {values}</translation>
     </message>
 </context>
 <context>
     <name>Stage</name>
     <message>
         <source>Preparing the 3D view…</source>
-        <translation type="unfinished"></translation>
+        <translation>3D-Ansicht wird vorbereitet…</translation>
     </message>
 </context>
 <context>
     <name>StatusLine</name>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>Calibration expired</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung abgelaufen</translation>
     </message>
     <message>
         <source>Calibration {age}</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung {age}</translation>
     </message>
     <message>
         <source>Camera left not available</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera links nicht verfügbar</translation>
     </message>
     <message>
         <source>Camera right not available</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera rechts nicht verfügbar</translation>
     </message>
     <message>
         <source>Cameras not open</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameras nicht offen</translation>
     </message>
     <message>
         <source>Cameras opening</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameras werden geöffnet</translation>
     </message>
     <message>
         <source>Cameras ready</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameras bereit</translation>
     </message>
     <message>
         <source>Controller not available</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerung nicht verfügbar</translation>
     </message>
     <message>
         <source>Not calibrated</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht kalibriert</translation>
     </message>
     <message>
         <source>Open the order that is being reconstructed</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Auftrag öffnen, der rekonstruiert wird</translation>
     </message>
     <message>
         <source>The rig file cannot be used</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Messplatzdatei ist nicht verwendbar</translation>
     </message>
     <message>
         <source>Turntable</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehteller</translation>
     </message>
     <message>
         <source>Turntable {angle}°</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehteller {angle}°</translation>
     </message>
     <message>
         <source>Virtual rig  ·  {rig}</source>
-        <translation type="unfinished"></translation>
+        <translation>Virtueller Messplatz  ·  {rig}</translation>
     </message>
     <message>
         <source>Virtual rig  ·  {rig}  ·  {speed}</source>
-        <translation type="unfinished"></translation>
+        <translation>Virtueller Messplatz  ·  {rig}  ·  {speed}</translation>
     </message>
     <message>
         <source>full speed</source>
-        <translation type="unfinished"></translation>
+        <translation>volles Tempo</translation>
     </message>
 </context>
 <context>
     <name>SupportDialog</name>
     <message>
         <source>&amp;Save…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Speichern…</translation>
     </message>
     <message>
         <source>Archives (*.zip)</source>
-        <translation type="unfinished"></translation>
+        <translation>Archive (*.zip)</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Collect &amp;again</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Neu sammeln</translation>
     </message>
     <message>
         <source>Collecting…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird gesammelt…</translation>
     </message>
     <message>
         <source>Entries; those with a tick are saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Einträge; gespeichert werden die mit Haken</translation>
     </message>
     <message>
         <source>One file for whoever helps you. Orders, patients, file names, the user and this machine are replaced, as marked in the text. Nothing leaves this machine by itself: you save the file and send it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Datei für die, die helfen. Aufträge, Patienten, Dateinamen, der Benutzer und dieser Rechner sind ersetzt, wie im Text markiert. Nichts verlässt diesen Rechner von selbst: Die Datei wird gespeichert und dann selbst versendet.</translation>
     </message>
     <message>
         <source>Save the support bundle</source>
-        <translation type="unfinished"></translation>
+        <translation>Support-Paket speichern</translation>
     </message>
     <message>
         <source>Saved as {path}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespeichert als {path}.</translation>
     </message>
     <message>
         <source>Support bundle</source>
-        <translation type="unfinished"></translation>
+        <translation>Support-Paket</translation>
     </message>
     <message>
         <source>{size} in {n} entries. Replaced: {taken}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{size} in {n} Einträgen. Ersetzt: {taken}.</translation>
     </message>
 </context>
 <context>
     <name>SupportPreview</name>
     <message>
         <source>(Only the first part is shown; the file holds all.)</source>
-        <translation type="unfinished"></translation>
+        <translation>(Nur der erste Teil wird gezeigt; die Datei enthält alles.)</translation>
     </message>
     <message>
         <source>(Only the last part is shown; the file holds all.)</source>
-        <translation type="unfinished"></translation>
+        <translation>(Nur der letzte Teil wird gezeigt; die Datei enthält alles.)</translation>
     </message>
     <message>
         <source>Content of the entry</source>
-        <translation type="unfinished"></translation>
+        <translation>Inhalt des Eintrags</translation>
     </message>
 </context>
 <context>
@@ -4022,55 +4023,55 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Choose…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen…</translation>
     </message>
     <message>
         <source>Date</source>
-        <translation type="unfinished"></translation>
+        <translation>Datum</translation>
     </message>
     <message>
         <source>Reading {name}…</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} wird gelesen…</translation>
     </message>
     <message>
         <source>Replace…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ersetzen…</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>Take this surface out</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Oberfläche herausnehmen</translation>
     </message>
     <message>
         <source>Triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreiecke</translation>
     </message>
     <message>
         <source>Unit of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit der Datei</translation>
     </message>
     <message>
         <source>as you said</source>
-        <translation type="unfinished"></translation>
+        <translation>wie angegeben</translation>
     </message>
     <message>
         <source>centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Zentimeter</translation>
     </message>
     <message>
         <source>inches</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoll</translation>
     </message>
     <message>
         <source>metres</source>
-        <translation type="unfinished"></translation>
+        <translation>Meter</translation>
     </message>
     <message>
         <source>millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Millimeter</translation>
     </message>
     <message>
         <source>none yet</source>
@@ -4078,208 +4079,208 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>{size} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{size} mm</translation>
     </message>
 </context>
 <context>
     <name>SurfacesPanel</name>
     <message>
         <source>After</source>
-        <translation type="unfinished"></translation>
+        <translation>Nachher</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorher</translation>
     </message>
     <message>
         <source>Kept in the open case</source>
-        <translation type="unfinished"></translation>
+        <translation>Im offenen Fall gesichert</translation>
     </message>
     <message>
         <source>Nothing of a file is repaired: what is noticed about it is said here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts an einer Datei wird repariert: Was an ihr auffällt, steht hier.</translation>
     </message>
     <message>
         <source>Swap before and after</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorher und nachher tauschen</translation>
     </message>
     <message>
         <source>not reliable</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht belastbar</translation>
     </message>
     <message>
         <source>reliable</source>
-        <translation type="unfinished"></translation>
+        <translation>belastbar</translation>
     </message>
     <message>
         <source>{day}: with {before}, 1 area, {verdict}</source>
-        <translation type="unfinished"></translation>
+        <translation>{day}: mit {before}, 1 Fläche, {verdict}</translation>
     </message>
     <message>
         <source>{day}: with {before}, {n} areas, {verdict}</source>
-        <translation type="unfinished"></translation>
+        <translation>{day}: mit {before}, {n} Flächen, {verdict}</translation>
     </message>
     <message>
         <source>{line}; of an earlier surface</source>
-        <translation type="unfinished"></translation>
+        <translation>{line}; einer früheren Oberfläche</translation>
     </message>
 </context>
 <context>
     <name>Thumbnail</name>
     <message>
         <source>no picture</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Bild</translation>
     </message>
 </context>
 <context>
     <name>TourCard</name>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>Done</source>
-        <translation type="unfinished"></translation>
+        <translation>Fertig</translation>
     </message>
     <message>
         <source>End the tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Rundgang beenden</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter</translation>
     </message>
     <message>
         <source>Tour</source>
-        <translation type="unfinished"></translation>
+        <translation>Rundgang</translation>
     </message>
     <message>
         <source>{n} of {all}</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} von {all}</translation>
     </message>
 </context>
 <context>
     <name>TranscriptWindow</name>
     <message>
         <source>&amp;Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kopieren</translation>
     </message>
     <message>
         <source>&amp;Leave out the questions for the status</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Statusabfragen weglassen</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Lines to (&gt;) and from (&lt;) the controller</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen zur (&gt;) und von der (&lt;) Steuerung</translation>
     </message>
     <message>
         <source>Port {port}. Nothing has been said yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anschluss {port}. Noch wurde nichts gesprochen.</translation>
     </message>
     <message>
         <source>Port {port}. Seconds since the start, &gt; to the controller, &lt; from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anschluss {port}. Sekunden seit dem Start, &gt; zur Steuerung, &lt; von ihr.</translation>
     </message>
     <message>
         <source>Transcript of the controller</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitschrift der Steuerung</translation>
     </message>
 </context>
 <context>
     <name>Verdict</name>
     <message>
         <source>And {n} more, under Surfaces and Alignment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Und {n} weitere, unter Oberflächen und Ausrichtung.</translation>
     </message>
     <message>
         <source>Held fixed: {frame} ({share} %).</source>
-        <translation type="unfinished"></translation>
+        <translation>Festgehalten: {frame} ({share} %).</translation>
     </message>
     <message>
         <source>Not reliable</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht belastbar</translation>
     </message>
     <message>
         <source>Out of date</source>
-        <translation type="unfinished"></translation>
+        <translation>Veraltet</translation>
     </message>
     <message>
         <source>Reliable</source>
-        <translation type="unfinished"></translation>
+        <translation>Belastbar</translation>
     </message>
     <message>
         <source>Remarks, under Surfaces and Alignment: {n}</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinweise, unter Oberflächen und Ausrichtung: {n}</translation>
     </message>
     <message>
         <source>What is shown was computed before the last change.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gezeigte wurde vor der letzten Änderung berechnet.</translation>
     </message>
 </context>
 <context>
     <name>WedgeField</name>
     <message>
         <source>Order number, by barcode or keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Auftragsnummer, per Barcode oder Tasten</translation>
     </message>
     <message>
         <source>Scan or type an order number</source>
-        <translation type="unfinished"></translation>
+        <translation>Auftragsnummer scannen oder tippen</translation>
     </message>
 </context>
 <context>
     <name>WindowHelp</name>
     <message>
         <source>At the end stands a file for the next machine, with its checks in plain words.</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Ende steht eine Datei für die nächste Maschine, mit ihren Prüfungen in klaren Worten.</translation>
     </message>
     <message>
         <source>Checked, then delivered</source>
-        <translation type="unfinished"></translation>
+        <translation>Geprüft, dann ausgeliefert</translation>
     </message>
     <message>
         <source>Esc does the same on every page. It is filled with red while the laser is on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esc tut dasselbe auf jeder Seite. Der Knopf ist rot gefüllt, solange der Laser an ist.</translation>
     </message>
     <message>
         <source>Every order passes these steps. Ctrl and a number opens each.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Auftrag durchläuft diese Schritte. Strg und eine Zahl öffnet jeden.</translation>
     </message>
     <message>
         <source>F1 explains the page and the control in hand, ? lists all keys, and Ctrl+Z takes back what you did.</source>
-        <translation type="unfinished"></translation>
+        <translation>F1 erklärt die Seite und das gewählte Bedienelement, ? zeigt alle Tasten, und Strg+Z nimmt zurück, was getan wurde.</translation>
     </message>
     <message>
         <source>Help is at hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Hilfe ist zur Hand</translation>
     </message>
     <message>
         <source>One button is next</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Knopf ist der nächste</translation>
     </message>
     <message>
         <source>Points and surface grow before you. Pause is safe: the laser goes dark and nothing is lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte und Oberfläche wachsen vor Augen. Pause ist sicher: Der Laser erlischt, und nichts geht verloren.</translation>
     </message>
     <message>
         <source>Scanning runs by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Scannen läuft von selbst</translation>
     </message>
     <message>
         <source>Stop, from everywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp, von überall</translation>
     </message>
     <message>
         <source>The filled button is what to do now. A demo order stands here already: press it and watch.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der gefüllte Knopf ist jetzt zu drücken. Ein Demo-Auftrag steht schon hier: drücken und zusehen.</translation>
     </message>
     <message>
         <source>The work goes from the top down</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Arbeit läuft von oben nach unten</translation>
     </message>
 </context>
 <context>
@@ -4294,7 +4295,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Name of the rig</source>
@@ -4306,7 +4307,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Replace it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ersetzen</translation>
     </message>
     <message>
         <source>Rigs (*.toml)</source>
@@ -4353,7 +4354,7 @@ Nachher: {after}</translation>
     <name>_Entry</name>
     <message>
         <source>{n} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} mm</translation>
     </message>
 </context>
 <context>
@@ -4627,35 +4628,35 @@ Nachher: {after}</translation>
     <name>activity</name>
     <message>
         <source>Bringing the mounts together</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufstellungen werden zusammengeführt</translation>
     </message>
     <message>
         <source>Calibrating</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>Comparing</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleich</translation>
     </message>
     <message>
         <source>Computing the points anew…</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte werden neu berechnet…</translation>
     </message>
     <message>
         <source>Looking for what is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehlendes wird gesucht</translation>
     </message>
     <message>
         <source>Opening the case…</source>
-        <translation type="unfinished"></translation>
+        <translation>Fall wird geöffnet…</translation>
     </message>
     <message>
         <source>Scanning</source>
-        <translation type="unfinished"></translation>
+        <translation>Scannen</translation>
     </message>
     <message>
         <source>Setting up a rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatz wird eingerichtet</translation>
     </message>
 </context>
 <context>
@@ -4881,7 +4882,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>no picture</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Bild</translation>
     </message>
     <message>
         <source>not permitted</source>
@@ -4889,7 +4890,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>ready</source>
-        <translation type="unfinished"></translation>
+        <translation>bereit</translation>
     </message>
     <message>
         <source>silent</source>
@@ -5262,7 +5263,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>done</source>
-        <translation type="unfinished"></translation>
+        <translation>fertig</translation>
     </message>
     <message>
         <source>exposure</source>
@@ -5373,7 +5374,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Mark a tooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahn markieren</translation>
     </message>
     <message>
         <source>Measuring its motion…</source>
@@ -5417,7 +5418,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Swap before and after</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorher und nachher tauschen</translation>
     </message>
     <message>
         <source>Upper</source>
@@ -5449,7 +5450,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>no counterpart</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Gegenstück</translation>
     </message>
     <message>
         <source>picked points</source>
@@ -5623,75 +5624,75 @@ Nachher: {after}</translation>
     <name>delivery</name>
     <message>
         <source>2-manifold</source>
-        <translation type="unfinished"></translation>
+        <translation>2-mannigfaltig</translation>
     </message>
     <message>
         <source>3MF, carries its unit</source>
-        <translation type="unfinished"></translation>
+        <translation>3MF, trägt seine Einheit</translation>
     </message>
     <message>
         <source>A person accepted {count} holes or thin places as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Person hat {count} Lücken oder dünn belegte Stellen so angenommen.</translation>
     </message>
     <message>
         <source>A person took out {count} measured points, {percent} % of all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Person hat {count} Messpunkte herausgenommen, {percent} % von allen.</translation>
     </message>
     <message>
         <source>A person took out {count} measured points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Person hat {count} Messpunkte herausgenommen.</translation>
     </message>
     <message>
         <source>Accepted places</source>
-        <translation type="unfinished"></translation>
+        <translation>Angenommene Stellen</translation>
     </message>
     <message>
         <source>All triangles face outwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Dreiecke zeigen nach außen.</translation>
     </message>
     <message>
         <source>Another ear of this order is labelled {side} too, and yet the two mirror each other. Is one of them labelled wrongly?</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein anderes Ohr dieses Auftrags ist auch als „{side}“ bezeichnet, und doch spiegeln sich die beiden. Ist eines falsch bezeichnet?</translation>
     </message>
     <message>
         <source>Archive (PLY with uncertainty, and points)</source>
-        <translation type="unfinished"></translation>
+        <translation>Archiv (PLY mit Unsicherheit, und Punkte)</translation>
     </message>
     <message>
         <source>As it was scanned</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie gescannt</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>Calibration {id} of {date} had expired {days} days before the scan. Calibrate, compute the points anew or scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung {id} vom {date} war {days} Tage vor dem Scan abgelaufen. Kalibrieren, Punkte neu berechnen oder neu scannen.</translation>
     </message>
     <message>
         <source>Calibration {id} of {date} was off by {error_um} µm on corners that it had not seen, more than {limit_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung {id} vom {date} lag an nicht benutzten Ecken um {error_um} µm daneben, mehr als {limit_um} µm.</translation>
     </message>
     <message>
         <source>Calibration {id} of {date} was valid at the scan for {days} more days only; calibrate before the next order.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung {id} vom {date} war beim Scan nur noch {days} Tage gültig; vor dem nächsten Auftrag kalibrieren.</translation>
     </message>
     <message>
         <source>Calibration {id} of {date} was valid at the scan, but no known length has verified its scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung {id} vom {date} war beim Scan gültig, aber keine bekannte Länge hat ihren Maßstab bestätigt.</translation>
     </message>
     <message>
         <source>Calibration {id} of {date} was valid at the scan, its scale verified; held-out error {error_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung {id} vom {date} war beim Scan gültig, ihr Maßstab bestätigt; Fehler an nicht benutzten Ecken {error_um} µm.</translation>
     </message>
     <message>
         <source>Canal tip up</source>
-        <translation type="unfinished"></translation>
+        <translation>Gehörgangspitze oben</translation>
     </message>
     <message>
         <source>Centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Zentimeter</translation>
     </message>
     <message>
         <source>Closed</source>
@@ -5699,7 +5700,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Closure of the turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Schluss der Drehung</translation>
     </message>
     <message>
         <source>Coverage</source>
@@ -5707,79 +5708,79 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Dental model (STL, occlusal plane XY)</source>
-        <translation type="unfinished"></translation>
+        <translation>Dentalmodell (STL, Okklusionsebene XY)</translation>
     </message>
     <message>
         <source>Ear shell laboratory (STL)</source>
-        <translation type="unfinished"></translation>
+        <translation>Otoplastiklabor (STL)</translation>
     </message>
     <message>
         <source>Every edge and every vertex lies on one sheet of surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Kante und jeder Eckpunkt liegt auf einem einzigen Flächenblatt.</translation>
     </message>
     <message>
         <source>Every edge belongs to two triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Kante gehört zu zwei Dreiecken.</translation>
     </message>
     <message>
         <source>Expected error</source>
-        <translation type="unfinished"></translation>
+        <translation>Erwarteter Fehler</translation>
     </message>
     <message>
         <source>Facing outwards</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach außen gerichtet</translation>
     </message>
     <message>
         <source>How far this surface is off is not recorded; it was not reconstructed by this program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit diese Oberfläche daneben liegt, ist nicht vermerkt; sie wurde nicht mit diesem Programm rekonstruiert.</translation>
     </message>
     <message>
         <source>Inches</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoll</translation>
     </message>
     <message>
         <source>It consists of {count} separate pieces. Remove what does not belong to the object, and reconstruct again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie besteht aus {count} getrennten Teilen. Entfernen, was nicht zum Objekt gehört, und neu rekonstruieren.</translation>
     </message>
     <message>
         <source>It is one piece.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie ist ein Stück.</translation>
     </message>
     <message>
         <source>It is {longest_mm} x {middle_mm} x {shortest_mm} mm large, as {kind} is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie ist {longest_mm} x {middle_mm} x {shortest_mm} mm groß, wie {kind} es ist.</translation>
     </message>
     <message>
         <source>It is {longest_mm} x {middle_mm} x {shortest_mm} mm large; {kind} is {least_mm} to {most_mm} mm long. Are unit and type right?</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie ist {longest_mm} x {middle_mm} x {shortest_mm} mm groß; {kind} ist {least_mm} bis {most_mm} mm lang. Stimmen Einheit und Typ?</translation>
     </message>
     <message>
         <source>It is {longest_mm} x {middle_mm} x {shortest_mm} mm large; {kind} is {least_mm} to {most_mm} mm long. Is it whole, and alone?</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie ist {longest_mm} x {middle_mm} x {shortest_mm} mm groß; {kind} ist {least_mm} bis {most_mm} mm lang. Ist sie ganz, und allein?</translation>
     </message>
     <message>
         <source>It mirrors the other ear: {mirrored_um} µm apart mirrored, {direct_um} µm as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es spiegelt das andere Ohr: gespiegelt {mirrored_um} µm Abstand, ungespiegelt {direct_um} µm.</translation>
     </message>
     <message>
         <source>Marks on the table</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken am Drehteller</translation>
     </message>
     <message>
         <source>Metres</source>
-        <translation type="unfinished"></translation>
+        <translation>Meter</translation>
     </message>
     <message>
         <source>Millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Millimeter</translation>
     </message>
     <message>
         <source>Modelling (OBJ)</source>
-        <translation type="unfinished"></translation>
+        <translation>Modellieren (OBJ)</translation>
     </message>
     <message>
         <source>Mount {mount} is not part of the surface: it could not be brought together with the others.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufstellung {mount} ist nicht Teil der Oberfläche: Sie ließ sich nicht mit den anderen zusammenführen.</translation>
     </message>
     <message>
         <source>Mounts</source>
@@ -5787,63 +5788,63 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>No hole or thin place had to be accepted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Lücke oder dünn belegte Stelle musste angenommen werden.</translation>
     </message>
     <message>
         <source>No measured point was taken out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Messpunkt wurde herausgenommen.</translation>
     </message>
     <message>
         <source>No self-intersections</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Selbstdurchdringung</translation>
     </message>
     <message>
         <source>No size is expected of an object of this type; it is {longest_mm} x {middle_mm} x {shortest_mm} mm large.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für diesen Typ wird keine Größe erwartet; sie ist {longest_mm} x {middle_mm} x {shortest_mm} mm groß.</translation>
     </message>
     <message>
         <source>No triangle runs through another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Dreieck durchdringt ein anderes.</translation>
     </message>
     <message>
         <source>Not checked: the other ear of this order is not there yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht geprüft: Das andere Ohr dieses Auftrags ist noch nicht da.</translation>
     </message>
     <message>
         <source>Not ready</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht bereit</translation>
     </message>
     <message>
         <source>Occlusal plane XY, +Z to occlusal</source>
-        <translation type="unfinished"></translation>
+        <translation>Okklusionsebene XY, +Z nach okklusal</translation>
     </message>
     <message>
         <source>Of which points this surface was made is not recorded.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus welchen Punkten diese Oberfläche entstand, ist nicht vermerkt.</translation>
     </message>
     <message>
         <source>One shell</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Schale</translation>
     </message>
     <message>
         <source>Only {percent} % of the surface beside its base rests on measured points: too much of it is a guess. Scan the rest first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur {percent} % der Oberfläche außer der Basis sind von Messpunkten belegt: Zu viel ist Vermutung. Zuerst den Rest scannen.</translation>
     </message>
     <message>
         <source>Only {percent} % of the surface beside its base rests on measured points; the rest is a guess. Fill the holes, or say so.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur {percent} % der Oberfläche außer der Basis sind von Messpunkten belegt; der Rest ist Vermutung. Lücken ergänzen oder es angeben.</translation>
     </message>
     <message>
         <source>PLY, with uncertainty and support</source>
-        <translation type="unfinished"></translation>
+        <translation>PLY, mit Unsicherheit und Beleg</translation>
     </message>
     <message>
         <source>Points taken out</source>
-        <translation type="unfinished"></translation>
+        <translation>Herausgenommene Punkte</translation>
     </message>
     <message>
         <source>Printing (3MF)</source>
-        <translation type="unfinished"></translation>
+        <translation>Drucken (3MF)</translation>
     </message>
     <message>
         <source>Ready</source>
@@ -5851,159 +5852,159 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Ready, with remarks</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereit, mit Hinweisen</translation>
     </message>
     <message>
         <source>Side</source>
-        <translation type="unfinished"></translation>
+        <translation>Seite</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>The first view was not measured again, and the views of the turn agree only to {closure_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die erste Ansicht wurde nicht noch einmal gemessen, und die Ansichten der Drehung stimmen nur auf {closure_um} µm überein.</translation>
     </message>
     <message>
         <source>The first view was not measured again; the views of the turn agree to {closure_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die erste Ansicht wurde nicht noch einmal gemessen; die Ansichten der Drehung stimmen auf {closure_um} µm überein.</translation>
     </message>
     <message>
         <source>The first view, measured again after the turn, lies {closure_um} µm off, more than {limit_um} µm: something moved a little.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die erste Ansicht, nach der Drehung noch einmal gemessen, liegt {closure_um} µm daneben, mehr als {limit_um} µm: Etwas hat sich leicht bewegt.</translation>
     </message>
     <message>
         <source>The first view, measured again at the end of the turn, lies {closure_um} µm beside its first measurement.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die erste Ansicht, am Ende der Drehung noch einmal gemessen, liegt {closure_um} µm neben ihrer ersten Messung.</translation>
     </message>
     <message>
         <source>The marks on the table&apos;s rim kept their distances to {marks_um} µm only, more than {limit_um} µm: something moved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Marken am Tellerrand hielten ihre Abstände nur auf {marks_um} µm, mehr als {limit_um} µm: Etwas hat sich bewegt.</translation>
     </message>
     <message>
         <source>The marks on the table&apos;s rim kept their distances to {marks_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Marken am Tellerrand hielten ihre Abstände auf {marks_um} µm.</translation>
     </message>
     <message>
         <source>The measured surface is expected to be off by {error_um} µm rms; the points scatter by {residual_um} µm about it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gemessene Oberfläche liegt voraussichtlich {error_um} µm rms daneben; die Punkte streuen um sie mit {residual_um} µm.</translation>
     </message>
     <message>
         <source>The order does not say which ear it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Auftrag sagt nicht, welches Ohr es ist.</translation>
     </message>
     <message>
         <source>The order does not say which jaw it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Auftrag sagt nicht, welcher Kiefer es ist.</translation>
     </message>
     <message>
         <source>The points were changed after this surface was made of them. Reconstruct again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte wurden geändert, nachdem diese Oberfläche aus ihnen entstand. Neu rekonstruieren.</translation>
     </message>
     <message>
         <source>The scan had no marks on the table&apos;s rim to watch over it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Scan hatte keine Marken am Tellerrand, die über ihn wachten.</translation>
     </message>
     <message>
         <source>The surface has {count} open edges; a printer may fill it wrongly. Reconstruct again with closed holes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche hat {count} offene Kanten; ein Drucker füllt sie womöglich falsch. Mit geschlossenen Lücken neu rekonstruieren.</translation>
     </message>
     <message>
         <source>The surface is expected to be off by {error_um} µm rms, more than {limit_um} µm. More points, or a calibration, would help.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche liegt voraussichtlich {error_um} µm rms daneben, mehr als {limit_um} µm. Mehr Punkte oder eine Kalibrierung würden helfen.</translation>
     </message>
     <message>
         <source>The surface is expected to be off by {error_um} µm rms: too much for a shell. Calibrate, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche liegt voraussichtlich {error_um} µm rms daneben: zu viel für eine Otoplastik. Kalibrieren und neu scannen.</translation>
     </message>
     <message>
         <source>The surface touches itself at {count} places. Reconstruct again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche berührt sich an {count} Stellen selbst. Neu rekonstruieren.</translation>
     </message>
     <message>
         <source>The surface was made of the points as they are now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche entstand aus den Punkten, wie sie jetzt sind.</translation>
     </message>
     <message>
         <source>The turn does not close: the first view, measured again, lies {closure_um} µm off. Object or camera moved; scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Drehung schließt sich nicht: Die erste Ansicht, noch einmal gemessen, liegt {closure_um} µm daneben. Objekt oder Kamera hat sich bewegt; neu scannen.</translation>
     </message>
     <message>
         <source>The two ears do not mirror each other ({direct_um} µm apart as they are, {mirrored_um} µm mirrored). Is one labelled wrongly?</source>
-        <translation type="unfinished"></translation>
+        <translation>Die beiden Ohren spiegeln sich nicht (ungespiegelt {direct_um} µm Abstand, gespiegelt {mirrored_um} µm). Ist eines falsch bezeichnet?</translation>
     </message>
     <message>
         <source>There is no other side to compare with.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine andere Seite zum Vergleichen.</translation>
     </message>
     <message>
         <source>There is one mount; nothing had to be brought together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt eine Aufstellung; nichts musste zusammengeführt werden.</translation>
     </message>
     <message>
         <source>Triangles face inwards or against their neighbours. Reconstruct again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreiecke zeigen nach innen oder gegen ihre Nachbarn. Neu rekonstruieren.</translation>
     </message>
     <message>
         <source>Up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktuell</translation>
     </message>
     <message>
         <source>Whether it mirrors the other ear cannot be told ({mirrored_um} µm apart mirrored, {direct_um} µm as it is). Look at both.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob es das andere Ohr spiegelt, lässt sich nicht sagen (gespiegelt {mirrored_um} µm Abstand, ungespiegelt {direct_um} µm). Beide ansehen.</translation>
     </message>
     <message>
         <source>Whether the turn closes was not measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob sich die Drehung schließt, wurde nicht gemessen.</translation>
     </message>
     <message>
         <source>Which part of this surface was measured is not recorded.</source>
-        <translation type="unfinished"></translation>
+        <translation>Welcher Teil dieser Oberfläche gemessen wurde, ist nicht vermerkt.</translation>
     </message>
     <message>
         <source>With which calibration this surface was measured is not recorded.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit welcher Kalibrierung diese Oberfläche gemessen wurde, ist nicht vermerkt.</translation>
     </message>
     <message>
         <source>a dental arch</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Zahnbogen</translation>
     </message>
     <message>
         <source>an ear impression</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Ohrabformung</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht bestanden</translation>
     </message>
     <message>
         <source>not checked</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht geprüft</translation>
     </message>
     <message>
         <source>passed</source>
-        <translation type="unfinished"></translation>
+        <translation>bestanden</translation>
     </message>
     <message>
         <source>remark</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinweis</translation>
     </message>
     <message>
         <source>{count} mounts lie on each other to {residual_um} µm only, more than {limit_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Aufstellungen liegen nur auf {residual_um} µm aufeinander, mehr als {limit_um} µm.</translation>
     </message>
     <message>
         <source>{count} mounts lie on each other to {residual_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Aufstellungen liegen auf {residual_um} µm aufeinander.</translation>
     </message>
     <message>
         <source>{count} triangles run through others. Reconstruct again, with less detail if need be.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Dreiecke durchdringen andere. Neu rekonstruieren, nötigenfalls mit weniger Details.</translation>
     </message>
     <message>
         <source>{percent} % of the surface beside its base rests on measured points.</source>
-        <translation type="unfinished"></translation>
+        <translation>{percent} % der Oberfläche außer der Basis sind von Messpunkten belegt.</translation>
     </message>
 </context>
 <context>
@@ -6218,159 +6219,159 @@ Nachher: {after}</translation>
     <name>help</name>
     <message>
         <source>A deviation is positive where the surface after lies outside of the one before. What is smaller than the detection level cannot be told from noise and stays grey.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Abweichung ist positiv, wo die Oberfläche nachher außerhalb der vorherigen liegt. Was kleiner ist als die Nachweisgrenze, ist von Rauschen nicht zu unterscheiden und bleibt grau.</translation>
     </message>
     <message>
         <source>A rig of your own is set up here: its board and cameras are found, checked, and written into a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier wird ein eigener Messplatz eingerichtet: Steuerung und Kameras werden gefunden, geprüft und in eine Datei geschrieben.</translation>
     </message>
     <message>
         <source>An area is that of the missing surface in square millimetres. The sign at each place says why it is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Fläche ist die der fehlenden Oberfläche in Quadratmillimetern. Das Zeichen an jeder Stelle sagt, warum sie fehlt.</translation>
     </message>
     <message>
         <source>Both cameras live, with the laser spot that is accepted and every spot that is not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Kameras live, mit dem angenommenen Laserpunkt und jedem, der es nicht ist.</translation>
     </message>
     <message>
         <source>Cut the base off, then brush or lasso what is left over. Every step can be taken back with Ctrl+Z; no point is ever deleted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Basis abschneiden, dann mit Pinsel oder Lasso nehmen, was übrig ist. Jeder Schritt lässt sich mit Strg+Z zurücknehmen; kein Punkt wird je gelöscht.</translation>
     </message>
     <message>
         <source>Directions and steps are measured by what the cameras see, and corrected in the file where they differ.</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtungen und Schritte werden an dem gemessen, was die Kameras sehen, und in der Datei berichtigt, wo sie abweichen.</translation>
     </message>
     <message>
         <source>Drop both files, say which part has not changed, and compare. Then go through the areas, the largest first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Dateien hineinziehen, angeben, welcher Teil sich nicht geändert hat, und vergleichen. Dann die Flächen durchgehen, die größte zuerst.</translation>
     </message>
     <message>
         <source>Every change is in force at once or says when it will be, and Ctrl+Z takes it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Änderung gilt sofort oder sagt, wann sie gelten wird, und Strg+Z nimmt sie zurück.</translation>
     </message>
     <message>
         <source>Fill now scans more where the laser reaches as the object stands. For what is hidden set the object down another way and scan that, or accept the place as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>„Jetzt ergänzen“ scannt mehr, wo der Laser hinkommt, wie das Objekt steht. Für Verdecktes das Objekt anders aufstellen und das scannen, oder die Stelle annehmen, wie sie ist.</translation>
     </message>
     <message>
         <source>Go from step to step. Each says what it moves before it does; keep the lid closed and the stop button within reach.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt für Schritt vorgehen. Jeder sagt vorher, was er bewegt; den Deckel geschlossen und den Stoppknopf in Reichweite halten.</translation>
     </message>
     <message>
         <source>Here the day begins: an order is chosen or made, and its scan is started.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier beginnt der Tag: Ein Auftrag wird gewählt oder angelegt und sein Scan gestartet.</translation>
     </message>
     <message>
         <source>Lengths are in millimetres between measured points, areas in square millimetres within the section.</source>
-        <translation type="unfinished"></translation>
+        <translation>Längen gelten in Millimetern zwischen Messpunkten, Flächen in Quadratmillimetern innerhalb des Schnitts.</translation>
     </message>
     <message>
         <source>Let the exposure be set by itself, or choose a material. Change the limits of the size only when good spots are refused: the reason stands at each of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Belichtung von selbst einstellen lassen oder ein Material wählen. Die Größengrenzen nur ändern, wenn gute Lichtpunkte abgelehnt werden: Der Grund steht an jedem.</translation>
     </message>
     <message>
         <source>Nothing needs to be done while it runs. Pause stops at a safe place with the laser dark; Esc ends the scan and keeps what was measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Während er läuft, ist nichts zu tun. Pause hält an sicherer Stelle mit dunklem Laser; Esc beendet den Scan und behält das Gemessene.</translation>
     </message>
     <message>
         <source>Pick a place on the left, then the same place on the right, three times and far apart. Without a mouse: turn with the arrow keys, pick with space.</source>
-        <translation type="unfinished"></translation>
+        <translation>Links eine Stelle wählen, dann dieselbe rechts, dreimal und weit auseinander. Ohne Maus: mit den Pfeiltasten drehen, mit der Leertaste wählen.</translation>
     </message>
     <message>
         <source>Points that do not belong to the object are taken out here, and distances are measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte, die nicht zum Objekt gehören, werden hier herausgenommen, und Abstände werden gemessen.</translation>
     </message>
     <message>
         <source>Read the checks: what is amber says in one sentence what it means. Choose the profile of the receiver and deliver.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Prüfungen lesen: Was gelb ist, sagt in einem Satz, was es bedeutet. Das Profil des Empfängers wählen und ausliefern.</translation>
     </message>
     <message>
         <source>Set it down so that what was below looks up, and scan this mount. If it does not fit by itself, pick three points on both.</source>
-        <translation type="unfinished"></translation>
+        <translation>So aufstellen, dass nach oben blickt, was unten war, und diese Aufstellung scannen. Passt sie nicht von selbst, auf beiden drei Punkte wählen.</translation>
     </message>
     <message>
         <source>Start it with the detail as it stands. You may stop it and keep what is there, or scan the next order meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit dem eingestellten Detailgrad starten. Man kann sie beenden und behalten, was da ist, oder inzwischen den nächsten Auftrag scannen.</translation>
     </message>
     <message>
         <source>The coverage is the share of the surface that was measured, the rest was spanned. The uncertainty is that of a point of the surface, one standard deviation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Abdeckung ist der Anteil der Oberfläche, der gemessen wurde; der Rest wurde überspannt. Die Unsicherheit gilt für einen Punkt der Oberfläche, eine Standardabweichung.</translation>
     </message>
     <message>
         <source>The distance says how well both agree where they overlap; it should be about the noise of a point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Abstand sagt, wie gut beide übereinstimmen, wo sie sich überlappen; er sollte etwa dem Rauschen eines Punkts entsprechen.</translation>
     </message>
     <message>
         <source>The ellipse is the spot&apos;s size, one sigma in pixels. The line is where the other camera says that the spot must be.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ellipse ist die Größe des Lichtpunkts, ein Sigma in Pixeln. Die Linie zeigt, wo er laut der anderen Kamera liegen muss.</translation>
     </message>
     <message>
         <source>The error is the distance of the points to the surface: half of them are nearer than the first number, 95 % nearer than the second. Its width should be about the noise of a point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Fehler ist der Abstand der Punkte zur Oberfläche: Die Hälfte liegt näher als die erste Zahl, 95 % näher als die zweite. Seine Breite sollte etwa dem Rauschen eines Punkts entsprechen.</translation>
     </message>
     <message>
         <source>The error of the calibration is measured at corners of the board that were not used to calibrate. Its age counts since then: calibrate again when something was moved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Fehler der Kalibrierung wird an Ecken der Tafel gemessen, die nicht zum Kalibrieren dienten. Ihr Alter zählt seither: neu kalibrieren, wenn etwas bewegt wurde.</translation>
     </message>
     <message>
         <source>The large number says how accurate the rig measured the last time it was checked, and when that was.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die große Zahl sagt, wie genau der Messplatz bei der letzten Prüfung maß und wann das war.</translation>
     </message>
     <message>
         <source>The object is measured: the laser visits it point by point, and the table turns it from view to view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objekt wird gemessen: Der Laser fährt es Punkt für Punkt ab, und der Teller dreht es von Ansicht zu Ansicht.</translation>
     </message>
     <message>
         <source>The object is scanned again, set down another way, and both scans are brought together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objekt wird anders aufgestellt noch einmal gescannt, und beide Scans werden zusammengeführt.</translation>
     </message>
     <message>
         <source>The places need not be exact: a few millimetres are enough, the rest is computed from all points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Stellen müssen nicht genau sein: Ein paar Millimeter genügen, der Rest wird aus allen Punkten berechnet.</translation>
     </message>
     <message>
         <source>The points become a closed surface: a balloon is inflated inside them, refined where they ask for it, and smoothed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus den Punkten wird eine geschlossene Oberfläche: Ein Ballon wird in ihnen aufgeblasen, wo nötig verfeinert und geglättet.</translation>
     </message>
     <message>
         <source>The points count what is in the case already. Rejected points were seen by one camera only, or not sharply enough: a few of them are normal. The time left is computed from the views that are done.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte zählen, was schon im Fall ist. Verworfene Punkte sah nur eine Kamera, oder nicht scharf genug: Einige wenige sind normal. Die Restzeit wird aus den fertigen Ansichten berechnet.</translation>
     </message>
     <message>
         <source>The size is that of everything in the window: 150 % makes texts and buttons half as large again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Größe gilt für alles im Fenster: 150 % macht Texte und Knöpfe um die Hälfte größer.</translation>
     </message>
     <message>
         <source>The surface is checked and leaves the program as a file for the next machine, with a certificate beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche wird geprüft und verlässt das Programm als Datei für die nächste Maschine, mit einem Prüfbericht daneben.</translation>
     </message>
     <message>
         <source>This page shows the cameras, the laser, the table and their calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Seite zeigt die Kameras, den Laser, den Teller und ihre Kalibrierung.</translation>
     </message>
     <message>
         <source>Three places that both mounts have in common tell the program how the object was set down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drei Stellen, die beide Aufstellungen gemeinsam haben, sagen dem Programm, wie das Objekt aufgestellt wurde.</translation>
     </message>
     <message>
         <source>Two surfaces of the same object, before and after, are laid upon each other and their difference is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Oberflächen desselben Objekts, vorher und nachher, werden aufeinandergelegt und ihr Unterschied gezeigt.</translation>
     </message>
     <message>
         <source>Type the order&apos;s number or read it with the scanner, choose the side and the type, put the object on the table, and start. An interrupted scan is offered at the top and can be resumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auftragsnummer eintippen oder mit dem Scanner lesen, Seite und Typ wählen, Objekt auf den Teller stellen und starten. Ein unterbrochener Scan wird oben angeboten und kann fortgesetzt werden.</translation>
     </message>
     <message>
         <source>What is set once: looks, language, folders, and what a scan does by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was einmal eingestellt wird: Aussehen, Sprache, Ordner, und was ein Scan von selbst tut.</translation>
     </message>
     <message>
         <source>When everything is green there is nothing to do. Otherwise read the one sentence that is amber: it says what helps, with a button.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ist alles grün, gibt es nichts zu tun. Sonst den einen Satz lesen, der gelb ist: Er sagt, was hilft, mit einem Knopf.</translation>
     </message>
     <message>
         <source>Where the surface is not measured, or only thinly: a list of places, the largest first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo die Oberfläche nicht oder nur dünn gemessen ist: eine Liste der Stellen, die größte zuerst.</translation>
     </message>
 </context>
 <context>
@@ -6539,15 +6540,15 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand</translation>
     </message>
     <message>
         <source>Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen</translation>
     </message>
     <message>
         <source>at most ±{mm3} mm³; surface {mm2} mm²</source>
@@ -6587,7 +6588,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>{mm} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{mm} mm</translation>
     </message>
     <message>
         <source>± {um} µm, standard uncertainty of both places</source>
@@ -6798,7 +6799,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Find reference</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenz suchen</translation>
     </message>
     <message>
         <source>Laser off</source>
@@ -6878,7 +6879,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Unlock</source>
-        <translation type="unfinished"></translation>
+        <translation>Entriegeln</translation>
     </message>
     <message>
         <source>left</source>
@@ -8841,7 +8842,7 @@ Nachher: {after}</translation>
     <name>support</name>
     <message>
         <source>Checks</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfungen</translation>
     </message>
     <message>
         <source>How large the cases are and when they changed; nothing of what is in them.</source>
@@ -8849,7 +8850,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Log</source>
-        <translation type="unfinished"></translation>
+        <translation>Protokoll</translation>
     </message>
     <message>
         <source>Rig file</source>
@@ -8869,7 +8870,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Transcript of the controller</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitschrift der Steuerung</translation>
     </message>
     <message>
         <source>Versions and machine</source>
@@ -8940,7 +8941,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Open it</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>Reconstruct it</source>
