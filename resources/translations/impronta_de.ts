@@ -436,7 +436,7 @@
     </message>
     <message>
         <source>no spot</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Lichtpunkt</translation>
     </message>
 </context>
 <context>
@@ -835,7 +835,7 @@
     </message>
     <message>
         <source>Check again</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu prüfen</translation>
     </message>
     <message>
         <source>Everybody near the rig is protected, and nothing is in the way of beam and table</source>
@@ -1780,7 +1780,7 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>{happens}. The program {expected}.</source>
-        <translation>{happens}. Das Programm: {expected}.</translation>
+        <translation>{happens}. Das Programm {expected}.</translation>
     </message>
     <message>
         <source>{n} before</source>
@@ -4917,302 +4917,302 @@ Nachher: {after}</translation>
     <name>board</name>
     <message>
         <source>Angle {n} of {count}</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel {n} von {count}</translation>
     </message>
     <message>
         <source>Angle {n} taken. The table turns: hands off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel {n} aufgenommen. Der Teller dreht: Hände weg.</translation>
     </message>
     <message>
         <source>Bar {n} taken. Now hold it another way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stab {n} aufgenommen. Jetzt anders halten.</translation>
     </message>
     <message>
         <source>Blurred</source>
-        <translation type="unfinished"></translation>
+        <translation>Unscharf</translation>
     </message>
     <message>
         <source>Both cameras see the board, but not the same part of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Kameras sehen die Tafel, aber nicht denselben Teil.</translation>
     </message>
     <message>
         <source>Both of its ends in sight of both cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Enden im Bild beider Kameras.</translation>
     </message>
     <message>
         <source>Bring the board nearer and farther</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel näher und weiter weg bringen</translation>
     </message>
     <message>
         <source>Bring the board to the left of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel nach links im Bild der {camera} bringen</translation>
     </message>
     <message>
         <source>Bring the board to the lower left of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel nach unten links im Bild der {camera} bringen</translation>
     </message>
     <message>
         <source>Bring the board to the lower middle of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel nach unten Mitte im Bild der {camera} bringen</translation>
     </message>
     <message>
         <source>Bring the board to the lower right of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel nach unten rechts im Bild der {camera} bringen</translation>
     </message>
     <message>
         <source>Bring the board to the middle of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel in die Mitte des Bildes der {camera} bringen</translation>
     </message>
     <message>
         <source>Bring the board to the right of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel nach rechts im Bild der {camera} bringen</translation>
     </message>
     <message>
         <source>Bring the board to the upper left of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel nach oben links im Bild der {camera} bringen</translation>
     </message>
     <message>
         <source>Bring the board to the upper middle of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel nach oben Mitte im Bild der {camera} bringen</translation>
     </message>
     <message>
         <source>Bring the board to the upper right of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel nach oben rechts im Bild der {camera} bringen</translation>
     </message>
     <message>
         <source>Computing cameras and lenses from all views.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameras und Objektive werden aus allen Ansichten berechnet.</translation>
     </message>
     <message>
         <source>Computing the scale from the length bar.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Maßstab wird aus dem Längenstab berechnet.</translation>
     </message>
     <message>
         <source>Computing the table&apos;s axis and the uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Achse des Tellers und die Unsicherheit werden berechnet.</translation>
     </message>
     <message>
         <source>Cut by the picture&apos;s edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Vom Bildrand abgeschnitten</translation>
     </message>
     <message>
         <source>Each time at another place and tilted another way; hold it still until it is taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes Mal an anderer Stelle und anders geneigt; ruhig halten, bis aufgenommen ist.</translation>
     </message>
     <message>
         <source>Flat, face up, about the table&apos;s middle; then the table turns by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Flach, bedruckte Seite oben, um die Tellermitte; dann dreht der Teller von selbst.</translation>
     </message>
     <message>
         <source>Hold the bar still.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Stab ruhig halten.</translation>
     </message>
     <message>
         <source>Hold the board into the volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel in das Messvolumen halten</translation>
     </message>
     <message>
         <source>Hold the board still.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel ruhig halten.</translation>
     </message>
     <message>
         <source>Hold the length bar into the volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Längenstab in das Messvolumen halten</translation>
     </message>
     <message>
         <source>Lay the board on the table</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel auf den Teller legen</translation>
     </message>
     <message>
         <source>Length bar {n} of {count}</source>
-        <translation type="unfinished"></translation>
+        <translation>Längenstab {n} von {count}</translation>
     </message>
     <message>
         <source>More angles of the table: {n}</source>
-        <translation type="unfinished"></translation>
+        <translation>Weitere Winkel des Tellers: {n}</translation>
     </message>
     <message>
         <source>More views of the length bar: {n}</source>
-        <translation type="unfinished"></translation>
+        <translation>Weitere Ansichten des Längenstabs: {n}</translation>
     </message>
     <message>
         <source>More views: {n}</source>
-        <translation type="unfinished"></translation>
+        <translation>Weitere Ansichten: {n}</translation>
     </message>
     <message>
         <source>Neither camera sees the board.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Kamera sieht die Tafel.</translation>
     </message>
     <message>
         <source>No board in sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Tafel im Bild</translation>
     </message>
     <message>
         <source>Only one camera sees the board.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur eine Kamera sieht die Tafel.</translation>
     </message>
     <message>
         <source>Take your hands away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hände wegnehmen.</translation>
     </message>
     <message>
         <source>Tilt the board more, each time to another side</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel stärker neigen, jedes Mal zu einer anderen Seite</translation>
     </message>
     <message>
         <source>Too bright</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu hell</translation>
     </message>
     <message>
         <source>Too dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu dunkel</translation>
     </message>
     <message>
         <source>Too little of the board in sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu wenig von der Tafel im Bild</translation>
     </message>
     <message>
         <source>Too similar to an earlier view: move or tilt the board.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einer früheren Ansicht zu ähnlich: Tafel bewegen oder neigen.</translation>
     </message>
     <message>
         <source>View taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht aufgenommen.</translation>
     </message>
     <message>
         <source>View {n} of {count}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht {n} von {count}</translation>
     </message>
     <message>
         <source>View {n} taken. Now tilt it another way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht {n} aufgenommen. Jetzt anders neigen.</translation>
     </message>
     <message>
         <source>left camera&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>linken Kamera</translation>
     </message>
     <message>
         <source>right camera&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>rechten Kamera</translation>
     </message>
     <message>
         <source>{n} corners</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} Ecken</translation>
     </message>
     <message>
         <source>{what} in the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>{what} im Bild der {camera}</translation>
     </message>
 </context>
 <context>
     <name>calibration</name>
     <message>
         <source>Age unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>Alter unbekannt</translation>
     </message>
     <message>
         <source>Distance between the cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand der Kameras</translation>
     </message>
     <message>
         <source>Expired {n} days ago</source>
-        <translation type="unfinished"></translation>
+        <translation>Vor {n} Tagen abgelaufen</translation>
     </message>
     <message>
         <source>Expires soon: {n} days left</source>
-        <translation type="unfinished"></translation>
+        <translation>Läuft bald ab: noch {n} Tage</translation>
     </message>
     <message>
         <source>Focal length, left and right</source>
-        <translation type="unfinished"></translation>
+        <translation>Brennweite, links und rechts</translation>
     </message>
     <message>
         <source>Identity</source>
-        <translation type="unfinished"></translation>
+        <translation>Kennung</translation>
     </message>
     <message>
         <source>Image centre, left</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildmitte, links</translation>
     </message>
     <message>
         <source>Image centre, right</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildmitte, rechts</translation>
     </message>
     <message>
         <source>Length bar where it took no part</source>
-        <translation type="unfinished"></translation>
+        <translation>Längenstab, wo er nicht mitwirkte</translation>
     </message>
     <message>
         <source>Measured shapes change by {rms} µm rms over the volume, {largest} µm at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Formen ändern sich im Messvolumen um {rms} µm rms, höchstens {largest} µm</translation>
     </message>
     <message>
         <source>Reference sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenzkugel</translation>
     </message>
     <message>
         <source>Reprojection error</source>
-        <translation type="unfinished"></translation>
+        <translation>Reprojektionsfehler</translation>
     </message>
     <message>
         <source>Right camera against the left, turned</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechte Kamera gegen linke, gedreht</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstab</translation>
     </message>
     <message>
         <source>The reference sphere measured {change} µm otherwise than in the tests before: calibrate and test it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Referenzkugel maß {change} µm anders als in den Prüfungen zuvor: kalibrieren und neu prüfen.</translation>
     </message>
     <message>
         <source>This calibration is {n} days old and has expired: cameras creep. Calibrate before you measure.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Kalibrierung ist {n} Tage alt und abgelaufen: Kameras driften. Vor dem Messen kalibrieren.</translation>
     </message>
     <message>
         <source>Turntable axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse des Drehtellers</translation>
     </message>
     <message>
         <source>Turntable axis, turned</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse des Drehtellers, gedreht</translation>
     </message>
     <message>
         <source>Valid: {n} days left</source>
-        <translation type="unfinished"></translation>
+        <translation>Gültig: noch {n} Tage</translation>
     </message>
     <message>
         <source>Views of the board</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansichten der Tafel</translation>
     </message>
     <message>
         <source>by the print alone, not verified</source>
-        <translation type="unfinished"></translation>
+        <translation>nur durch den Druck, nicht bestätigt</translation>
     </message>
     <message>
         <source>more than three standard uncertainties of {u} µm explain: something has moved.</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr, als drei Standardunsicherheiten von {u} µm erklären: Etwas hat sich bewegt.</translation>
     </message>
     <message>
         <source>not verified</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht bestätigt</translation>
     </message>
     <message>
         <source>radius error {size} µm, D95 {d95} µm, {date}</source>
-        <translation type="unfinished"></translation>
+        <translation>Radiusfehler {size} µm, D95 {d95} µm, {date}</translation>
     </message>
     <message>
         <source>the previous one does not state its uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>die vorige nennt ihre Unsicherheit nicht.</translation>
     </message>
     <message>
         <source>verified by the {length} mm bar</source>
-        <translation type="unfinished"></translation>
+        <translation>bestätigt durch den {length}-mm-Stab</translation>
     </message>
     <message>
         <source>within three standard uncertainties of {u} µm each.</source>
-        <translation type="unfinished"></translation>
+        <translation>innerhalb von drei Standardunsicherheiten von je {u} µm.</translation>
     </message>
 </context>
 <context>
@@ -5310,67 +5310,67 @@ Nachher: {after}</translation>
     <name>comparison</name>
     <message>
         <source>95 % below {p} mm, on {a} mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % unter {p} mm, auf {a} mm²</translation>
     </message>
     <message>
         <source>Aligning</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausrichten</translation>
     </message>
     <message>
         <source>As they lie</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie sie liegen</translation>
     </message>
     <message>
         <source>Change threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwelle ändern</translation>
     </message>
     <message>
         <source>Change unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit ändern</translation>
     </message>
     <message>
         <source>Change what is held fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>Ändern, was festgehalten wird</translation>
     </message>
     <message>
         <source>Click the tooth in the picture: the mark grows to its edge, and its motion is told.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Zahn im Bild anklicken: Die Marke wächst bis zu seinem Rand, und seine Bewegung wird genannt.</translation>
     </message>
     <message>
         <source>Correct the marked tooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Markierten Zahn berichtigen</translation>
     </message>
     <message>
         <source>Draw a line round what belongs to the tooth, too; only what is seen is added.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Linie um das ziehen, was auch zum Zahn gehört; nur Sichtbares kommt hinzu.</translation>
     </message>
     <message>
         <source>Draw a line round what does not belong to the tooth; only what is seen is taken off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Linie um das ziehen, was nicht zum Zahn gehört; nur Sichtbares fällt weg.</translation>
     </message>
     <message>
         <source>Erase from the stable region</source>
-        <translation type="unfinished"></translation>
+        <translation>Vom stabilen Bereich wegradieren</translation>
     </message>
     <message>
         <source>Finding the areas</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächen suchen</translation>
     </message>
     <message>
         <source>Load the surface after</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche nachher laden</translation>
     </message>
     <message>
         <source>Load the surface before</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche vorher laden</translation>
     </message>
     <message>
         <source>Looking for its edge…</source>
-        <translation type="unfinished"></translation>
+        <translation>Sein Rand wird gesucht…</translation>
     </message>
     <message>
         <source>Lower</source>
-        <translation type="unfinished"></translation>
+        <translation>Unter</translation>
     </message>
     <message>
         <source>Mark a tooth</source>
@@ -5378,43 +5378,43 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Measuring its motion…</source>
-        <translation type="unfinished"></translation>
+        <translation>Seine Bewegung wird gemessen…</translation>
     </message>
     <message>
         <source>Measuring the distances</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstände messen</translation>
     </message>
     <message>
         <source>Paint as stable</source>
-        <translation type="unfinished"></translation>
+        <translation>Als stabil malen</translation>
     </message>
     <message>
         <source>Paint with the left button what did not move, then align on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit der linken Taste malen, was sich nicht bewegt hat, dann daran ausrichten.</translation>
     </message>
     <message>
         <source>Painted region</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemalter Bereich</translation>
     </message>
     <message>
         <source>Pick no points</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Punkte wählen</translation>
     </message>
     <message>
         <source>Pick three points on each</source>
-        <translation type="unfinished"></translation>
+        <translation>Je drei Punkte wählen</translation>
     </message>
     <message>
         <source>Remove a surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche entfernen</translation>
     </message>
     <message>
         <source>Remove the mark of the tooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Marke des Zahns entfernen</translation>
     </message>
     <message>
         <source>Say which jaw it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Angeben, welcher Kiefer es ist</translation>
     </message>
     <message>
         <source>Swap before and after</source>
@@ -5422,31 +5422,31 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Upper</source>
-        <translation type="unfinished"></translation>
+        <translation>Ober</translation>
     </message>
     <message>
         <source>What did not move</source>
-        <translation type="unfinished"></translation>
+        <translation>Was sich nicht bewegt hat</translation>
     </message>
     <message>
         <source>Whole surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganze Oberfläche</translation>
     </message>
     <message>
         <source>Wipe with the left button over what may have moved, then align on the rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit der linken Taste über das wischen, was sich bewegt haben kann, dann am Rest ausrichten.</translation>
     </message>
     <message>
         <source>best fit of everything, also of what moved</source>
-        <translation type="unfinished"></translation>
+        <translation>beste Anpassung von allem, auch von Bewegtem</translation>
     </message>
     <message>
         <source>given</source>
-        <translation type="unfinished"></translation>
+        <translation>vorgegeben</translation>
     </message>
     <message>
         <source>moved {d} ± {u} mm, turned {a} ± {v}°</source>
-        <translation type="unfinished"></translation>
+        <translation>{d} ± {u} mm bewegt, {a} ± {v}° gedreht</translation>
     </message>
     <message>
         <source>no counterpart</source>
@@ -5454,39 +5454,39 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>picked points</source>
-        <translation type="unfinished"></translation>
+        <translation>gewählte Punkte</translation>
     </message>
     <message>
         <source>point-pair features</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktpaar-Merkmale</translation>
     </message>
     <message>
         <source>principal axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Hauptachsen</translation>
     </message>
     <message>
         <source>the files share one frame; nothing is aligned</source>
-        <translation type="unfinished"></translation>
+        <translation>die Dateien teilen ein Koordinatensystem; nichts wird ausgerichtet</translation>
     </message>
     <message>
         <source>the stable region is found and held fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>der stabile Bereich wird gefunden und festgehalten</translation>
     </message>
     <message>
         <source>what was painted is held fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>was gemalt wurde, wird festgehalten</translation>
     </message>
     <message>
         <source>{n} mm inwards</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} mm nach innen</translation>
     </message>
     <message>
         <source>{n} mm outwards</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} mm nach außen</translation>
     </message>
     <message>
         <source>± {u} mm, turned {a} ± {v}°</source>
-        <translation type="unfinished"></translation>
+        <translation>± {u} mm, {a} ± {v}° gedreht</translation>
     </message>
 </context>
 <context>
@@ -6146,7 +6146,7 @@ Nachher: {after}</translation>
     <name>emission</name>
     <message>
         <source>Laser ON</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser AN</translation>
     </message>
     <message>
         <source>Laser off</source>
@@ -6154,65 +6154,65 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Laser unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser unbekannt</translation>
     </message>
     <message>
         <source>Laser: no rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser: kein Messplatz</translation>
     </message>
 </context>
 <context>
     <name>faults</name>
     <message>
         <source>Something unexpected happened ({kind}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwas Unerwartetes ist geschehen ({kind}).</translation>
     </message>
     <message>
         <source>What was measured is kept; the details help us to mend it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gemessene ist gesichert; die Details helfen uns, es zu beheben.</translation>
     </message>
 </context>
 <context>
     <name>format</name>
     <message>
         <source>1 day old</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Tag alt</translation>
     </message>
     <message>
         <source>1 hour ago</source>
-        <translation type="unfinished"></translation>
+        <translation>vor 1 Stunde</translation>
     </message>
     <message>
         <source>1 minute ago</source>
-        <translation type="unfinished"></translation>
+        <translation>vor 1 Minute</translation>
     </message>
     <message>
         <source>just now</source>
-        <translation type="unfinished"></translation>
+        <translation>gerade eben</translation>
     </message>
     <message>
         <source>today</source>
-        <translation type="unfinished"></translation>
+        <translation>heute</translation>
     </message>
     <message>
         <source>yesterday</source>
-        <translation type="unfinished"></translation>
+        <translation>gestern</translation>
     </message>
     <message>
         <source>{n} days ago</source>
-        <translation type="unfinished"></translation>
+        <translation>vor {n} Tagen</translation>
     </message>
     <message>
         <source>{n} days old</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} Tage alt</translation>
     </message>
     <message>
         <source>{n} hours ago</source>
-        <translation type="unfinished"></translation>
+        <translation>vor {n} Stunden</translation>
     </message>
     <message>
         <source>{n} minutes ago</source>
-        <translation type="unfinished"></translation>
+        <translation>vor {n} Minuten</translation>
     </message>
 </context>
 <context>
@@ -6382,27 +6382,27 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Everywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Überall</translation>
     </message>
     <message>
         <source>Nearer and farther</source>
-        <translation type="unfinished"></translation>
+        <translation>Näher und weiter weg</translation>
     </message>
     <message>
         <source>Next and previous control</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächstes und voriges Bedienelement</translation>
     </message>
     <message>
         <source>Open the menus</source>
-        <translation type="unfinished"></translation>
+        <translation>Menüs öffnen</translation>
     </message>
     <message>
         <source>Pages</source>
-        <translation type="unfinished"></translation>
+        <translation>Seiten</translation>
     </message>
     <message>
         <source>Pick the point in the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt in der Mitte wählen</translation>
     </message>
     <message>
         <source>Pick three points</source>
@@ -6410,133 +6410,133 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Press the control in hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewähltes Bedienelement drücken</translation>
     </message>
     <message>
         <source>The other surface, for a moment</source>
-        <translation type="unfinished"></translation>
+        <translation>Die andere Oberfläche, für einen Augenblick</translation>
     </message>
     <message>
         <source>Turn the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht drehen</translation>
     </message>
 </context>
 <context>
     <name>materials</name>
     <message>
         <source>A clipped top hides where the peak is, and on gloss it is seldom in the middle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine abgeschnittene Spitze verdeckt, wo das Maximum ist, und auf Glanz liegt es selten in der Mitte.</translation>
     </message>
     <message>
         <source>A dim halo without its spot must not be taken for one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein dunkler Hof ohne seinen Lichtpunkt darf nicht für einen gelten.</translation>
     </message>
     <message>
         <source>A higher threshold keeps the foot of the halo, which is no part of the beam, out of the spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine höhere Schwelle hält den Fuß des Hofs, der nicht zum Strahl gehört, aus dem Lichtpunkt heraus.</translation>
     </message>
     <message>
         <source>A little light spreads inside of the plaster and comes out around the spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein wenig Licht breitet sich im Gips aus und tritt um den Lichtpunkt herum aus.</translation>
     </message>
     <message>
         <source>Alginate or another wet, glossy impression under a thin coat of white powder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alginat oder eine andere nasse, glänzende Abformung unter einer dünnen Schicht weißen Puders.</translation>
     </message>
     <message>
         <source>Alginate, scan-sprayed</source>
-        <translation type="unfinished"></translation>
+        <translation>Alginat, mit Scanspray</translation>
     </message>
     <message>
         <source>Dry plaster does not mirror; what is less bright by four is light from a neighbouring wall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Trockener Gips spiegelt nicht; was viermal dunkler ist, ist Licht von einer Nachbarwand.</translation>
     </message>
     <message>
         <source>Ear impression silicone</source>
-        <translation type="unfinished"></translation>
+        <translation>Abformsilikon (Ohr)</translation>
     </message>
     <message>
         <source>Glare flattens the top of a spot on a wet place: fewer clipped pixels are borne than on a matt surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Glanz flacht die Spitze eines Lichtpunkts auf nasser Stelle ab: Es werden weniger abgeschnittene Pixel geduldet als auf matter Fläche.</translation>
     </message>
     <message>
         <source>Glossy plastic</source>
-        <translation type="unfinished"></translation>
+        <translation>Glänzender Kunststoff</translation>
     </message>
     <message>
         <source>Light goes in and comes out around: the peak is lower than on silicone that scatters as much.</source>
-        <translation type="unfinished"></translation>
+        <translation>Licht dringt ein und tritt ringsum aus: Die Spitze ist niedriger als auf Silikon, das ebenso stark streut.</translation>
     </message>
     <message>
         <source>Matt, light silicone that has set; coloured ones may need more light.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mattes, helles, ausgehärtetes Silikon; farbiges kann mehr Licht brauchen.</translation>
     </message>
     <message>
         <source>Mirrored light is drawn out along the surface: spots that are longer than three times their width are doubtful here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespiegeltes Licht ist längs der Fläche gestreckt: Lichtpunkte, die länger sind als das Dreifache ihrer Breite, sind hier zweifelhaft.</translation>
     </message>
     <message>
         <source>Mirrored spots are nearly as bright as true ones: the frame alone decides nothing, the other camera does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespiegelte Lichtpunkte sind fast so hell wie echte: Das Bild allein entscheidet nichts, die andere Kamera schon.</translation>
     </message>
     <message>
         <source>Plaster</source>
-        <translation type="unfinished"></translation>
+        <translation>Gips</translation>
     </message>
     <message>
         <source>Plaster scatters back about 0.8 of the light where silicone scatters 0.5: the same peak comes in 0.65 of the time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gips streut etwa 0,8 des Lichts zurück, Silikon 0,5: dieselbe Spitze in 0,65 der Zeit.</translation>
     </message>
     <message>
         <source>Printed models, varnish, enamel; spray it where you can.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gedruckte Modelle, Lack, Schmelz; wo möglich einsprühen.</translation>
     </message>
     <message>
         <source>Set silicone hardly mirrors: four times as bright tells the spot from the few reflections.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgehärtetes Silikon spiegelt kaum: Vierfache Helligkeit trennt den Lichtpunkt von den wenigen Reflexen.</translation>
     </message>
     <message>
         <source>Skin-like</source>
-        <translation type="unfinished"></translation>
+        <translation>Hautähnlich</translation>
     </message>
     <message>
         <source>The halo of the light that comes out around the spot is wider than the spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Hof des Lichts, das um den Lichtpunkt austritt, ist breiter als der Lichtpunkt.</translation>
     </message>
     <message>
         <source>The part that is mirrored is lost to both cameras or blinds one: between plaster and silicone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der gespiegelte Anteil geht beiden Kameras verloren oder blendet eine: zwischen Gips und Silikon.</translation>
     </message>
     <message>
         <source>The powder is as white as plaster where the coat covers; a little more light for where it is thin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Puder ist weiß wie Gips, wo die Schicht deckt; etwas mehr Licht für die Stellen, wo sie dünn ist.</translation>
     </message>
     <message>
         <source>The rig&apos;s own exposure is made for a matt, light surface that scatters back about half of the light, as silicone does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die eigene Belichtung des Messplatzes gilt für eine matte, helle Fläche, die etwa die Hälfte des Lichts zurückstreut, wie Silikon.</translation>
     </message>
     <message>
         <source>The walls of the canal are seen at up to 80 degrees: their spots are drawn out, and still good.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Wände des Gehörgangs werden mit bis zu 80 Grad gesehen: Ihre Lichtpunkte sind gestreckt und trotzdem gut.</translation>
     </message>
     <message>
         <source>Translucent and reddish: skin, wax, flesh-coloured silicone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchscheinend und rötlich: Haut, Wachs, hautfarbenes Silikon.</translation>
     </message>
     <message>
         <source>Where the coat is thin the wet surface mirrors: only what is clearly the brightest is taken, the rest is left to the other camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo die Schicht dünn ist, spiegelt die nasse Fläche: Nur das eindeutig Hellste wird genommen, der Rest bleibt der anderen Kamera überlassen.</translation>
     </message>
     <message>
         <source>White gypsum, as dental models and casts are made of.</source>
-        <translation type="unfinished"></translation>
+        <translation>Weißer Gips, wie für Dental- und andere Modelle.</translation>
     </message>
 </context>
 <context>
     <name>measure</name>
     <message>
         <source>Canal length</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge des Gehörgangs</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -6552,31 +6552,31 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>at most ±{mm3} mm³; surface {mm2} mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>höchstens ±{mm3} mm³; Oberfläche {mm2} mm²</translation>
     </message>
     <message>
         <source>from end to end</source>
-        <translation type="unfinished"></translation>
+        <translation>von Ende zu Ende</translation>
     </message>
     <message>
         <source>from the tip to where it opens</source>
-        <translation type="unfinished"></translation>
+        <translation>von der Spitze bis zu seiner Öffnung</translation>
     </message>
     <message>
         <source>its uncertainty is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>seine Unsicherheit ist nicht bekannt</translation>
     </message>
     <message>
         <source>perimeter {mm} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Umfang {mm} mm</translation>
     </message>
     <message>
         <source>perimeter {mm} mm; the section is open</source>
-        <translation type="unfinished"></translation>
+        <translation>Umfang {mm} mm; der Schnitt ist offen</translation>
     </message>
     <message>
         <source>surface {mm2} mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche {mm2} mm²</translation>
     </message>
     <message>
         <source>{mm2} mm²</source>
@@ -6584,7 +6584,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>{mm3} mm³</source>
-        <translation type="unfinished"></translation>
+        <translation>{mm3} mm³</translation>
     </message>
     <message>
         <source>{mm} mm</source>
@@ -6592,46 +6592,46 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>± {um} µm, standard uncertainty of both places</source>
-        <translation type="unfinished"></translation>
+        <translation>± {um} µm, Standardunsicherheit beider Stellen</translation>
     </message>
 </context>
 <context>
     <name>mounts</name>
     <message>
         <source>Mount {n}</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufstellung {n}</translation>
     </message>
     <message>
         <source>Pick a point on a mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt auf einer Aufstellung wählen</translation>
     </message>
     <message>
         <source>from your points</source>
-        <translation type="unfinished"></translation>
+        <translation>von den gewählten Punkten</translation>
     </message>
     <message>
         <source>margin to the second-best pose {margin}</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorsprung vor der zweitbesten Lage {margin}</translation>
     </message>
     <message>
         <source>unique</source>
-        <translation type="unfinished"></translation>
+        <translation>eindeutig</translation>
     </message>
     <message>
         <source>{points} points, kept apart</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} Punkte, getrennt gehalten</translation>
     </message>
     <message>
         <source>{points} points; the others lie on it</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} Punkte; die anderen liegen darauf</translation>
     </message>
     <message>
         <source>{share} % overlap</source>
-        <translation type="unfinished"></translation>
+        <translation>{share} % Überlappung</translation>
     </message>
     <message>
         <source>{um} µm residual</source>
-        <translation type="unfinished"></translation>
+        <translation>{um} µm Restfehler</translation>
     </message>
 </context>
 <context>
@@ -6717,85 +6717,85 @@ Nachher: {after}</translation>
     <name>phases</name>
     <message>
         <source>Inflate</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufblasen</translation>
     </message>
     <message>
         <source>Refine</source>
-        <translation type="unfinished"></translation>
+        <translation>Verfeinern</translation>
     </message>
     <message>
         <source>Smooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Glätten</translation>
     </message>
     <message>
         <source>grows to the points</source>
-        <translation type="unfinished"></translation>
+        <translation>wächst zu den Punkten</translation>
     </message>
     <message>
         <source>where the error is</source>
-        <translation type="unfinished"></translation>
+        <translation>wo der Fehler ist</translation>
     </message>
     <message>
         <source>without shrinking</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne Schrumpfen</translation>
     </message>
 </context>
 <context>
     <name>preferences</name>
     <message>
         <source>another folder for cases</source>
-        <translation type="unfinished"></translation>
+        <translation>anderer Ordner für Fälle</translation>
     </message>
     <message>
         <source>another folder for exports</source>
-        <translation type="unfinished"></translation>
+        <translation>anderer Ordner für Exporte</translation>
     </message>
     <message>
         <source>another pattern of file names</source>
-        <translation type="unfinished"></translation>
+        <translation>anderes Muster der Dateinamen</translation>
     </message>
     <message>
         <source>change of the export profiles</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderung der Exportprofile</translation>
     </message>
     <message>
         <source>change of the language</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderung der Sprache</translation>
     </message>
     <message>
         <source>change of the size</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderung der Größe</translation>
     </message>
     <message>
         <source>change of the theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderung des Designs</translation>
     </message>
     <message>
         <source>measuring weak places again</source>
-        <translation type="unfinished"></translation>
+        <translation>schwache Stellen noch einmal messen</translation>
     </message>
     <message>
         <source>patient&apos;s code in file names</source>
-        <translation type="unfinished"></translation>
+        <translation>Patientencode in Dateinamen</translation>
     </message>
     <message>
         <source>surface while scanning</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche während des Scans</translation>
     </message>
 </context>
 <context>
     <name>ready</name>
     <message>
         <source>Calibrate…</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrieren…</translation>
     </message>
     <message>
         <source>Check again</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu prüfen</translation>
     </message>
     <message>
         <source>Checking the rig…</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatz wird geprüft…</translation>
     </message>
     <message>
         <source>Find reference</source>
@@ -6807,75 +6807,75 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Not now</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht jetzt</translation>
     </message>
     <message>
         <source>Only {free_gib} GB are free where the cases are kept: free some space.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo die Fälle liegen, sind nur {free_gib} GB frei: Platz schaffen.</translation>
     </message>
     <message>
         <source>Ready to measure.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereit zum Messen.</translation>
     </message>
     <message>
         <source>Reconnect</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu verbinden</translation>
     </message>
     <message>
         <source>Set up…</source>
-        <translation type="unfinished"></translation>
+        <translation>Einrichten…</translation>
     </message>
     <message>
         <source>The axes have not found their reference yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Achsen haben ihre Referenz noch nicht gefunden.</translation>
     </message>
     <message>
         <source>The calibration does not fit this rig: it must be another one&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kalibrierung passt nicht zu diesem Messplatz: Sie muss von einem anderen sein.</translation>
     </message>
     <message>
         <source>The calibration expired {days} days ago.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kalibrierung ist vor {days} Tagen abgelaufen.</translation>
     </message>
     <message>
         <source>The controller is halted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung ist angehalten.</translation>
     </message>
     <message>
         <source>The controller is in alarm: look what stopped it, then unlock it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung ist im Alarm: nachsehen, was sie anhielt, dann entriegeln.</translation>
     </message>
     <message>
         <source>The controller reports that the laser is lit, and nobody has asked for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung meldet, dass der Laser leuchtet, und niemand hat es verlangt.</translation>
     </message>
     <message>
         <source>The lid was opened: close it, then unlock.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Deckel wurde geöffnet: schließen, dann entriegeln.</translation>
     </message>
     <message>
         <source>The reference sphere was last measured {days} days ago: have the rig verified.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Referenzkugel wurde zuletzt vor {days} Tagen gemessen: Messplatz prüfen lassen.</translation>
     </message>
     <message>
         <source>The reference sphere was never measured on this rig: have it verified.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Referenzkugel wurde an diesem Messplatz nie gemessen: Messplatz prüfen lassen.</translation>
     </message>
     <message>
         <source>The rig is not calibrated yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Messplatz ist noch nicht kalibriert.</translation>
     </message>
     <message>
         <source>The {camera} camera sends black pictures: take the cap off its lens and look at its cable.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die {camera} Kamera sendet schwarze Bilder: Objektivdeckel abnehmen und Kabel prüfen.</translation>
     </message>
     <message>
         <source>The {camera} camera sends pictures of {size} pixels, the rig file says {expected}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die {camera} Kamera sendet Bilder mit {size} Pixeln, die Messplatzdatei sagt {expected}.</translation>
     </message>
     <message>
         <source>Too much light falls into the {camera} camera: switch the lamp off or close the lid.</source>
-        <translation type="unfinished"></translation>
+        <translation>In die {camera} Kamera fällt zu viel Licht: Lampe ausschalten oder Deckel schließen.</translation>
     </message>
     <message>
         <source>Unlock</source>
@@ -6883,129 +6883,129 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>left</source>
-        <translation type="unfinished"></translation>
+        <translation>linke</translation>
     </message>
     <message>
         <source>right</source>
-        <translation type="unfinished"></translation>
+        <translation>rechte</translation>
     </message>
     <message>
         <source>{sentence} (and {more} more)</source>
-        <translation type="unfinished"></translation>
+        <translation>{sentence} (und {more} weitere)</translation>
     </message>
 </context>
 <context>
     <name>reasons</name>
     <message>
         <source>cameras did not expose together</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameras haben nicht gleichzeitig belichtet</translation>
     </message>
     <message>
         <source>cameras saw different spots</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameras sahen verschiedene Lichtpunkte</translation>
     </message>
     <message>
         <source>cut by the picture&apos;s edge</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Bildrand abgeschnitten</translation>
     </message>
     <message>
         <source>hidden from the left camera</source>
-        <translation type="unfinished"></translation>
+        <translation>vor der linken Kamera verdeckt</translation>
     </message>
     <message>
         <source>hidden from the right camera</source>
-        <translation type="unfinished"></translation>
+        <translation>vor der rechten Kamera verdeckt</translation>
     </message>
     <message>
         <source>more than one spot</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr als ein Lichtpunkt</translation>
     </message>
     <message>
         <source>no spot in either camera</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Lichtpunkt in beiden Kameras</translation>
     </message>
     <message>
         <source>on a mark of the table&apos;s rim</source>
-        <translation type="unfinished"></translation>
+        <translation>auf einer Marke am Tellerrand</translation>
     </message>
     <message>
         <source>on the table</source>
-        <translation type="unfinished"></translation>
+        <translation>auf dem Teller</translation>
     </message>
     <message>
         <source>outside the volume</source>
-        <translation type="unfinished"></translation>
+        <translation>außerhalb des Messvolumens</translation>
     </message>
     <message>
         <source>picture lost</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild verloren</translation>
     </message>
     <message>
         <source>picture too bright</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild zu hell</translation>
     </message>
     <message>
         <source>picture torn</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild zerrissen</translation>
     </message>
     <message>
         <source>spot overexposed</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtpunkt überbelichtet</translation>
     </message>
     <message>
         <source>spot smeared along the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtpunkt längs der Fläche verschmiert</translation>
     </message>
     <message>
         <source>spot too dim</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtpunkt zu schwach</translation>
     </message>
     <message>
         <source>spot too large</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtpunkt zu groß</translation>
     </message>
     <message>
         <source>spot too small</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtpunkt zu klein</translation>
     </message>
 </context>
 <context>
     <name>reconstruction</name>
     <message>
         <source>About {triangles} triangles, expected error about {n} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwa {triangles} Dreiecke, erwarteter Fehler etwa {n} µm.</translation>
     </message>
     <message>
         <source>About {triangles} triangles, expected error about {n} µm: rounder, but no more certain.</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwa {triangles} Dreiecke, erwarteter Fehler etwa {n} µm: runder, aber nicht sicherer.</translation>
     </message>
     <message>
         <source>About {triangles} triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwa {triangles} Dreiecke.</translation>
     </message>
     <message>
         <source>As many triangles as a tolerance of {n} µm needs (set under Expert).</source>
-        <translation type="unfinished"></translation>
+        <translation>So viele Dreiecke, wie eine Toleranz von {n} µm braucht (unter Experte gesetzt).</translation>
     </message>
     <message>
         <source>Closed and whole: points support all of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschlossen und ganz: alles von Punkten belegt.</translation>
     </message>
     <message>
         <source>Closed and whole; {share} % of the points did not belong to it and were left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschlossen und ganz; {share} % der Punkte gehörten nicht dazu und blieben weg.</translation>
     </message>
     <message>
         <source>Closed; {share} % of it was not scanned and is only bridged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschlossen; {share} % davon wurden nicht gescannt und sind nur überbrückt.</translation>
     </message>
     <message>
         <source>Kept early: closed and whole, but coarser than the points allow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorzeitig behalten: geschlossen und ganz, aber gröber, als die Punkte erlauben.</translation>
     </message>
     <message>
         <source>Left open where nothing was scanned, as it was asked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie verlangt offen gelassen, wo nichts gescannt wurde.</translation>
     </message>
     <message>
         <source>No order number</source>
@@ -7013,42 +7013,42 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>The points carry the number of triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte tragen diese Zahl von Dreiecken.</translation>
     </message>
     <message>
         <source>{order} · {side}</source>
-        <translation type="unfinished"></translation>
+        <translation>{order} · {side}</translation>
     </message>
     <message>
         <source>{order}: being finished</source>
-        <translation type="unfinished"></translation>
+        <translation>{order}: wird fertiggestellt</translation>
     </message>
     <message>
         <source>{order}: reconstructing</source>
-        <translation type="unfinished"></translation>
+        <translation>{order}: wird rekonstruiert</translation>
     </message>
     <message>
         <source>{order}: reconstructing, {left} left</source>
-        <translation type="unfinished"></translation>
+        <translation>{order}: wird rekonstruiert, noch {left}</translation>
     </message>
     <message>
         <source>{order}: reconstructing, {left} left, {count} waiting</source>
-        <translation type="unfinished"></translation>
+        <translation>{order}: wird rekonstruiert, noch {left}, {count} wartend</translation>
     </message>
 </context>
 <context>
     <name>reject_advice</name>
     <message>
         <source>Check the trigger cable of the cameras (Rig).</source>
-        <translation type="unfinished"></translation>
+        <translation>Triggerkabel der Kameras prüfen (Messplatz).</translation>
     </message>
     <message>
         <source>Focus the lenses on the object (Aim).</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektive auf das Objekt scharf stellen (Anvisieren).</translation>
     </message>
     <message>
         <source>Lengthen the exposure (Aim), or dust the object with a matt white powder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Länger belichten (Anvisieren) oder das Objekt mit mattem weißem Puder bestäuben.</translation>
     </message>
     <message>
         <source>Move the object to the middle of the table.</source>
@@ -7056,51 +7056,51 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Normal at the edges of the object, where the beam passes it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal an den Rändern des Objekts, wo der Strahl vorbeigeht.</translation>
     </message>
     <message>
         <source>Normal at the edges; if there are many, defocus the lenses a little (Aim).</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal an den Rändern; sind es viele, die Objektive etwas unscharf stellen (Anvisieren).</translation>
     </message>
     <message>
         <source>Normal in small numbers; if there are many, check the calibration (Rig).</source>
-        <translation type="unfinished"></translation>
+        <translation>In kleiner Zahl normal; sind es viele, die Kalibrierung prüfen (Messplatz).</translation>
     </message>
     <message>
         <source>Normal on steep flanks; another mount turns them towards the laser.</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal an steilen Flanken; eine andere Aufstellung dreht sie zum Laser.</translation>
     </message>
     <message>
         <source>Normal: the beam met a mark of the table&apos;s rim.</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal: Der Strahl traf eine Marke am Tellerrand.</translation>
     </message>
     <message>
         <source>Normal: the beam met the table beside the object.</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal: Der Strahl traf den Teller neben dem Objekt.</translation>
     </message>
     <message>
         <source>Pictures come damaged: plug each camera into a USB port of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder kommen beschädigt an: jede Kamera an ihren eigenen USB-Anschluss stecken.</translation>
     </message>
     <message>
         <source>Pictures get lost: plug each camera into a USB port of its own, and close other programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder gehen verloren: jede Kamera an ihren eigenen USB-Anschluss stecken und andere Programme schließen.</translation>
     </message>
     <message>
         <source>Shorten the exposure (Aim), or dust shiny places with a matt powder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kürzer belichten (Anvisieren) oder glänzende Stellen mit mattem Puder bestäuben.</translation>
     </message>
     <message>
         <source>Something mirrors the laser: dust it with matt powder, or cover what shines beside the object.</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwas spiegelt den Laser: mit mattem Puder bestäuben oder abdecken, was neben dem Objekt glänzt.</translation>
     </message>
     <message>
         <source>Switch off lamps, keep the sun away, close the lid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lampen aus, Sonne fernhalten, Deckel schließen.</translation>
     </message>
     <message>
         <source>The object stands in the camera&apos;s way: another mount shows what is hidden.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objekt steht der Kamera im Weg: Eine andere Aufstellung zeigt das Verdeckte.</translation>
     </message>
 </context>
 <context>
@@ -7190,23 +7190,23 @@ Nachher: {after}</translation>
     <name>rig</name>
     <message>
         <source>5 times</source>
-        <translation type="unfinished"></translation>
+        <translation>5-fach</translation>
     </message>
     <message>
         <source>As fast as it can</source>
-        <translation type="unfinished"></translation>
+        <translation>So schnell es geht</translation>
     </message>
     <message>
         <source>Bench: 604 × 294 px at 435 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkbank: 604 × 294 px auf 435 mm</translation>
     </message>
     <message>
         <source>Both ears on a pair tray</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Ohren auf einem Paarträger</translation>
     </message>
     <message>
         <source>Dental arch</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahnbogen</translation>
     </message>
     <message>
         <source>Ear impression</source>
@@ -7214,27 +7214,27 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Heart</source>
-        <translation type="unfinished"></translation>
+        <translation>Herz</translation>
     </message>
     <message>
         <source>Paper 2003: the published rig at 770 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Paper 2003: der veröffentlichte Messplatz auf 770 mm</translation>
     </message>
     <message>
         <source>Real time</source>
-        <translation type="unfinished"></translation>
+        <translation>Echtzeit</translation>
     </message>
     <message>
         <source>Reference sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenzkugel</translation>
     </message>
     <message>
         <source>Workshop: 1440 × 1080 px at 600 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkstatt: 1440 × 1080 px auf 600 mm</translation>
     </message>
     <message>
         <source>{rig}  (the file is missing)</source>
-        <translation type="unfinished"></translation>
+        <translation>{rig}  (die Datei fehlt)</translation>
     </message>
 </context>
 <context>
@@ -8775,67 +8775,67 @@ Nachher: {after}</translation>
     <name>spot</name>
     <message>
         <source>cut by the edge</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Rand abgeschnitten</translation>
     </message>
     <message>
         <source>drawn out</source>
-        <translation type="unfinished"></translation>
+        <translation>gestreckt</translation>
     </message>
     <message>
         <source>no spot</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Lichtpunkt</translation>
     </message>
     <message>
         <source>off the other camera&apos;s line</source>
-        <translation type="unfinished"></translation>
+        <translation>neben der Linie der anderen Kamera</translation>
     </message>
     <message>
         <source>on the table</source>
-        <translation type="unfinished"></translation>
+        <translation>auf dem Teller</translation>
     </message>
     <message>
         <source>one of several</source>
-        <translation type="unfinished"></translation>
+        <translation>einer von mehreren</translation>
     </message>
     <message>
         <source>outside the volume</source>
-        <translation type="unfinished"></translation>
+        <translation>außerhalb des Messvolumens</translation>
     </message>
     <message>
         <source>overexposed</source>
-        <translation type="unfinished"></translation>
+        <translation>überbelichtet</translation>
     </message>
     <message>
         <source>reflection: much dimmer</source>
-        <translation type="unfinished"></translation>
+        <translation>Reflex: viel dunkler</translation>
     </message>
     <message>
         <source>spot clipped: shorten the exposure</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtpunkt übersteuert: kürzer belichten</translation>
     </message>
     <message>
         <source>spot dim: lengthen the exposure</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtpunkt schwach: länger belichten</translation>
     </message>
     <message>
         <source>spot too sharp: defocus the lens</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtpunkt zu scharf: Objektiv defokussieren</translation>
     </message>
     <message>
         <source>spot too wide: focus the lens</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtpunkt zu breit: Objektiv fokussieren</translation>
     </message>
     <message>
         <source>too dim</source>
-        <translation type="unfinished"></translation>
+        <translation>zu schwach</translation>
     </message>
     <message>
         <source>too large: {area} px</source>
-        <translation type="unfinished"></translation>
+        <translation>zu groß: {area} px</translation>
     </message>
     <message>
         <source>too small: {area} px</source>
-        <translation type="unfinished"></translation>
+        <translation>zu klein: {area} px</translation>
     </message>
 </context>
 <context>
@@ -8846,7 +8846,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>How large the cases are and when they changed; nothing of what is in them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie groß die Fälle sind und wann sie geändert wurden; nichts von ihrem Inhalt.</translation>
     </message>
     <message>
         <source>Log</source>
@@ -8854,7 +8854,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Rig file</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatzdatei</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -8862,11 +8862,11 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Sizes of the cases</source>
-        <translation type="unfinished"></translation>
+        <translation>Größen der Fälle</translation>
     </message>
     <message>
         <source>The rig as it is used, with its calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Messplatz, wie er benutzt wird, mit seiner Kalibrierung.</translation>
     </message>
     <message>
         <source>Transcript of the controller</source>
@@ -8874,46 +8874,46 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Versions and machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Versionen und Rechner</translation>
     </message>
     <message>
         <source>Versions, system, processors, memory, graphics.</source>
-        <translation type="unfinished"></translation>
+        <translation>Versionen, System, Prozessoren, Speicher, Grafik.</translation>
     </message>
     <message>
         <source>What program and controller said to each other: seconds, direction, line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was Programm und Steuerung einander sagten: Sekunden, Richtung, Zeile.</translation>
     </message>
     <message>
         <source>What the program noted, the newest at the end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was das Programm notierte, das Neueste am Ende.</translation>
     </message>
     <message>
         <source>What was checked without moving anything, each with its remedy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was geprüft wurde, ohne etwas zu bewegen, jeweils mit Abhilfe.</translation>
     </message>
     <message>
         <source>Without folders, recent cases and orders.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Ordner, letzte Fälle und Aufträge.</translation>
     </message>
 </context>
 <context>
     <name>worklist</name>
     <message>
         <source>Being scanned</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird gescannt</translation>
     </message>
     <message>
         <source>Cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht lesbar</translation>
     </message>
     <message>
         <source>Damaged</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschädigt</translation>
     </message>
     <message>
         <source>Deliver it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausliefern</translation>
     </message>
     <message>
         <source>Delivered</source>
@@ -8921,23 +8921,23 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Go on with it</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortsetzen</translation>
     </message>
     <message>
         <source>Interrupted</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterbrochen</translation>
     </message>
     <message>
         <source>Made by a newer version</source>
-        <translation type="unfinished"></translation>
+        <translation>Neuere Version</translation>
     </message>
     <message>
         <source>New</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu</translation>
     </message>
     <message>
         <source>Open in another program</source>
-        <translation type="unfinished"></translation>
+        <translation>Anderswo offen</translation>
     </message>
     <message>
         <source>Open it</source>
@@ -8945,19 +8945,19 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Reconstruct it</source>
-        <translation type="unfinished"></translation>
+        <translation>Rekonstruieren</translation>
     </message>
     <message>
         <source>Reconstructed</source>
-        <translation type="unfinished"></translation>
+        <translation>Rekonstruiert</translation>
     </message>
     <message>
         <source>Scan it</source>
-        <translation type="unfinished"></translation>
+        <translation>Scannen</translation>
     </message>
     <message>
         <source>Scanned</source>
-        <translation type="unfinished"></translation>
+        <translation>Gescannt</translation>
     </message>
 </context>
 </TS>
