@@ -1186,7 +1186,7 @@
     </message>
     <message>
         <source>Cut away what does not belong to the object before it becomes a surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Toglie ciò che non è dell&apos;oggetto prima che diventi superficie</translation>
     </message>
     <message>
         <source>Do not accept</source>
@@ -1194,7 +1194,7 @@
     </message>
     <message>
         <source>Edit</source>
-        <translation type="unfinished">Modifica</translation>
+        <translation>Modifica</translation>
     </message>
     <message>
         <source>Every place is as certain as wanted.</source>
@@ -1576,7 +1576,7 @@ Già consegnato il {day}: {name}</translation>
     </message>
     <message>
         <source>homing</source>
-        <translation>ricerca riferimento</translation>
+        <translation>azzeramento</translation>
     </message>
     <message>
         <source>idle</source>
@@ -2559,7 +2559,7 @@ Già consegnato il {day}: {name}</translation>
     </message>
     <message>
         <source>{told}. Of another surface than the one that is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>{told}. Di un&apos;altra superficie, non di quella mostrata.</translation>
     </message>
 </context>
 <context>
@@ -5624,7 +5624,7 @@ Dopo: {after}</translation>
     <name>delivery</name>
     <message>
         <source>2-manifold</source>
-        <translation type="unfinished"></translation>
+        <translation>Varietà 2D</translation>
     </message>
     <message>
         <source>3MF, carries its unit</source>
@@ -5632,27 +5632,27 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>A person accepted {count} holes or thin places as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} lacune o zone rade sono state accettate così come sono.</translation>
     </message>
     <message>
         <source>A person took out {count} measured points, {percent} % of all.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} punti misurati sono stati tolti a mano, il {percent} % del totale.</translation>
     </message>
     <message>
         <source>A person took out {count} measured points.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} punti misurati sono stati tolti a mano.</translation>
     </message>
     <message>
         <source>Accepted places</source>
-        <translation type="unfinished"></translation>
+        <translation>Zone accettate</translation>
     </message>
     <message>
         <source>All triangles face outwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tutti i triangoli guardano in fuori.</translation>
     </message>
     <message>
         <source>Another ear of this order is labelled {side} too, and yet the two mirror each other. Is one of them labelled wrongly?</source>
-        <translation type="unfinished"></translation>
+        <translation>Anche un altro orecchio di quest&apos;ordine è indicato {side}, eppure i due sono speculari. Uno è indicato male?</translation>
     </message>
     <message>
         <source>Archive (PLY with uncertainty, and points)</source>
@@ -5664,27 +5664,27 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished">Calibrazione</translation>
+        <translation>Calibrazione</translation>
     </message>
     <message>
         <source>Calibration {id} of {date} had expired {days} days before the scan. Calibrate, compute the points anew or scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>La calibrazione {id} del {date} era scaduta {days} giorni prima della scansione. Calibrare, ricalcolare i punti o ripetere la scansione.</translation>
     </message>
     <message>
         <source>Calibration {id} of {date} was off by {error_um} µm on corners that it had not seen, more than {limit_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>La calibrazione {id} del {date} errava di {error_um} µm agli angoli non usati, più di {limit_um} µm.</translation>
     </message>
     <message>
         <source>Calibration {id} of {date} was valid at the scan for {days} more days only; calibrate before the next order.</source>
-        <translation type="unfinished"></translation>
+        <translation>La calibrazione {id} del {date} era valida alla scansione solo per altri {days} giorni; calibrare prima del prossimo ordine.</translation>
     </message>
     <message>
         <source>Calibration {id} of {date} was valid at the scan, but no known length has verified its scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>La calibrazione {id} del {date} era valida alla scansione, ma nessuna lunghezza nota ne ha verificato la scala.</translation>
     </message>
     <message>
         <source>Calibration {id} of {date} was valid at the scan, its scale verified; held-out error {error_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>La calibrazione {id} del {date} era valida alla scansione, scala verificata; errore agli angoli non usati {error_um} µm.</translation>
     </message>
     <message>
         <source>Canal tip up</source>
@@ -5696,15 +5696,15 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Closed</source>
-        <translation type="unfinished">Chiusa</translation>
+        <translation>Chiusa</translation>
     </message>
     <message>
         <source>Closure of the turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Chiusura del giro</translation>
     </message>
     <message>
         <source>Coverage</source>
-        <translation type="unfinished">Copertura</translation>
+        <translation>Copertura</translation>
     </message>
     <message>
         <source>Dental model (STL, occlusal plane XY)</source>
@@ -5716,23 +5716,23 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Every edge and every vertex lies on one sheet of surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ogni spigolo e ogni vertice sta su un solo foglio di superficie.</translation>
     </message>
     <message>
         <source>Every edge belongs to two triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ogni spigolo appartiene a due triangoli.</translation>
     </message>
     <message>
         <source>Expected error</source>
-        <translation type="unfinished"></translation>
+        <translation>Errore atteso</translation>
     </message>
     <message>
         <source>Facing outwards</source>
-        <translation type="unfinished"></translation>
+        <translation>Rivolta in fuori</translation>
     </message>
     <message>
         <source>How far this surface is off is not recorded; it was not reconstructed by this program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quanto erra questa superficie non è registrato; non l&apos;ha ricostruita questo programma.</translation>
     </message>
     <message>
         <source>Inches</source>
@@ -5740,31 +5740,31 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>It consists of {count} separate pieces. Remove what does not belong to the object, and reconstruct again.</source>
-        <translation type="unfinished"></translation>
+        <translation>È fatta di {count} pezzi separati. Togliere ciò che non è dell&apos;oggetto, e ricostruire di nuovo.</translation>
     </message>
     <message>
         <source>It is one piece.</source>
-        <translation type="unfinished"></translation>
+        <translation>È un pezzo solo.</translation>
     </message>
     <message>
         <source>It is {longest_mm} x {middle_mm} x {shortest_mm} mm large, as {kind} is.</source>
-        <translation type="unfinished"></translation>
+        <translation>È grande {longest_mm} x {middle_mm} x {shortest_mm} mm, come {kind}.</translation>
     </message>
     <message>
         <source>It is {longest_mm} x {middle_mm} x {shortest_mm} mm large; {kind} is {least_mm} to {most_mm} mm long. Are unit and type right?</source>
-        <translation type="unfinished"></translation>
+        <translation>È grande {longest_mm} x {middle_mm} x {shortest_mm} mm; {kind} è lunga da {least_mm} a {most_mm} mm. Unità e tipo sono giusti?</translation>
     </message>
     <message>
         <source>It is {longest_mm} x {middle_mm} x {shortest_mm} mm large; {kind} is {least_mm} to {most_mm} mm long. Is it whole, and alone?</source>
-        <translation type="unfinished"></translation>
+        <translation>È grande {longest_mm} x {middle_mm} x {shortest_mm} mm; {kind} è lunga da {least_mm} a {most_mm} mm. È intera, e sola?</translation>
     </message>
     <message>
         <source>It mirrors the other ear: {mirrored_um} µm apart mirrored, {direct_um} µm as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>È speculare all&apos;altro orecchio: {mirrored_um} µm di distanza se specchiata, {direct_um} µm com&apos;è.</translation>
     </message>
     <message>
         <source>Marks on the table</source>
-        <translation type="unfinished"></translation>
+        <translation>Tacche sulla tavola</translation>
     </message>
     <message>
         <source>Metres</source>
@@ -5780,35 +5780,35 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Mount {mount} is not part of the surface: it could not be brought together with the others.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il posizionamento {mount} non fa parte della superficie: non si è potuto unire agli altri.</translation>
     </message>
     <message>
         <source>Mounts</source>
-        <translation type="unfinished">Posizionamenti</translation>
+        <translation>Posizionamenti</translation>
     </message>
     <message>
         <source>No hole or thin place had to be accepted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna lacuna o zona rada è stata accettata.</translation>
     </message>
     <message>
         <source>No measured point was taken out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessun punto misurato è stato tolto.</translation>
     </message>
     <message>
         <source>No self-intersections</source>
-        <translation type="unfinished"></translation>
+        <translation>Senza autointersezioni</translation>
     </message>
     <message>
         <source>No size is expected of an object of this type; it is {longest_mm} x {middle_mm} x {shortest_mm} mm large.</source>
-        <translation type="unfinished"></translation>
+        <translation>Per un oggetto di questo tipo non c&apos;è una misura attesa; è grande {longest_mm} x {middle_mm} x {shortest_mm} mm.</translation>
     </message>
     <message>
         <source>No triangle runs through another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessun triangolo ne attraversa un altro.</translation>
     </message>
     <message>
         <source>Not checked: the other ear of this order is not there yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non verificato: l&apos;altro orecchio di quest&apos;ordine non c&apos;è ancora.</translation>
     </message>
     <message>
         <source>Not ready</source>
@@ -5820,19 +5820,19 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Of which points this surface was made is not recorded.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non è registrato da quali punti è stata fatta questa superficie.</translation>
     </message>
     <message>
         <source>One shell</source>
-        <translation type="unfinished"></translation>
+        <translation>Un guscio solo</translation>
     </message>
     <message>
         <source>Only {percent} % of the surface beside its base rests on measured points: too much of it is a guess. Scan the rest first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo il {percent} % della superficie oltre la base poggia su punti misurati: troppo è ipotesi. Prima scansionare il resto.</translation>
     </message>
     <message>
         <source>Only {percent} % of the surface beside its base rests on measured points; the rest is a guess. Fill the holes, or say so.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo il {percent} % della superficie oltre la base poggia su punti misurati; il resto è ipotesi. Colmare le lacune, o dichiararlo.</translation>
     </message>
     <message>
         <source>PLY, with uncertainty and support</source>
@@ -5840,7 +5840,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Points taken out</source>
-        <translation type="unfinished"></translation>
+        <translation>Punti tolti</translation>
     </message>
     <message>
         <source>Printing (3MF)</source>
@@ -5856,115 +5856,115 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Side</source>
-        <translation type="unfinished">Lato</translation>
+        <translation>Lato</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Dimensioni</translation>
     </message>
     <message>
         <source>The first view was not measured again, and the views of the turn agree only to {closure_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>La prima vista non è stata rimisurata, e le viste del giro concordano solo entro {closure_um} µm.</translation>
     </message>
     <message>
         <source>The first view was not measured again; the views of the turn agree to {closure_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>La prima vista non è stata rimisurata; le viste del giro concordano entro {closure_um} µm.</translation>
     </message>
     <message>
         <source>The first view, measured again after the turn, lies {closure_um} µm off, more than {limit_um} µm: something moved a little.</source>
-        <translation type="unfinished"></translation>
+        <translation>La prima vista, rimisurata dopo il giro, sta a {closure_um} µm, più di {limit_um} µm: qualcosa si è mosso un poco.</translation>
     </message>
     <message>
         <source>The first view, measured again at the end of the turn, lies {closure_um} µm beside its first measurement.</source>
-        <translation type="unfinished"></translation>
+        <translation>La prima vista, rimisurata a fine giro, sta a {closure_um} µm dalla sua prima misura.</translation>
     </message>
     <message>
         <source>The marks on the table&apos;s rim kept their distances to {marks_um} µm only, more than {limit_um} µm: something moved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le tacche del bordo della tavola hanno tenuto le distanze solo entro {marks_um} µm, più di {limit_um} µm: qualcosa si è mosso.</translation>
     </message>
     <message>
         <source>The marks on the table&apos;s rim kept their distances to {marks_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le tacche del bordo della tavola hanno tenuto le distanze entro {marks_um} µm.</translation>
     </message>
     <message>
         <source>The measured surface is expected to be off by {error_um} µm rms; the points scatter by {residual_um} µm about it.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;errore atteso della superficie misurata è {error_um} µm rms; i punti le si scostano di {residual_um} µm.</translation>
     </message>
     <message>
         <source>The order does not say which ear it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;ordine non dice quale orecchio è.</translation>
     </message>
     <message>
         <source>The order does not say which jaw it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;ordine non dice quale arcata è.</translation>
     </message>
     <message>
         <source>The points were changed after this surface was made of them. Reconstruct again.</source>
-        <translation type="unfinished"></translation>
+        <translation>I punti sono cambiati dopo che ne è stata fatta questa superficie. Ricostruire di nuovo.</translation>
     </message>
     <message>
         <source>The scan had no marks on the table&apos;s rim to watch over it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La scansione non aveva tacche sul bordo della tavola che la sorvegliassero.</translation>
     </message>
     <message>
         <source>The surface has {count} open edges; a printer may fill it wrongly. Reconstruct again with closed holes.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie ha {count} spigoli aperti; una stampante può riempirla male. Ricostruire di nuovo con lacune chiuse.</translation>
     </message>
     <message>
         <source>The surface is expected to be off by {error_um} µm rms, more than {limit_um} µm. More points, or a calibration, would help.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;errore atteso della superficie è {error_um} µm rms, più di {limit_um} µm. Aiuterebbero più punti, o una calibrazione.</translation>
     </message>
     <message>
         <source>The surface is expected to be off by {error_um} µm rms: too much for a shell. Calibrate, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;errore atteso della superficie è {error_um} µm rms: troppo per un guscio. Calibrare, e ripetere la scansione.</translation>
     </message>
     <message>
         <source>The surface touches itself at {count} places. Reconstruct again.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie tocca sé stessa in {count} punti. Ricostruire di nuovo.</translation>
     </message>
     <message>
         <source>The surface was made of the points as they are now.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie è fatta dai punti come sono ora.</translation>
     </message>
     <message>
         <source>The turn does not close: the first view, measured again, lies {closure_um} µm off. Object or camera moved; scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il giro non si chiude: la prima vista, rimisurata, sta a {closure_um} µm. L&apos;oggetto o una telecamera si è mosso; ripetere la scansione.</translation>
     </message>
     <message>
         <source>The two ears do not mirror each other ({direct_um} µm apart as they are, {mirrored_um} µm mirrored). Is one labelled wrongly?</source>
-        <translation type="unfinished"></translation>
+        <translation>I due orecchi non sono speculari (distano {direct_um} µm come sono, {mirrored_um} µm se specchiati). Uno è indicato male?</translation>
     </message>
     <message>
         <source>There is no other side to compare with.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non c&apos;è un altro lato con cui confrontare.</translation>
     </message>
     <message>
         <source>There is one mount; nothing had to be brought together.</source>
-        <translation type="unfinished"></translation>
+        <translation>C&apos;è un solo posizionamento; niente da unire.</translation>
     </message>
     <message>
         <source>Triangles face inwards or against their neighbours. Reconstruct again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alcuni triangoli guardano in dentro o contro i vicini. Ricostruire di nuovo.</translation>
     </message>
     <message>
         <source>Up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>Aggiornata</translation>
     </message>
     <message>
         <source>Whether it mirrors the other ear cannot be told ({mirrored_um} µm apart mirrored, {direct_um} µm as it is). Look at both.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non si può dire se è speculare all&apos;altro orecchio ({mirrored_um} µm se specchiata, {direct_um} µm com&apos;è). Guardare entrambi.</translation>
     </message>
     <message>
         <source>Whether the turn closes was not measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non è stato misurato se il giro si chiude.</translation>
     </message>
     <message>
         <source>Which part of this surface was measured is not recorded.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non è registrato quale parte di questa superficie è stata misurata.</translation>
     </message>
     <message>
         <source>With which calibration this surface was measured is not recorded.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non è registrato con quale calibrazione è stata misurata questa superficie.</translation>
     </message>
     <message>
         <source>a dental arch</source>
@@ -5992,19 +5992,19 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>{count} mounts lie on each other to {residual_um} µm only, more than {limit_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} posizionamenti combaciano solo entro {residual_um} µm, più di {limit_um} µm.</translation>
     </message>
     <message>
         <source>{count} mounts lie on each other to {residual_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} posizionamenti combaciano entro {residual_um} µm.</translation>
     </message>
     <message>
         <source>{count} triangles run through others. Reconstruct again, with less detail if need be.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} triangoli ne attraversano altri. Ricostruire di nuovo, se occorre con meno dettaglio.</translation>
     </message>
     <message>
         <source>{percent} % of the surface beside its base rests on measured points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il {percent} % della superficie oltre la base poggia su punti misurati.</translation>
     </message>
 </context>
 <context>
@@ -6682,7 +6682,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Points and measurements</source>
-        <translation type="unfinished"></translation>
+        <translation>Punti e misure</translation>
     </message>
     <message>
         <source>Reconstruct</source>
