@@ -52,7 +52,7 @@ class Settings:
     """Whether the patient's code may stand in a file's name."""
     live_surface: bool = True
     retry: bool = True
-    """Weak places are measured again at the end of a view."""
+    """Weak views are measured once more at the end of a scan."""
     export_profiles: list[str] = field(default_factory=list)
     """A person's own, one JSON text each."""
     export_choice: list[str] = field(default_factory=list)

@@ -170,6 +170,10 @@ def _parser() -> argparse.ArgumentParser:
     info = _command(commands, "info", "what is in a case, mesh or point file")
     info.add_argument("file", metavar="FILE")
 
+    measure = _command(commands, "measure", "canal length, volume, area and a section of a case's surface or of a mesh file")
+    measure.add_argument("file", metavar="FILE")
+    measure.add_argument("--height", type=float, metavar="MM", help="a level section at this height")
+
     export = _command(commands, "export", "mesh or points out of a case")
     export.add_argument("case", metavar="CASE")
     export.add_argument("--out", required=True, metavar="FILE", help=".stl .ply .obj .3mf .dcm for the mesh, .xyz for the points")

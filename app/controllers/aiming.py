@@ -15,13 +15,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QCoreApplication, QObject, Signal
-from PySide6.QtGui import QUndoCommand, QUndoStack
+from PySide6.QtGui import QUndoStack
 
 from app.background import Background
+from app.controllers.aim_change import AimChange
 from app.controllers.aim_snapshot import AimJob, AimSnapshot
 from app.controllers.rig import RigController
 from app.controllers.tapped_camera import TappedCamera
-from app.translation import QT_TRANSLATE_NOOP
 from scanner_core.acquisition.handover import LatestSlot
 from scanner_core.errors import ImprontaError, UsageError
 from scanner_core.jobs.progress import Cancelled, Progress
@@ -38,7 +38,7 @@ UNTOUCHED_S = 45.0
 """So long the spot stays lit without anybody's doing; the driver's own limit is a minute."""
 _RENEWED_S = 20.0
 """A person who goes on working has the driver's minute begun anew."""
-_LIVE_S, _DARK_S = 0.06, 0.25
+_LIVE_S, _DARK_S = 0.09, 0.25
 """Between two looks."""
 _SPEED_DEG_S = 30.0
 _REPLAYED = "replay"
@@ -351,7 +351,7 @@ class AimController(QObject):
         """A person's change, which can be taken back."""
         before = self.snapshot.settings
         if before is not None and settings != before:
-            self._stack.push(_Change(self, self._rig.snapshot.preset, before, settings, what))
+            self._stack.push(AimChange(self.put, self._rig.snapshot.preset, before, settings, what))
 
     def put(self, preset: str, settings: AimSettings) -> None:
         """Use and keep settings of a rig, without a way back; for the undo stack."""
@@ -364,38 +364,6 @@ class AimController(QObject):
     def _news(self, snapshot: AimSnapshot) -> None:
         self.snapshot = snapshot
         self.changed.emit()
-
-
-_CHANGES = {
-    "limits": QT_TRANSLATE_NOOP("aim", "Change limits of the spot's size"),
-    "learned": QT_TRANSLATE_NOOP("aim", "Learn the spot's size"),
-    "exposure": QT_TRANSLATE_NOOP("aim", "Automatic exposure"),
-    "material": QT_TRANSLATE_NOOP("aim", "Choose material"),
-}
-_ONE_MOVE_S = 1.5
-"""Steps of a key that follow each other so soon are one change."""
-
-
-class _Change(QUndoCommand):
-    def __init__(self, aim: AimController, preset: str, before: AimSettings, after: AimSettings, what: str) -> None:
-        super().__init__(QCoreApplication.translate("aim", _CHANGES[what]))
-        self._aim, self.preset, self._before, self.after, self._what = aim, preset, before, after, what
-        self.made_s = time.monotonic()
-
-    def redo(self) -> None:
-        self._aim.put(self.preset, self.after)
-
-    def undo(self) -> None:
-        self._aim.put(self.preset, self._before)
-
-    def id(self) -> int:
-        return 100 + list(_CHANGES).index(self._what)
-
-    def mergeWith(self, other: QUndoCommand) -> bool:  # noqa: N802 - Qt's name
-        if not isinstance(other, _Change) or self._what != "limits" or other.preset != self.preset or other.made_s - self.made_s > _ONE_MOVE_S:
-            return False
-        self.after, self.made_s = other.after, other.made_s
-        return True
 
 
 def _find(rig: OpenRig, over: Callable[[], bool]) -> None:

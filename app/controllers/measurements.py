@@ -38,6 +38,8 @@ class Measurements(QObject):
         super().__init__(parent)
         self._background, self._case, self._tell = background, case, tell
         self.items: list[Measurement] = []
+        self.mesh: int | None = None
+        """The surface that the case shows; what was measured tells of which it was."""
         self.busy = False
         """The canal or the volume is being measured."""
         self.nothing = ""
@@ -155,26 +157,29 @@ class Measurements(QObject):
         self._write(lambda items: [*items, item], KEPT)
 
     def _write(self, edit: Callable[[list[Measurement]], list[Measurement]], words: str) -> None:
-        def work(store: CaseStore) -> list[Measurement]:
-            items = edit(_kept(store))
+        def work(store: CaseStore) -> tuple[list[Measurement], int | None]:
+            items = edit(_kept(store)[0])
+            if words == KEPT:
+                items[-1]["mesh"] = store.mesh_id()
             store.edit("measurements", items, words)
-            return items
+            return items, store.mesh_id()
 
         self._case.change(work, then=partial(self._show, self._case.path))
 
     def _read(self) -> None:
         if self._case.store is None:
-            self._show(None, [])
+            self._show(None, ([], None))
         else:
             self._case.change(_kept, step=False, then=partial(self._show, self._case.path))
 
-    def _show(self, path: object, items: list[Measurement]) -> None:
-        if path == self._case.path and items != self.items:
-            self.items = items
+    def _show(self, path: object, found: tuple[list[Measurement], int | None]) -> None:
+        if path == self._case.path and found != (self.items, self.mesh):
+            self.items, self.mesh = found
             self.changed.emit()
 
 
-def _kept(store: CaseStore) -> list[Measurement]:
-    """What the case holds; a list that another program wrote otherwise is none."""
+def _kept(store: CaseStore) -> tuple[list[Measurement], int | None]:
+    """What the case holds, and the mesh that it shows; a list that another program wrote otherwise is none."""
     value = store.value("measurements", [])
-    return [dict(item) for item in value if isinstance(item, Mapping) and "kind" in item] if isinstance(value, list) else []
+    items = [dict(item) for item in value if isinstance(item, Mapping) and "kind" in item] if isinstance(value, list) else []
+    return items, store.mesh_id()

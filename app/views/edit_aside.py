@@ -25,8 +25,8 @@ Mask = NDArray[np.bool_]
 
 MARKED: Final = "#f06bd0"
 """What would be taken out; of another lightness than what is left, too."""
-_LEFT: Final = {True: "#cfc9ba", False: "#66707a"}
-_OUT: Final = {True: "#596470", False: "#b3bac2"}
+_LEFT: Final = {True: "#cfc9ba", False: "#8f979f"}
+_OUT: Final = {True: "#596470", False: "#c3c9cf"}
 """By whether the ground is dark."""
 _MOST_STILL, _MOST_MOVING = 200_000, 30_000
 _SIZES = ((8_000, 5.0), (60_000, 4.0), (10**9, 3.0))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtCore import QPointF
+from PySide6.QtCore import QEvent, QPointF
 from PySide6.QtGui import QHideEvent
 from PySide6.QtWidgets import QButtonGroup, QStackedWidget
 
@@ -35,10 +35,10 @@ class EditPage(Page):
     """Stands beside the 3D view."""
 
     def __init__(self, services: Services) -> None:
+        self._points_aside: EditAside | None = None  # first of all: Qt may tell of the palette while the page is made
         super().__init__(services)
         self._editing, self._case = services.editing, services.case
         self._tools: EditTools | None = None
-        self._points_aside: EditAside | None = None
         self._measure_aside: MeasureAside | None = None
         self._drawn: tuple[Surface, DrawnSurface] | None = None
         self._drawing: Surface | None = None
@@ -83,6 +83,11 @@ class EditPage(Page):
         self._editing.want(True)
         self._prepare_surface()
         self._show_state()
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and self._points_aside is not None:
+            self._show_points()
 
     def hideEvent(self, event: QHideEvent) -> None:  # noqa: N802 - Qt's name
         super().hideEvent(event)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -223,7 +224,8 @@ class MeasurePanel(QWidget):
                 gone.deleteLater()
         items = self._measurements.items
         for number, item in enumerate(items):
-            words = measure_words.title(item), measure_words.value(item), measure_words.rest(item)
+            earlier = item.get("mesh") != self._measurements.mesh
+            words = measure_words.title(item), measure_words.value(item), self._rest(item, earlier=earlier)
             self._rows.addWidget(_Row(number + 1, *words, self._remover(number)))
         if not items:
             self._rows.addWidget(label(self.tr("Nothing yet."), "faint"))
@@ -231,6 +233,10 @@ class MeasurePanel(QWidget):
         self.copy.setEnabled(bool(items))
         self._show()
         self.looks_changed.emit()
+
+    def _rest(self, item: Mapping[str, Any], *, earlier: bool) -> str:
+        told = measure_words.rest(item)
+        return self.tr("{told}. Of another surface than the one that is shown.").format(told=told) if earlier else told
 
     def _remover(self, number: int) -> QPushButton:
         made = button(self.tr("Remove"), "link", partial(self._measurements.remove, number))

@@ -13,7 +13,7 @@ from scanner_core.editing.sight import Array, Mask, Sight
 
 _MOST_PX = 8192.0
 _AROUND_PX = 30.0
-"""What hides a point lies no farther from it in the picture."""
+"""Round a place, to see what is in front there."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -89,22 +89,19 @@ def selected(points: Array, sight: Sight, region: Outline | BrushStroke, *, thro
     held = region.holds(places)
     if through or not held.any():
         return held
-    within = places[held]
-    near = _between(places, within.min(axis=0) - _AROUND_PX, within.max(axis=0) + _AROUND_PX)
-    front = np.zeros(len(points), np.bool_)
-    front[near] = sight.in_front(points[near], places[near])
-    return held & front
+    return sight.in_front(points, places, held)
 
 
 def nearest_in_front(points: Array, sight: Sight, place: Array, within_px: float) -> int | None:
     """The point (of n, 3) that a person means by a place (2,) px: of those in front the nearest to it; None where there is none so near."""
     places = sight.places(points)
-    near = _between(places, place - _AROUND_PX - within_px, place + _AROUND_PX + within_px)
-    if not len(near):
+    near = np.zeros(len(points), np.bool_)
+    near[_between(places, place - within_px - _AROUND_PX, place + within_px + _AROUND_PX)] = True
+    front = np.flatnonzero(sight.in_front(points, places, near))
+    if not len(front):
         return None
-    front = near[sight.in_front(points[near], places[near])]
     away = ((places[front] - place) ** 2).sum(axis=1)
-    return int(front[away.argmin()]) if len(front) and away.min() <= within_px**2 else None
+    return int(front[away.argmin()]) if away.min() <= within_px**2 else None
 
 
 def _between(places: Array, low: Array, high: Array) -> NDArray[np.int64]:

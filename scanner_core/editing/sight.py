@@ -13,6 +13,8 @@ Mask = NDArray[np.bool_]
 _PER_CELL = 24.0
 """Points that a cell of the depth picture holds on average: so many that the front of a surface leaves hardly a cell empty."""
 _LEAST_CELL_PX = 3.0
+_RIM_PX = 30.0
+_ENOUGH = 60_000
 _STEEPEST = 2.0
 """A surface may fall away by this many cells within a cell ..."""
 _THINNEST_MM = 1.5
@@ -55,31 +57,36 @@ class Sight:
         ends = self.places(np.array([middle, middle + across / np.linalg.norm(across)]))
         return 1.0 / max(float(np.linalg.norm(ends[1] - ends[0])), 1e-9)
 
-    def in_front(self, points: Array, places: Array | None = None) -> Mask:
+    def in_front(self, points: Array, places: Array | None = None, asked: Mask | None = None) -> Mask:
         """Which of points (n, 3) no others hide: a cloud hides what lies deeper than its foremost points.
 
         Parameters
         ----------
         places : of the points, where they are known
+        asked : (n,) which are asked for; the others only hide
         """
-        if not len(points):
-            return np.zeros(0, np.bool_)
-        places = self.places(points) if places is None else places
-        depth = points @ self.direction
-        x, y = places.T
+        x, y = (self.places(points) if places is None else places).T
         shown: Mask = (x >= 0) & (x < self.width) & (y >= 0) & (y < self.height)
-        if not shown.any():
-            return shown
-        seen = places.T[:, shown]
-        low = seen.min(axis=1)
-        extent = np.maximum(seen.max(axis=1) - low, 1.0)
-        cell = max(float(np.sqrt(_PER_CELL * extent.prod() / seen.shape[1])), _LEAST_CELL_PX)
-        columns, rows = ((seen - low[:, None]) / cell).astype(np.int64)
-        wide, tall = int(columns.max()) + 1, int(rows.max()) + 1
-        nearest = np.full(tall * wide, np.inf)
-        cells = rows * wide + columns
-        np.minimum.at(nearest, cells, depth[shown])
-        slack = _THINNEST_MM + _STEEPEST * cell * self.mm_per_px(points[shown])
+        at = np.flatnonzero(shown if asked is None else shown & asked)
         front = np.zeros(len(points), np.bool_)
-        front[shown] = depth[shown] <= nearest[cells] + slack
+        if not len(at):
+            return front
+        depth = points @ self.direction
+        across, down = x[at], y[at]
+        left, right = float(across.min()) - _RIM_PX, float(across.max()) + _RIM_PX  # or the cells at the border would be part of one
+        top, bottom = float(down.min()) - _RIM_PX, float(down.max()) + _RIM_PX
+        near = np.flatnonzero((x >= left) & (x <= right) & (y >= top) & (y <= bottom))
+        stride = max(1, len(near) // _ENOUGH)  # so many tell where the front is as well as all of them
+        near = near[::stride]
+        cell = max(float(np.sqrt(_PER_CELL * (right - left) * (bottom - top) / len(near))), _LEAST_CELL_PX)
+        wide, tall = int((right - left) / cell) + 1, int((bottom - top) / cell) + 1
+        nearest = np.full(tall * wide, np.inf)
+        np.minimum.at(nearest, _cells(x[near] - left, y[near] - top, cell, wide), depth[near])
+        slack = _THINNEST_MM + _STEEPEST * cell * self.mm_per_px(points[near])
+        front[at] = depth[at] <= nearest[_cells(across - left, down - top, cell, wide)] + slack
         return front
+
+
+def _cells(across: Array, down: Array, cell: float, wide: int) -> NDArray[np.int32]:
+    """Numbers of the cells of a grid that hold places."""
+    return np.asarray((down / cell).astype(np.int32) * wide + (across / cell).astype(np.int32), np.int32)

@@ -398,3 +398,21 @@ def test_a_cable_that_comes_off_while_computing_is_told(store: CaseStore) -> Non
         assert runner.result.error is not None
         assert (runner.result.finish_reason, runner.result.error.code) == (FinishReason.FAILED, "E-MOT-02")
         steering(runner.result)
+
+
+def test_a_view_that_a_person_wants_once_more_is_a_pass_of_its_own(tmp_path: Path) -> None:
+    with CaseStore.create(tmp_path / "a.impronta") as store:
+        asked: list[int] = []
+
+        def ask_once(runner: ScanRunner) -> None:
+            if not asked:
+                asked.append(1)
+                runner.measure_again(1)
+
+        result = run(store, Script(passes(1.0, 1.0)), during=ask_once)
+        told = steering(result)
+        assert [(one.kind, one.views) for one in told.passes] == [("coarse", 4), ("repeated", 1)]
+        assert told.end is PassesEnd.WITHIN
+        assert result.repeated_views == [1]
+        assert passes_of(store.scans()[1].plan)[1].kind == "repeated"
+        assert interruption(store) is None

@@ -20,12 +20,12 @@ from scanner_core.devices.wrapped_camera import WrappedCamera
 from scanner_core.jobs.progress import Cancelled
 from scanner_core.virtual.specimens import Specimen, load_specimen
 
-MIDDLE_DEG = (0.0, 2.5)
+MIDDLE_DEG = (0.0, -1.2)
 
 
 @cache
-def _heart() -> Specimen:
-    return load_specimen("heart")
+def _sphere() -> Specimen:
+    return load_specimen("sphere")
 
 
 @pytest.fixture
@@ -35,7 +35,7 @@ def rig() -> Iterator[Callable[..., OpenRig]]:
         def made() -> OpenRig:
             config = load_preset("bench")
             wrong = replace(config, spot=replace(config.spot, min_area_px=90, max_area_px=95))  # nothing would be a spot
-            opened_rig = stack.enter_context(open_rig(wrong, _heart(), seed=5))
+            opened_rig = stack.enter_context(open_rig(wrong, _sphere(), seed=5))
             opened_rig.motion.aim(*MIDDLE_DEG)
             return opened_rig
 
@@ -43,14 +43,14 @@ def rig() -> Iterator[Callable[..., OpenRig]]:
 
 
 def ghosted(frame: Frame) -> Frame:
-    """A window before the lens mirrors the spot: out of focus, a third as bright, on the other side of the picture."""
+    """A window before the lens mirrors the spot: out of focus, a third as bright, farther to the right."""
     peak = int(frame.image.max())
     if peak < 60:
         return frame
     row, column = (int(at) for at in np.unravel_index(int(frame.image.argmax()), frame.image.shape))
-    top, left = max(row - 20, 0), max(603 - column - 20, 0)
-    y, x = np.mgrid[top : min(row + 21, 294), left : min(603 - column + 21, 604)]
-    light = 0.35 * peak * np.exp(-0.5 * (((x - (603 - column)) / 5) ** 2 + ((y - row) / 4) ** 2))
+    top, left = max(row - 20, 0), max(column + 120 - 20, 0)
+    y, x = np.mgrid[top : min(row + 21, 294), left : min(column + 120 + 21, 604)]
+    light = 0.35 * peak * np.exp(-0.5 * (((x - (column + 120)) / 5) ** 2 + ((y - row) / 4) ** 2))
     image = frame.image.copy()
     image[y, x] = np.clip(image[y, x] + light, 0, 255).astype(np.uint8)
     return replace(frame, image=image)
@@ -70,7 +70,7 @@ def test_learned_limits_hold_the_good_spots_and_refuse_a_reflection(rig: Callabl
     before, after = LiveEye(made.config, made.calibration, spot), LiveEye(made.config, made.calibration, learned.limits.of(spot))
     good: list[bool] = []
     verdicts, strays = [], []
-    for x, y in np.random.default_rng(7).uniform(-2, 2, (60, 2)):
+    for x, y in np.random.default_rng(7).uniform(-0.9, 0.9, (40, 2)):
         light(made, (MIDDLE_DEG[0] + float(x), MIDDLE_DEG[1] + float(y)))
         left, right = made.left.grab(), made.right.grab()
         bare, look = before.look(left, right, 0.0), after.look(ghosted(left), ghosted(right), 0.0)
@@ -78,7 +78,7 @@ def test_learned_limits_hold_the_good_spots_and_refuse_a_reflection(rig: Callabl
             verdicts.append(look.verdict)
             good += [learned.limits.holds(c.area_px) for side in SIDES for c in bare.looks[side].candidates if c.accepted]
             strays += [c.reason for side in SIDES for c in look.looks[side].candidates if c.area_px > 100]
-    assert len(good) > 60
+    assert len(good) > 50
     assert np.mean(good) >= 0.99
     assert len(strays) > 40
     assert set(strays) == {"too_large"}

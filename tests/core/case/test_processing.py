@@ -114,6 +114,15 @@ def test_as_scanned_is_what_the_scan_gave_to_the_last_bit(store: CaseStore) -> N
     assert {"epipolar", "outside_volume", "table", "hidden_right"} <= set(counts.rejected)
 
 
+def test_every_point_knows_its_epipolar_residual(store: CaseStore) -> None:
+    cloud = process_case(store, Processing()).cloud
+    assert cloud.epipolar_sigmas is not None
+    assert 0.8 < np.std(cloud.epipolar_sigmas) < 1.2  # in their own standard deviations
+    some = cloud.select(np.arange(10, 20))
+    assert some.epipolar_sigmas is not None
+    assert np.array_equal(some.epipolar_sigmas, cloud.epipolar_sigmas[10:20])
+
+
 def test_every_scan_has_the_rig_that_it_was_made_with(store: CaseStore) -> None:
     """Also where two rigs have one calibration: the case holds that only once, with the first of them."""
     assert RIG.calibration is not None

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from scanner_core.editing.screen_region import BrushStroke, Outline, crossings, selected
+from scanner_core.editing.screen_region import BrushStroke, Outline, crossings, nearest_in_front, selected
 from scanner_core.editing.sight import Sight
 
 SIZE = (640.0, 480.0)
@@ -90,3 +90,12 @@ def test_through_takes_both_sides_and_front_most_one() -> None:
     assert np.array_equal(front, through & (points[:, 0] > 0.0))
     assert (through & (points[:, 0] < 0.0)).sum() > 100
     assert not selected(points, sight, Outline.box(np.array([0.0, 0.0]), np.array([9.0, 9.0])), through=False).any()
+
+
+def test_a_click_means_the_nearest_point_in_front() -> None:
+    points = _ball(5_000)
+    sight = _sight(np.array([1.0, 0.0, 0.0]))
+    number = nearest_in_front(points, sight, np.array([320.0, 240.0]), 12.0)
+    assert number is not None
+    assert points[number, 0] > 9.9
+    assert nearest_in_front(points, sight, np.array([5.0, 5.0]), 12.0) is None
