@@ -1186,7 +1186,7 @@
     </message>
     <message>
         <source>Cut away what does not belong to the object before it becomes a surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Abschneiden, was nicht zum Objekt gehört, bevor eine Oberfläche daraus wird</translation>
     </message>
     <message>
         <source>Do not accept</source>
@@ -1194,7 +1194,7 @@
     </message>
     <message>
         <source>Edit</source>
-        <translation type="unfinished">Bearbeiten</translation>
+        <translation>Bearbeiten</translation>
     </message>
     <message>
         <source>Every place is as certain as wanted.</source>
@@ -2559,7 +2559,7 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>{told}. Of another surface than the one that is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>{told}. Von einer anderen Oberfläche als der gezeigten.</translation>
     </message>
 </context>
 <context>
@@ -5255,7 +5255,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>controller laser left off</source>
-        <translation>Steuerung: Laser war an</translation>
+        <translation>Steuerung: Laser bleibt aus</translation>
     </message>
     <message>
         <source>controller move</source>
@@ -6682,7 +6682,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Points and measurements</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte und Messungen</translation>
     </message>
     <message>
         <source>Reconstruct</source>
