@@ -52,7 +52,7 @@ def _commands(text: str) -> Iterator[str]:
 
 
 def test_the_pages_are_there() -> None:
-    assert [page.stem for page in PAGES] == ["build", "cameras", "delivery", "first-scan", "laser-safety", "wiring"]
+    assert [page.stem for page in PAGES] == ["build", "cameras", "delivery", "first-scan", "laser-safety", "window", "wiring"]
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
