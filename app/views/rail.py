@@ -15,6 +15,8 @@ from app.views.pages import PageInfo
 from app.views.parts import SideBadge, button, label, row, seam
 
 WIDTH = 196
+_SIDES = 30
+"""Left and right of the order together."""
 
 
 class Rail(QWidget):
@@ -108,10 +110,11 @@ class Rail(QWidget):
             part.setVisible(names is None)
         self._pair.setVisible(names is not None)
         if names is not None:
-            before, after = (name or self.tr("none yet") for name in names)
-            self._pair.setText(self.tr("Before: {before}\nAfter: {after}").format(before=before, after=after))
-            self._pair.setToolTip(self._pair.text())
-            self._pair.setFixedHeight(self._pair.heightForWidth(self.width() - 30))
+            told, words = [name or self.tr("none yet") for name in names], self.tr("Before: {before}\nAfter: {after}")
+            before, after = map(self._shortened, told)
+            self._pair.setText(words.format(before=before, after=after))
+            self._pair.setToolTip(words.format(before=told[0], after=told[1]))
+            self._pair.setFixedHeight(self._pair.heightForWidth(self.width() - _SIDES))
             return
         if values is None:
             self._order.setText(self.tr("No order open"))
@@ -123,6 +126,13 @@ class Rail(QWidget):
         self._code.setVisible(bool(values.patient_code))
         self._badge.show_side(values.side)
         self._kind.setText(QCoreApplication.translate("draft", KINDS[values.kind]))
+
+    def _shortened(self, name: str) -> str:
+        """A name that has no place to break and is wider than the rail loses its middle."""
+        metrics, room = self._pair.fontMetrics(), self.width() - _SIDES
+        if max(map(metrics.horizontalAdvance, name.split() or [""])) <= room:
+            return name
+        return metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, room)
 
     def show_laser(self, emission: Emission) -> None:
         """Filled red while the laser emits, outlined otherwise; it asks when nobody knows."""

@@ -9,7 +9,7 @@ from app.views.compare_page import ComparePage
 from scanner_core.comparison.parameters import Frame, Jaw
 from tests.gui.tour.registry import scenes
 from tests.gui.tour.tour import Tour
-from tests.gui.waiting import until
+from tests.gui.waiting import until, wait_ms
 
 
 @scenes("compare", "compare-side-by-side", "compare-curtain", "compare-unreliable")
@@ -19,6 +19,7 @@ def compare(tour: Tour) -> Iterator[str]:
     page.take_files(list(tour.prepared.arches(Path(tour.services.settings.export_folder))), None)
     until(lambda: page.scene is not None and comparing.answers.current, 240, "the comparison")
     comparing.draft.edit("jaw", jaw=Jaw.LOWER)
+    wait_ms(800)
     until(lambda: comparing.answers.current, 240, "the comparison with its jaw")
     yield "compare"
     for mode in ("side_by_side", "curtain"):
@@ -28,5 +29,6 @@ def compare(tour: Tour) -> Iterator[str]:
     page.stage.choose_mode("map")
     page.look("top")
     comparing.draft.edit("frame", frame=Frame.WHOLE)
+    wait_ms(800)
     until(lambda: comparing.answers.current, 240, "the comparison of the whole")
     yield "compare-unreliable"

@@ -43,7 +43,7 @@ class Prepared:
             shutil.copy(self.scanned, self.mounts)
             self._impronta(*scan, "--add-mount", _POSE, "--out", str(self.mounts))
         if not self.interrupted.exists():
-            self._impronta(*scan, "--fault", "lid_opened@45", "--out", str(self.interrupted))
+            self._impronta(*scan, "--fault", "lid_opened@75", "--out", str(self.interrupted))
 
     def _impronta(self, *words: str) -> None:
         """What fails shows itself by its missing file."""
@@ -105,7 +105,7 @@ class Prepared:
         if not (made / "after.stl").exists():
             made.mkdir(exist_ok=True)
             write_pair(made, spacing=0.42)
-        files = folder / "2026-0132_upper_before.stl", folder / "2026-0132_upper_after.stl"
+        files = folder / "2026-0132_lower_before.stl", folder / "2026-0132_lower_after.stl"
         for source, path in zip(("before.stl", "after.stl"), files, strict=True):
             shutil.copy(made / source, path)
         return files

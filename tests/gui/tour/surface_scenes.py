@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from io import BytesIO
 from pathlib import Path
 from unittest import mock
@@ -12,6 +13,7 @@ from PIL import Image
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
+from app.controllers.measurements import Measurements
 from app.views.deliver_page import DeliverPage
 from app.views.edit_page import EditPage
 from app.views.edit_shapes import BaseShape, CropShape
@@ -81,6 +83,10 @@ def edit(tour: Tour) -> Iterator[str]:
     page.points.out_too.setChecked(False)
 
 
+def _more(measurements: Measurements, count: int) -> bool:
+    return len(measurements.items) > count and not measurements.busy
+
+
 @scenes("measure")
 def measure(tour: Tour) -> Iterator[str]:
     measurements, page = tour.services.measurements, tour.page("edit", EditPage)
@@ -96,7 +102,7 @@ def measure(tour: Tour) -> Iterator[str]:
         page.measure.ways[way].click()
         count = len(measurements.items)
         page.measure.do.click()
-        until(lambda count=count: len(measurements.items) > count and not measurements.busy, 60, way)
+        until(partial(_more, measurements, count), 60, way)
     page.measure.ways["section"].click()
     until(lambda: page.measure.do.isEnabled(), 60, "the section")
     page.measure.place.number.setValue(13.0)

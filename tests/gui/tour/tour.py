@@ -31,6 +31,7 @@ if TYPE_CHECKING:
 Bring = Callable[["Tour"], Iterator[str]]
 P = TypeVar("P", bound="Page")
 THEMES = ("light", "dark")
+_LOOKS = 8
 _LOST = 14
 """Of 255: a picture in 256 colours is kept when 999 of 1000 pixels lose no more."""
 
@@ -90,8 +91,19 @@ class Tour:
         for theme in self._themes:
             self.services.settings.theme = theme
             self.services.preferences.changed.emit("theme")  # nothing that could be undone
-            wait_ms(900)
-            write_picture(self._grab(), self.folder / f"{name}{self._suffix}-{theme}{twice}.png")
+            wait_ms(600)
+            write_picture(self._still(), self.folder / f"{name}{self._suffix}-{theme}{twice}.png")
+
+    def _still(self) -> NDArray[np.uint8]:
+        """The window once nothing moves in it any more, or as it is after a while where something always does."""
+        before = self._grab()
+        for _ in range(_LOOKS):
+            wait_ms(250)
+            now = self._grab()
+            if np.array_equal(now, before):
+                break
+            before = now
+        return before
 
     def _grab(self) -> NDArray[np.uint8]:
         window = self.window
