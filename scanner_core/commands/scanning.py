@@ -19,7 +19,8 @@ from scanner_core.case.recovery import Interruption
 from scanner_core.case.store import CaseStore
 from scanner_core.commands.console import Console
 from scanner_core.devices.aim_settings import aim_path
-from scanner_core.devices.rig import PRESETS, RigConfig, load_rig_or_preset
+from scanner_core.devices.rig import PRESETS as SHIPPED_RIGS
+from scanner_core.devices.rig import RigConfig, load_rig_or_preset
 from scanner_core.errors import CalibrationError, UsageError
 from scanner_core.optics.calibration import StereoCalibration
 from scanner_core.optics.calibration_age import AgeState, calibration_age
@@ -50,7 +51,7 @@ def rig_path(given: argparse.Namespace) -> str:
 
 def aimed_elsewhere(given: argparse.Namespace) -> str | None:
     """What is to be said where the window keeps other settings beside the rig file: commands measure with what the file itself says."""
-    if given.replay is not None or given.rig in PRESETS or not (path := aim_path(Path(given.rig))).exists():
+    if given.replay is not None or given.rig in SHIPPED_RIGS or not (path := aim_path(Path(given.rig))).exists():
         return None
     return f"Note: what was set on the window's Aim page ({path}) is not used by commands; the rig file's own exposure and spot limits are."
 
