@@ -5163,8 +5163,32 @@ Nachher: {after}</translation>
         <translation>Maßstab</translation>
     </message>
     <message>
+        <source>Scale by a length measured on the print alone, to {ppm} ppm: no second length has verified it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale not verified: no known length was shown, and the board&apos;s nominal size was believed ({ppm} ppm, k = 1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board is bent: its corners lie within {bend_mm} mm of height; this is taken into account.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The print is {percent} % larger than its nominal size; this is corrected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The print is {percent} % smaller than its nominal size; this is corrected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The reference sphere measured {change} µm otherwise than in the tests before: calibrate and test it again.</source>
         <translation>Die Referenzkugel maß {change} µm anders als in den Prüfungen zuvor: kalibrieren und neu prüfen.</translation>
+    </message>
+    <message>
+        <source>The table stood {error_deg} degrees off its reported angle at {table_deg} degrees: backlash or lost steps.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This calibration is {n} days old and has expired: cameras creep. Calibrate before you measure.</source>
@@ -6170,6 +6194,14 @@ Nachher: {after}</translation>
     <message>
         <source>What was measured is kept; the details help us to mend it.</source>
         <translation>Das Gemessene ist gesichert; die Details helfen uns, es zu beheben.</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation type="unfinished">linke</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation type="unfinished">rechte</translation>
     </message>
 </context>
 <context>

@@ -3853,7 +3853,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Live shows how large spots are</source>
-        <translation>«Dal vivo» mostra quanto sono grandi i punti</translation>
+        <translation>«Dal vivo» mostra i punti</translation>
     </message>
     <message>
         <source>Size of a spot: {low} to {high} pixels, {chosen}</source>
@@ -5140,7 +5140,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Length bar where it took no part</source>
-        <translation>Barra campione dove non ha contribuito</translation>
+        <translation>Barra campione, se non usata</translation>
     </message>
     <message>
         <source>Measured shapes change by {rms} µm rms over the volume, {largest} µm at most</source>
@@ -5163,8 +5163,32 @@ Dopo: {after}</translation>
         <translation>Scala</translation>
     </message>
     <message>
+        <source>Scale by a length measured on the print alone, to {ppm} ppm: no second length has verified it.</source>
+        <translation>Scala da una lunghezza misurata sulla sola stampa, a {ppm} ppm: nessuna seconda lunghezza l&apos;ha verificata.</translation>
+    </message>
+    <message>
+        <source>Scale not verified: no known length was shown, and the board&apos;s nominal size was believed ({ppm} ppm, k = 1).</source>
+        <translation>Scala non verificata: nessuna lunghezza nota è stata mostrata, e si è creduto alla misura nominale della scacchiera ({ppm} ppm, k = 1).</translation>
+    </message>
+    <message>
+        <source>The board is bent: its corners lie within {bend_mm} mm of height; this is taken into account.</source>
+        <translation>La scacchiera è curva: i suoi angoli stanno entro {bend_mm} mm di altezza; se ne tiene conto.</translation>
+    </message>
+    <message>
+        <source>The print is {percent} % larger than its nominal size; this is corrected.</source>
+        <translation>La stampa è più grande del {percent} % della misura nominale; è corretto.</translation>
+    </message>
+    <message>
+        <source>The print is {percent} % smaller than its nominal size; this is corrected.</source>
+        <translation>La stampa è più piccola del {percent} % della misura nominale; è corretto.</translation>
+    </message>
+    <message>
         <source>The reference sphere measured {change} µm otherwise than in the tests before: calibrate and test it again.</source>
         <translation>La sfera di riferimento misurata differisce di {change} µm dalle prove precedenti: calibrare e riprovare.</translation>
+    </message>
+    <message>
+        <source>The table stood {error_deg} degrees off its reported angle at {table_deg} degrees: backlash or lost steps.</source>
+        <translation>La tavola stava a {error_deg} gradi dall&apos;angolo indicato, a {table_deg} gradi: gioco o passi persi.</translation>
     </message>
     <message>
         <source>This calibration is {n} days old and has expired: cameras creep. Calibrate before you measure.</source>
@@ -5208,7 +5232,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>verified by the {length} mm bar</source>
-        <translation>verificata con la barra da {length} mm</translation>
+        <translation>con la barra da {length} mm</translation>
     </message>
     <message>
         <source>within three standard uncertainties of {u} µm each.</source>
@@ -6170,6 +6194,14 @@ Dopo: {after}</translation>
     <message>
         <source>What was measured is kept; the details help us to mend it.</source>
         <translation>Quanto misurato è conservato; i dettagli aiutano a rimediare.</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>sinistra</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>destra</translation>
     </message>
 </context>
 <context>
@@ -7194,11 +7226,11 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>As fast as it can</source>
-        <translation>Il più veloce possibile</translation>
+        <translation>Massima</translation>
     </message>
     <message>
         <source>Bench: 604 × 294 px at 435 mm</source>
-        <translation>Banco da tavolo: 604 × 294 px a 435 mm</translation>
+        <translation>Bench: 604 × 294 px a 435 mm</translation>
     </message>
     <message>
         <source>Both ears on a pair tray</source>
@@ -7230,7 +7262,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Workshop: 1440 × 1080 px at 600 mm</source>
-        <translation>Officina: 1440 × 1080 px a 600 mm</translation>
+        <translation>Workshop: 1440 × 1080 px a 600 mm</translation>
     </message>
     <message>
         <source>{rig}  (the file is missing)</source>
@@ -8608,7 +8640,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>The {part} of the rig is not the one with which the scan in {path} was begun.</source>
-        <translation>{part} del banco: non è quella con cui è iniziata la scansione in {path}.</translation>
+        <translation>La parte {part} del banco non è quella con cui è iniziata la scansione in {path}.</translation>
     </message>
     <message>
         <source>Their points are kept; fix the cameras, calibrate, and scan again.</source>
