@@ -72,6 +72,7 @@ def core_texts() -> Iterator[tuple[str, str]]:
     sys.path.insert(0, str(ROOT))
     from scanner_core.delivery.check_sentences import NAMES
     from scanner_core.delivery.check_sentences import SENTENCES as CHECKS
+    from scanner_core.optics.calibration_result import FindingKind
     from scanner_core.remedies import REMEDIES
     from scanner_core.sentences import SENTENCES
     from scanner_core.virtual.faults import FAULTS
@@ -79,6 +80,7 @@ def core_texts() -> Iterator[tuple[str, str]]:
     for sentence in SENTENCES.values():
         yield from (("sentences", text) for text in (sentence.what, sentence.do) if text)
     yield from (("remedies", text) for text in REMEDIES.values())
+    yield from (("calibration", kind.value) for kind in FindingKind)
     yield from (("delivery", text) for text in (*NAMES.values(), *CHECKS.values()))
     for fault in FAULTS.values():
         yield from (("rig-faults", text) for text in (fault.title, fault.happens, fault.expected))

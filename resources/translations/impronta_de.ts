@@ -337,23 +337,23 @@
     <name>AssistantPage</name>
     <message>
         <source>1  Find the devices</source>
-        <translation type="unfinished"></translation>
+        <translation>1  Geräte finden</translation>
     </message>
     <message>
         <source>2  Check the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>2  Messplatz prüfen</translation>
     </message>
     <message>
         <source>3  Write its file</source>
-        <translation type="unfinished"></translation>
+        <translation>3  Datei schreiben</translation>
     </message>
     <message>
         <source>Asking every port and every camera  ·  {left} left</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Anschluss und jede Kamera wird gefragt  ·  noch {left}</translation>
     </message>
     <message>
         <source>Back to the Rig page; the devices are released</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zur Seite Messplatz; die Geräte werden freigegeben</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -361,35 +361,35 @@
     </message>
     <message>
         <source>Every serial port and every camera is asked who it is. A board may restart; nothing moves, and no laser is lit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder serielle Anschluss und jede Kamera wird gefragt, wer sie sind. Eine Steuerung kann dabei neu starten; nichts bewegt sich, und kein Laser leuchtet.</translation>
     </message>
     <message>
         <source>Go on without a check</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Prüfung weiter</translation>
     </message>
     <message>
         <source>Leave</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlassen</translation>
     </message>
     <message>
         <source>Look again</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu suchen</translation>
     </message>
     <message>
         <source>Look for devices</source>
-        <translation type="unfinished"></translation>
+        <translation>Geräte suchen</translation>
     </message>
     <message>
         <source>Next: check the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter: Messplatz prüfen</translation>
     </message>
     <message>
         <source>Next: write its file</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter: Datei schreiben</translation>
     </message>
     <message>
         <source>Progress of the search</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt der Suche</translation>
     </message>
     <message>
         <source>Set up a rig</source>
@@ -397,23 +397,23 @@
     </message>
     <message>
         <source>Still to be chosen: {what}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch zu wählen: {what}.</translation>
     </message>
     <message>
         <source>The rig of the program is measuring: its devices are free afterwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Messplatz des Programms misst gerade: Danach sind seine Geräte frei.</translation>
     </message>
     <message>
         <source>a controller</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Steuerung</translation>
     </message>
     <message>
         <source>the left camera</source>
-        <translation type="unfinished"></translation>
+        <translation>die linke Kamera</translation>
     </message>
     <message>
         <source>the right camera</source>
-        <translation type="unfinished"></translation>
+        <translation>die rechte Kamera</translation>
     </message>
 </context>
 <context>
@@ -428,11 +428,11 @@
     </message>
     <message>
         <source>Live</source>
-        <translation type="unfinished"></translation>
+        <translation>Live</translation>
     </message>
     <message>
         <source>What the cameras see</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Kameras sehen</translation>
     </message>
     <message>
         <source>no spot</source>
@@ -805,11 +805,11 @@
     <name>CheckLine</name>
     <message>
         <source>Pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder</translation>
     </message>
     <message>
         <source>Pictures of: {check}</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder zu: {check}</translation>
     </message>
 </context>
 <context>
@@ -823,7 +823,7 @@
     <name>CheckStep</name>
     <message>
         <source>All {n} checks are good.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle {n} Prüfungen sind gut.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -839,35 +839,35 @@
     </message>
     <message>
         <source>Everybody near the rig is protected, and nothing is in the way of beam and table</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle am Messplatz sind geschützt, und nichts steht Strahl und Teller im Weg</translation>
     </message>
     <message>
         <source>Not everything is as it should be: {checks}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht alles ist, wie es sein soll: {checks}.</translation>
     </message>
     <message>
         <source>Only look and move by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur ansehen und von Hand bewegen</translation>
     </message>
     <message>
         <source>Opening the devices</source>
-        <translation type="unfinished"></translation>
+        <translation>Geräte werden geöffnet</translation>
     </message>
     <message>
         <source>Progress of the check</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt der Prüfung</translation>
     </message>
     <message>
         <source>Start the check</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfung starten</translation>
     </message>
     <message>
         <source>The check moves beam and table and lights the laser. A laser of class 3R can injure the eye: do not look into the beam or its reflections, wear goggles for its wavelength, take rings and watches off, and keep hands and hair out of the rig. Esc and the red button at the lower left stop everything at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Prüfung bewegt Strahl und Teller und schaltet den Laser ein. Ein Laser der Klasse 3R kann das Auge verletzen: nicht in den Strahl oder seine Reflexe blicken, Schutzbrille für seine Wellenlänge tragen, Ringe und Uhren ablegen, Hände und Haare aus dem Messplatz halten. Esc und der rote Knopf unten links stoppen alles sofort.</translation>
     </message>
     <message>
         <source>{doing}  ·  {left} left</source>
-        <translation type="unfinished"></translation>
+        <translation>{doing}  ·  noch {left}</translation>
     </message>
 </context>
 <context>
@@ -1186,7 +1186,7 @@
     </message>
     <message>
         <source>Cut away what does not belong to the object before it becomes a surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Abschneiden, was nicht zum Objekt gehört, bevor eine Oberfläche daraus wird</translation>
     </message>
     <message>
         <source>Do not accept</source>
@@ -1194,7 +1194,7 @@
     </message>
     <message>
         <source>Edit</source>
-        <translation type="unfinished">Bearbeiten</translation>
+        <translation>Bearbeiten</translation>
     </message>
     <message>
         <source>Every place is as certain as wanted.</source>
@@ -2559,7 +2559,7 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>{told}. Of another surface than the one that is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>{told}. Von einer anderen Oberfläche als der gezeigten.</translation>
     </message>
 </context>
 <context>
@@ -4287,11 +4287,11 @@ Nachher: {after}</translation>
     <name>WriteStep</name>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>Limits, the laser&apos;s place and the volume are those of the shipped bench. Correct them for your mechanics before the first scan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenzen, Ort des Lasers und Messvolumen sind die der mitgelieferten Werkbank. Vor dem ersten Scan für die eigene Mechanik berichtigen.</translation>
     </message>
     <message>
         <source>Name</source>
@@ -4299,11 +4299,11 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Name of the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Messplatzes</translation>
     </message>
     <message>
         <source>Other file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Datei…</translation>
     </message>
     <message>
         <source>Replace it</source>
@@ -4311,43 +4311,43 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Rigs (*.toml)</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplätze (*.toml)</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>The Rig page shows it, and calibrates it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Seite Messplatz zeigt ihn und kalibriert ihn neu.</translation>
     </message>
     <message>
         <source>The rig cannot measure before it is calibrated: the Rig page prints the target and takes you through it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Messplatz kann erst messen, wenn er kalibriert ist: Die Seite Messplatz druckt die Tafel und führt hindurch.</translation>
     </message>
     <message>
         <source>The rig&apos;s file</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei des Messplatzes</translation>
     </message>
     <message>
         <source>There is a file of this name already. Press once more to replace it, or choose another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Datei dieses Namens gibt es schon. Zum Ersetzen noch einmal drücken oder anderen Namen wählen.</translation>
     </message>
     <message>
         <source>Use this rig now</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Messplatz benutzen</translation>
     </message>
     <message>
         <source>What will be written</source>
-        <translation type="unfinished"></translation>
+        <translation>Was geschrieben wird</translation>
     </message>
     <message>
         <source>Where to write the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Wohin der Messplatz geschrieben wird</translation>
     </message>
     <message>
         <source>Written to {path}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschrieben nach {path}.</translation>
     </message>
 </context>
 <context>
@@ -4762,123 +4762,123 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Correct the steps of beam X: it moves {percent} % of what it is told.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte von Strahl X berichtigen: Er fährt {percent} % des Verlangten.</translation>
     </message>
     <message>
         <source>Correct the steps of beam Y: it moves {percent} % of what it is told.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte von Strahl Y berichtigen: Er fährt {percent} % des Verlangten.</translation>
     </message>
     <message>
         <source>Correct the steps of the table: it turns {percent} % of what it is told.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte des Tellers berichtigen: Er dreht {percent} % des Verlangten.</translation>
     </message>
     <message>
         <source>Exchange the cameras: the one that is called left stands to the right of the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameras tauschen: Die als linke bezeichnete steht rechts von der anderen.</translation>
     </message>
     <message>
         <source>Expose both cameras for {ms} ms (left {left} dB, right {right} dB): it suits what stands there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Kameras {ms} ms belichten (links {left} dB, rechts {right} dB): Das passt zu dem, was dort steht.</translation>
     </message>
     <message>
         <source>Free: each by its own clock</source>
-        <translation type="unfinished"></translation>
+        <translation>Frei: jede nach eigenem Takt</translation>
     </message>
     <message>
         <source>GRBL board, set up for something else</source>
-        <translation type="unfinished"></translation>
+        <translation>GRBL-Steuerung, für anderes eingerichtet</translation>
     </message>
     <message>
         <source>Hardware: a cable to both</source>
-        <translation type="unfinished"></translation>
+        <translation>Hardware: ein Kabel zu beiden</translation>
     </message>
     <message>
         <source>Left, difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Links, Differenz</translation>
     </message>
     <message>
         <source>Left, first end</source>
-        <translation type="unfinished"></translation>
+        <translation>Links, erstes Ende</translation>
     </message>
     <message>
         <source>Left, laser off</source>
-        <translation type="unfinished"></translation>
+        <translation>Links, Laser aus</translation>
     </message>
     <message>
         <source>Left, laser on</source>
-        <translation type="unfinished"></translation>
+        <translation>Links, Laser an</translation>
     </message>
     <message>
         <source>Left, other end</source>
-        <translation type="unfinished"></translation>
+        <translation>Links, anderes Ende</translation>
     </message>
     <message>
         <source>Right, difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechts, Differenz</translation>
     </message>
     <message>
         <source>Right, first end</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechts, erstes Ende</translation>
     </message>
     <message>
         <source>Right, laser off</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechts, Laser aus</translation>
     </message>
     <message>
         <source>Right, laser on</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechts, Laser an</translation>
     </message>
     <message>
         <source>Right, other end</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechts, anderes Ende</translation>
     </message>
     <message>
         <source>Software: a command for every picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Software: ein Befehl für jedes Bild</translation>
     </message>
     <message>
         <source>Turn the direction of beam X round: it moves the spot the other way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung von Strahl X umkehren: Er bewegt den Lichtpunkt andersherum.</translation>
     </message>
     <message>
         <source>Turn the direction of beam Y round: it moves the spot the other way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung von Strahl Y umkehren: Er bewegt den Lichtpunkt andersherum.</translation>
     </message>
     <message>
         <source>Turn the direction of the table round: it turns the other way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung des Tellers umkehren: Er dreht andersherum.</translation>
     </message>
     <message>
         <source>Virtual camera, left</source>
-        <translation type="unfinished"></translation>
+        <translation>Virtuelle Kamera, links</translation>
     </message>
     <message>
         <source>Virtual camera, right</source>
-        <translation type="unfinished"></translation>
+        <translation>Virtuelle Kamera, rechts</translation>
     </message>
     <message>
         <source>black picture</source>
-        <translation type="unfinished"></translation>
+        <translation>schwarzes Bild</translation>
     </message>
     <message>
         <source>cannot be opened</source>
-        <translation type="unfinished"></translation>
+        <translation>lässt sich nicht öffnen</translation>
     </message>
     <message>
         <source>controller</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerung</translation>
     </message>
     <message>
         <source>does not work</source>
-        <translation type="unfinished"></translation>
+        <translation>arbeitet nicht</translation>
     </message>
     <message>
         <source>good</source>
-        <translation type="unfinished"></translation>
+        <translation>gut</translation>
     </message>
     <message>
         <source>look at this</source>
-        <translation type="unfinished"></translation>
+        <translation>ansehen</translation>
     </message>
     <message>
         <source>no picture</source>
@@ -4886,7 +4886,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>not permitted</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht erlaubt</translation>
     </message>
     <message>
         <source>ready</source>
@@ -4894,23 +4894,23 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>silent</source>
-        <translation type="unfinished"></translation>
+        <translation>stumm</translation>
     </message>
     <message>
         <source>something else</source>
-        <translation type="unfinished"></translation>
+        <translation>etwas anderes</translation>
     </message>
     <message>
         <source>used by another program</source>
-        <translation type="unfinished"></translation>
+        <translation>von anderem Programm benutzt</translation>
     </message>
     <message>
         <source>wrong format</source>
-        <translation type="unfinished"></translation>
+        <translation>falsches Format</translation>
     </message>
     <message>
         <source>{width} × {height} px, {rate} frames/s</source>
-        <translation type="unfinished"></translation>
+        <translation>{width} × {height} px, {rate} Bilder/s</translation>
     </message>
 </context>
 <context>
@@ -5163,32 +5163,8 @@ Nachher: {after}</translation>
         <translation>Maßstab</translation>
     </message>
     <message>
-        <source>Scale by a length measured on the print alone, to {ppm} ppm: no second length has verified it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Scale not verified: no known length was shown, and the board&apos;s nominal size was believed ({ppm} ppm, k = 1).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The board is bent: its corners lie within {bend_mm} mm of height; this is taken into account.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The print is {percent} % larger than its nominal size; this is corrected.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The print is {percent} % smaller than its nominal size; this is corrected.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The reference sphere measured {change} µm otherwise than in the tests before: calibrate and test it again.</source>
         <translation>Die Referenzkugel maß {change} µm anders als in den Prüfungen zuvor: kalibrieren und neu prüfen.</translation>
-    </message>
-    <message>
-        <source>The table stood {error_deg} degrees off its reported angle at {table_deg} degrees: backlash or lost steps.</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This calibration is {n} days old and has expired: cameras creep. Calibrate before you measure.</source>
@@ -5243,47 +5219,47 @@ Nachher: {after}</translation>
     <name>checks</name>
     <message>
         <source>beam axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahlachsen</translation>
     </message>
     <message>
         <source>beam axis x</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahlachse x</translation>
     </message>
     <message>
         <source>beam axis y</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahlachse y</translation>
     </message>
     <message>
         <source>camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera links</translation>
     </message>
     <message>
         <source>camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera rechts</translation>
     </message>
     <message>
         <source>cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameras</translation>
     </message>
     <message>
         <source>controller</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerung</translation>
     </message>
     <message>
         <source>controller handshake</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerung: Verbindung</translation>
     </message>
     <message>
         <source>controller laser</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerung: Laser</translation>
     </message>
     <message>
         <source>controller laser left off</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerung: Laser bleibt aus</translation>
     </message>
     <message>
         <source>controller move</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerung: Bewegung</translation>
     </message>
     <message>
         <source>done</source>
@@ -5291,43 +5267,43 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>exposure</source>
-        <translation type="unfinished"></translation>
+        <translation>Belichtung</translation>
     </message>
     <message>
         <source>frame rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildrate</translation>
     </message>
     <message>
         <source>frame rate left</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildrate links</translation>
     </message>
     <message>
         <source>frame rate right</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildrate rechts</translation>
     </message>
     <message>
         <source>laser seen</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser gesehen</translation>
     </message>
     <message>
         <source>laser spot</source>
-        <translation type="unfinished"></translation>
+        <translation>Laserpunkt</translation>
     </message>
     <message>
         <source>left and right</source>
-        <translation type="unfinished"></translation>
+        <translation>links und rechts</translation>
     </message>
     <message>
         <source>rest of the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>übriger Messplatz</translation>
     </message>
     <message>
         <source>table</source>
-        <translation type="unfinished"></translation>
+        <translation>Teller</translation>
     </message>
     <message>
         <source>trigger skew</source>
-        <translation type="unfinished"></translation>
+        <translation>Triggerversatz</translation>
     </message>
 </context>
 <context>
@@ -6195,14 +6171,6 @@ Nachher: {after}</translation>
         <source>What was measured is kept; the details help us to mend it.</source>
         <translation>Das Gemessene ist gesichert; die Details helfen uns, es zu beheben.</translation>
     </message>
-    <message>
-        <source>left</source>
-        <translation type="unfinished">linke</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation type="unfinished">rechte</translation>
-    </message>
 </context>
 <context>
     <name>format</name>
@@ -6714,7 +6682,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Points and measurements</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte und Messungen</translation>
     </message>
     <message>
         <source>Reconstruct</source>
@@ -7139,83 +7107,83 @@ Nachher: {after}</translation>
     <name>remedies</name>
     <message>
         <source>A reset was sent to switch the laser off; see that it is dark, check cable and power, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Ausschalten des Lasers wurde ein Reset gesendet; nachsehen, dass er dunkel ist, Kabel und Strom prüfen, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>A reset was sent; check the cable (length, shield, plugs), then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Reset wurde gesendet; Kabel prüfen (Länge, Schirm, Stecker), dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>A sweep ends dark by itself, a standing spot may stay lit: see that the laser is off, plug it in, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Bahn endet von selbst dunkel, ein stehender Laserpunkt kann weiterleuchten: nachsehen, dass der Laser aus ist, einstecken, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>Nothing was measured; choose another size or pixel format, or another camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; andere Größe, anderes Pixelformat oder andere Kamera wählen.</translation>
     </message>
     <message>
         <source>Nothing was measured; take the lens cap off, open the shutter, or lengthen its exposure.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; Objektivdeckel abnehmen, Verschluss öffnen oder länger belichten.</translation>
     </message>
     <message>
         <source>Nothing was moved; if it should be the controller, it has to be given GRBL first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; soll es die Steuerung sein, muss sie zuerst GRBL erhalten.</translation>
     </message>
     <message>
         <source>Nothing was moved; if it should be the controller, see that it has power and that the cable carries data, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; soll es die Steuerung sein, prüfen, dass sie Strom hat und das Kabel Daten führt, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>Nothing was moved; plug it in, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; einstecken, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>Nothing was moved; plug the controller in again, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; Steuerung wieder einstecken, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>Nothing was moved; such a rig needs a rig file that names one of these as &apos;table_axis&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; ein solcher Messplatz braucht eine Messplatzdatei, die eine davon als &apos;table_axis&apos; nennt.</translation>
     </message>
     <message>
         <source>The laser is off; check its cable, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; ihr Kabel prüfen, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>The laser is off; check the trigger cable, or let the cameras run freely.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; Triggerkabel prüfen oder die Kameras frei laufen lassen.</translation>
     </message>
     <message>
         <source>The laser is off; close other programs, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; andere Programme schließen, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>The laser is off; close the door, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; Tür schließen, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>The laser is off; its position is lost: home it, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; die Position ist verloren: Referenz suchen, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>The laser is off; plug it in, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; einstecken, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>The laser is off; try again when the rig is free.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; noch einmal versuchen, wenn der Messplatz frei ist.</translation>
     </message>
     <message>
         <source>The laser is off; unplug the camera, plug it in again, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; Kamera ausstecken, wieder einstecken, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>The laser is off; {remedy}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; {remedy}.</translation>
     </message>
     <message>
         <source>The laser was switched off; free the machine of other work, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser wurde ausgeschaltet; den Rechner von anderer Arbeit befreien, dann noch einmal versuchen.</translation>
     </message>
 </context>
 <context>
@@ -7273,343 +7241,343 @@ Nachher: {after}</translation>
     <name>rig-faults</name>
     <message>
         <source>ALARM:1 (limit switch)</source>
-        <translation type="unfinished"></translation>
+        <translation>ALARM:1 (Endschalter)</translation>
     </message>
     <message>
         <source>ALARM:2 (soft limit)</source>
-        <translation type="unfinished"></translation>
+        <translation>ALARM:2 (Soft-Limit)</translation>
     </message>
     <message>
         <source>ALARM:3 (reset in a move)</source>
-        <translation type="unfinished"></translation>
+        <translation>ALARM:3 (Reset in Bewegung)</translation>
     </message>
     <message>
         <source>Camera bumped</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera angestoßen</translation>
     </message>
     <message>
         <source>Camera stalled</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera hängt</translation>
     </message>
     <message>
         <source>Camera unplugged</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera ausgesteckt</translation>
     </message>
     <message>
         <source>Cameras out of step</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameras versetzt</translation>
     </message>
     <message>
         <source>Case locked</source>
-        <translation type="unfinished"></translation>
+        <translation>Fall gesperrt</translation>
     </message>
     <message>
         <source>Clock jump</source>
-        <translation type="unfinished"></translation>
+        <translation>Uhrsprung</translation>
     </message>
     <message>
         <source>Controller reset</source>
-        <translation type="unfinished"></translation>
+        <translation>Reset der Steuerung</translation>
     </message>
     <message>
         <source>Disk full</source>
-        <translation type="unfinished"></translation>
+        <translation>Datenträger voll</translation>
     </message>
     <message>
         <source>E-JOB-01; the points are safe, a new worker is started</source>
-        <translation type="unfinished"></translation>
+        <translation>meldet E-JOB-01; die Punkte sind sicher, ein neuer Arbeitsprozess startet</translation>
     </message>
     <message>
         <source>E-JOB-02 or E-JOB-01; the points are safe</source>
-        <translation type="unfinished"></translation>
+        <translation>meldet E-JOB-02 oder E-JOB-01; die Punkte sind sicher</translation>
     </message>
     <message>
         <source>Frames dropped</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder verloren</translation>
     </message>
     <message>
         <source>Frames late</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder verspätet</translation>
     </message>
     <message>
         <source>Frames torn</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder zerrissen</translation>
     </message>
     <message>
         <source>Lamp on</source>
-        <translation type="unfinished"></translation>
+        <translation>Lampe an</translation>
     </message>
     <message>
         <source>Lenses warm</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektive warm</translation>
     </message>
     <message>
         <source>Lid opened</source>
-        <translation type="unfinished"></translation>
+        <translation>Deckel geöffnet</translation>
     </message>
     <message>
         <source>Lost ok</source>
-        <translation type="unfinished"></translation>
+        <translation>ok verloren</translation>
     </message>
     <message>
         <source>Mark knocked off</source>
-        <translation type="unfinished"></translation>
+        <translation>Marke abgeschlagen</translation>
     </message>
     <message>
         <source>Partial lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen in Stücken</translation>
     </message>
     <message>
         <source>Port gone</source>
-        <translation type="unfinished"></translation>
+        <translation>Anschluss weg</translation>
     </message>
     <message>
         <source>Port gone and back</source>
-        <translation type="unfinished"></translation>
+        <translation>Anschluss weg und zurück</translation>
     </message>
     <message>
         <source>Program killed</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm abgeschossen</translation>
     </message>
     <message>
         <source>Serial noise</source>
-        <translation type="unfinished"></translation>
+        <translation>Serielle Störungen</translation>
     </message>
     <message>
         <source>Shiny patch</source>
-        <translation type="unfinished"></translation>
+        <translation>Glänzende Stelle</translation>
     </message>
     <message>
         <source>Steps lost</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte verloren</translation>
     </message>
     <message>
         <source>Trigger lost</source>
-        <translation type="unfinished"></translation>
+        <translation>Trigger verloren</translation>
     </message>
     <message>
         <source>Worker killed</source>
-        <translation type="unfinished"></translation>
+        <translation>Arbeitsprozess abgeschossen</translation>
     </message>
     <message>
         <source>Worker out of memory</source>
-        <translation type="unfinished"></translation>
+        <translation>Arbeitsprozess ohne Speicher</translation>
     </message>
     <message>
         <source>a camera exposes 8 ms later than the other</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kamera belichtet 8 ms später als die andere</translation>
     </message>
     <message>
         <source>a camera hangs: no frame and no error comes any more</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kamera hängt: kein Bild und kein Fehler kommt mehr</translation>
     </message>
     <message>
         <source>a camera is turned by a small angle and stays so</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kamera wird um einen kleinen Winkel verdreht und bleibt so</translation>
     </message>
     <message>
         <source>a camera loses a fifth of its frames</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kamera verliert ein Fünftel ihrer Bilder</translation>
     </message>
     <message>
         <source>a camera misses a trigger: its frames belong to the next exposure from then on</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kamera verpasst einen Trigger: Von da an gehören ihre Bilder zur nächsten Belichtung</translation>
     </message>
     <message>
         <source>a garbled report is asked for again and the scan goes on; a garbled ok ends it with E-MOT-01</source>
-        <translation type="unfinished"></translation>
+        <translation>fragt bei verstümmelter Meldung nach, und der Scan läuft weiter; ein verstümmeltes ok beendet ihn mit E-MOT-01</translation>
     </message>
     <message>
         <source>a lamp shines into the cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Lampe scheint in die Kameras</translation>
     </message>
     <message>
         <source>a limit switch is touched; nothing but a reset gets through</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Endschalter wird berührt; nur ein Reset kommt durch</translation>
     </message>
     <message>
         <source>a wet place on the object mirrors the beam: glare, and second spots</source>
-        <translation type="unfinished"></translation>
+        <translation>eine nasse Stelle am Objekt spiegelt den Strahl: Glanz und zweite Lichtpunkte</translation>
     </message>
     <message>
         <source>an &apos;ok&apos; of the controller gets lost on its way</source>
-        <translation type="unfinished"></translation>
+        <translation>ein &apos;ok&apos; der Steuerung geht unterwegs verloren</translation>
     </message>
     <message>
         <source>another program tries to open the case; at the opening it holds it</source>
-        <translation type="unfinished"></translation>
+        <translation>ein anderes Programm versucht den Fall zu öffnen; beim Öffnen hält es ihn</translation>
     </message>
     <message>
         <source>both lenses get longer by a thousandth, so that everything is measured too large</source>
-        <translation type="unfinished"></translation>
+        <translation>beide Objektive werden um ein Tausendstel länger, sodass alles zu groß gemessen wird</translation>
     </message>
     <message>
         <source>ends with E-CAM-01 after 4 s; laser off, points kept</source>
-        <translation type="unfinished"></translation>
+        <translation>endet nach 4 s mit E-CAM-01; Laser aus, Punkte gesichert</translation>
     </message>
     <message>
         <source>ends with E-CAM-02; laser off, points kept</source>
-        <translation type="unfinished"></translation>
+        <translation>endet mit E-CAM-02; Laser aus, Punkte gesichert</translation>
     </message>
     <message>
         <source>ends with E-DISK-01; laser off, everything acknowledged is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>endet mit E-DISK-01; Laser aus, alles Bestätigte ist gesichert</translation>
     </message>
     <message>
         <source>ends with E-MOT-01, 2 s after the controller fell idle</source>
-        <translation type="unfinished"></translation>
+        <translation>endet mit E-MOT-01, 2 s nachdem die Steuerung ruht</translation>
     </message>
     <message>
         <source>ends with E-MOT-02; a sweep ends dark by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>endet mit E-MOT-02; eine Bahn endet von selbst dunkel</translation>
     </message>
     <message>
         <source>ends with E-MOT-02; the next start works</source>
-        <translation type="unfinished"></translation>
+        <translation>endet mit E-MOT-02; der nächste Start gelingt</translation>
     </message>
     <message>
         <source>ends with E-MOT-05</source>
-        <translation type="unfinished"></translation>
+        <translation>endet mit E-MOT-05</translation>
     </message>
     <message>
         <source>ends with E-MOT-09; dark by the restart</source>
-        <translation type="unfinished"></translation>
+        <translation>endet mit E-MOT-09; dunkel durch den Neustart</translation>
     </message>
     <message>
         <source>ends with E-MOT-16; the controller itself stops and darkens the beam</source>
-        <translation type="unfinished"></translation>
+        <translation>endet mit E-MOT-16; die Steuerung selbst stoppt und verdunkelt den Strahl</translation>
     </message>
     <message>
         <source>for 10 s one byte in a hundred of the controller&apos;s answers is changed, or another one comes in between</source>
-        <translation type="unfinished"></translation>
+        <translation>10 s lang ist eines von hundert Bytes der Antworten der Steuerung verändert, oder ein fremdes kommt dazwischen</translation>
     </message>
     <message>
         <source>for 10 s the worker process gets no more memory; the time counts from the start of the reconstruction</source>
-        <translation type="unfinished"></translation>
+        <translation>10 s lang erhält der Arbeitsprozess keinen Speicher mehr; die Zeit zählt ab dem Start der Rekonstruktion</translation>
     </message>
     <message>
         <source>for 20 s the controller&apos;s answers come in pieces of 5 bytes with pauses of 20 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>20 s lang kommen die Antworten der Steuerung in Stücken von 5 Bytes mit Pausen von 20 ms</translation>
     </message>
     <message>
         <source>goes on</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter</translation>
     </message>
     <message>
         <source>goes on, the other program is refused; a case that the other holds is refused with E-CASE-02</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter, das andere Programm wird abgewiesen; ein Fall, den das andere hält, wird mit E-CASE-02 abgewiesen</translation>
     </message>
     <message>
         <source>goes on; H-EPI-01 when it moved across the epipolar lines, H-VIEW-02 when along them</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; H-EPI-01 bei Bewegung quer zu den Epipolarlinien, H-VIEW-02 bei Bewegung längs</translation>
     </message>
     <message>
         <source>goes on; H-MARK-03 where the rig has marks, else nothing tells</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; H-MARK-03, wo der Messplatz Marken hat, sonst meldet es nichts</translation>
     </message>
     <message>
         <source>goes on; H-MARK-05</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; H-MARK-05</translation>
     </message>
     <message>
         <source>goes on; H-SYN-01</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; H-SYN-01</translation>
     </message>
     <message>
         <source>goes on; H-SYN-02</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; H-SYN-02</translation>
     </message>
     <message>
         <source>goes on; H-TAB-01</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; H-TAB-01</translation>
     </message>
     <message>
         <source>goes on; every frame is waited for</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; auf jedes Bild wird gewartet</translation>
     </message>
     <message>
         <source>goes on; glare is rejected as saturated, second spots are settled by the other camera or ambiguous</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; Glanz wird als übersteuert verworfen, zweite Lichtpunkte klärt die andere Kamera, oder sie gelten als mehrdeutig</translation>
     </message>
     <message>
         <source>goes on; no duration, rate or deadline is touched</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; keine Dauer, Rate oder Frist ist berührt</translation>
     </message>
     <message>
         <source>goes on; rejected as dropped_frame, H-CAM-01</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; verworfen als dropped_frame, H-CAM-01</translation>
     </message>
     <message>
         <source>goes on; rejected as too_bright, H-LGT-01</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; verworfen als too_bright, H-LGT-01</translation>
     </message>
     <message>
         <source>goes on; torn frames are rejected, H-CAM-03</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; zerrissene Bilder werden verworfen, H-CAM-03</translation>
     </message>
     <message>
         <source>in a tenth of a camera&apos;s frames the lower half is another exposure&apos;s, or garbage</source>
-        <translation type="unfinished"></translation>
+        <translation>in einem Zehntel der Bilder einer Kamera ist die untere Hälfte von einer anderen Belichtung oder Unsinn</translation>
     </message>
     <message>
         <source>is gone; the guardian darkens a real laser within 0.6 s, everything acknowledged is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>ist weg; der Wächter verdunkelt einen echten Laser innerhalb von 0,6 s, alles Bestätigte ist gesichert</translation>
     </message>
     <message>
         <source>one of the balls on the table&apos;s rim is knocked off; nothing where the rig has no marks</source>
-        <translation type="unfinished"></translation>
+        <translation>eine der Kugeln am Tellerrand wird abgeschlagen; nichts, wo der Messplatz keine Marken hat</translation>
     </message>
     <message>
         <source>the board&apos;s reset button is pressed in the middle of a move</source>
-        <translation type="unfinished"></translation>
+        <translation>der Resetknopf der Steuerung wird mitten in einer Bewegung gedrückt</translation>
     </message>
     <message>
         <source>the cable of a camera comes off</source>
-        <translation type="unfinished"></translation>
+        <translation>das Kabel einer Kamera löst sich</translation>
     </message>
     <message>
         <source>the computer&apos;s clock jumps back by an hour</source>
-        <translation type="unfinished"></translation>
+        <translation>die Uhr des Rechners springt um eine Stunde zurück</translation>
     </message>
     <message>
         <source>the controller believes that a move leaves the travel of its axes</source>
-        <translation type="unfinished"></translation>
+        <translation>die Steuerung meint, eine Bewegung verlasse den Weg ihrer Achsen</translation>
     </message>
     <message>
         <source>the controller&apos;s cable comes off and stays off</source>
-        <translation type="unfinished"></translation>
+        <translation>das Kabel der Steuerung löst sich und bleibt ab</translation>
     </message>
     <message>
         <source>the controller&apos;s cable comes off, and is plugged in again after 3 s</source>
-        <translation type="unfinished"></translation>
+        <translation>das Kabel der Steuerung löst sich und wird nach 3 s wieder eingesteckt</translation>
     </message>
     <message>
         <source>the controller&apos;s supply breaks down in the middle of a move; it starts anew and has lost its position</source>
-        <translation type="unfinished"></translation>
+        <translation>die Versorgung der Steuerung bricht mitten in einer Bewegung zusammen; sie startet neu und hat ihre Position verloren</translation>
     </message>
     <message>
         <source>the frames of a camera arrive 0.4 s late, with the right ids and time stamps</source>
-        <translation type="unfinished"></translation>
+        <translation>die Bilder einer Kamera kommen 0,4 s zu spät, mit richtigen Kennungen und Zeitstempeln</translation>
     </message>
     <message>
         <source>the lid is opened, and closed after 10 s</source>
-        <translation type="unfinished"></translation>
+        <translation>der Deckel wird geöffnet und nach 10 s geschlossen</translation>
     </message>
     <message>
         <source>the program is killed (SIGKILL)</source>
-        <translation type="unfinished"></translation>
+        <translation>das Programm wird abgeschossen (SIGKILL)</translation>
     </message>
     <message>
         <source>the table&apos;s motor loses steps in its next move, unknown to the controller</source>
-        <translation type="unfinished"></translation>
+        <translation>der Motor des Tellers verliert bei seiner nächsten Bewegung Schritte, ohne dass die Steuerung es weiß</translation>
     </message>
     <message>
         <source>the worker process is killed; the time counts from the start of the reconstruction</source>
-        <translation type="unfinished"></translation>
+        <translation>der Arbeitsprozess wird abgeschossen; die Zeit zählt ab dem Start der Rekonstruktion</translation>
     </message>
     <message>
         <source>there is no space left on the disk of the case</source>
-        <translation type="unfinished"></translation>
+        <translation>auf dem Datenträger des Falls ist kein Platz mehr</translation>
     </message>
 </context>
 <context>
@@ -7804,7 +7772,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Its points may be right; a shape without rotational symmetry would tell.</source>
-        <translation>Ihre Punkte können stimmen; eine Form ohne Drehsymmetrie würde es zeigen.</translation>
+        <translation>Seine Punkte können stimmen; eine Form ohne Drehsymmetrie würde es zeigen.</translation>
     </message>
     <message>
         <source>Its surface lies nowhere over that of the others.</source>
@@ -8552,11 +8520,11 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>The safety relay of the serial port stopped.</source>
-        <translation>Die Sicherheitsweiche des seriellen Anschlusses ist stehen geblieben.</translation>
+        <translation>Das Sicherheitsrelais des seriellen Anschlusses ist stehen geblieben.</translation>
     </message>
     <message>
         <source>The safety relay of the serial port {port} stopped, and the controller could not be reset.</source>
-        <translation>Die Sicherheitsweiche des seriellen Anschlusses {port} ist stehen geblieben, und die Steuerung ließ sich nicht zurücksetzen.</translation>
+        <translation>Das Sicherheitsrelais des seriellen Anschlusses {port} ist stehen geblieben, und die Steuerung ließ sich nicht zurücksetzen.</translation>
     </message>
     <message>
         <source>The scale changed by {percent} %: since the view at {table_deg} deg the marks on the table&apos;s rim have other distances.</source>

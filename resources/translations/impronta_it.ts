@@ -6698,7 +6698,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Live point cloud</source>
-        <translation>Nuvola di punti dal vivo</translation>
+        <translation>Punti dal vivo</translation>
     </message>
     <message>
         <source>Missing places</source>
