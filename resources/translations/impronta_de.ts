@@ -68,7 +68,7 @@
     </message>
     <message>
         <source>How accurate is it?</source>
-        <translation>Wie genau ist er?</translation>
+        <translation>Wie genau misst der Messplatz?</translation>
     </message>
     <message>
         <source>It measures otherwise than in the tests before: calibrate, and test it again.</source>
@@ -3349,7 +3349,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Own rig…</source>
-        <translation>Eigener Messplatz…</translation>
+        <translation>Eigener…</translation>
     </message>
     <message>
         <source>Rig</source>
@@ -3631,7 +3631,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>µm closure</source>
-        <translation>µm Schlussfehler</translation>
+        <translation>µm Ringschluss</translation>
     </message>
 </context>
 <context>
@@ -3853,7 +3853,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Live shows how large spots are</source>
-        <translation>Live zeigt, wie groß die Lichtpunkte sind</translation>
+        <translation>Live zeigt die Größen</translation>
     </message>
     <message>
         <source>Size of a spot: {low} to {high} pixels, {chosen}</source>
@@ -5163,8 +5163,32 @@ Nachher: {after}</translation>
         <translation>Maßstab</translation>
     </message>
     <message>
+        <source>Scale by a length measured on the print alone, to {ppm} ppm: no second length has verified it.</source>
+        <translation>Maßstab nur nach einer am Druck gemessenen Länge, auf {ppm} ppm: Keine zweite Länge hat ihn bestätigt.</translation>
+    </message>
+    <message>
+        <source>Scale not verified: no known length was shown, and the board&apos;s nominal size was believed ({ppm} ppm, k = 1).</source>
+        <translation>Maßstab nicht bestätigt: Keine bekannte Länge wurde gezeigt, das Nennmaß der Tafel wurde geglaubt ({ppm} ppm, k = 1).</translation>
+    </message>
+    <message>
+        <source>The board is bent: its corners lie within {bend_mm} mm of height; this is taken into account.</source>
+        <translation>Die Tafel ist verbogen: Ihre Ecken liegen innerhalb von {bend_mm} mm Höhe; das ist berücksichtigt.</translation>
+    </message>
+    <message>
+        <source>The print is {percent} % larger than its nominal size; this is corrected.</source>
+        <translation>Der Druck ist {percent} % größer als sein Nennmaß; das ist berichtigt.</translation>
+    </message>
+    <message>
+        <source>The print is {percent} % smaller than its nominal size; this is corrected.</source>
+        <translation>Der Druck ist {percent} % kleiner als sein Nennmaß; das ist berichtigt.</translation>
+    </message>
+    <message>
         <source>The reference sphere measured {change} µm otherwise than in the tests before: calibrate and test it again.</source>
         <translation>Die Referenzkugel maß {change} µm anders als in den Prüfungen zuvor: kalibrieren und neu prüfen.</translation>
+    </message>
+    <message>
+        <source>The table stood {error_deg} degrees off its reported angle at {table_deg} degrees: backlash or lost steps.</source>
+        <translation>Der Teller stand bei {table_deg} Grad um {error_deg} Grad neben dem gemeldeten Winkel: Spiel oder verlorene Schritte.</translation>
     </message>
     <message>
         <source>This calibration is {n} days old and has expired: cameras creep. Calibrate before you measure.</source>
@@ -5624,7 +5648,7 @@ Nachher: {after}</translation>
     <name>delivery</name>
     <message>
         <source>2-manifold</source>
-        <translation>2-mannigfaltig</translation>
+        <translation>2-Mannigfaltigkeit</translation>
     </message>
     <message>
         <source>3MF, carries its unit</source>
@@ -5700,7 +5724,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Closure of the turn</source>
-        <translation>Schluss der Drehung</translation>
+        <translation>Ringschluss</translation>
     </message>
     <message>
         <source>Coverage</source>
@@ -6710,7 +6734,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>What is delivered</source>
-        <translation>Was ausgeliefert wird</translation>
+        <translation>Lieferung</translation>
     </message>
 </context>
 <context>
@@ -7104,6 +7128,49 @@ Nachher: {after}</translation>
     </message>
 </context>
 <context>
+    <name>remarks</name>
+    <message>
+        <source>The body that stands on the table could not be filled; the base was closed by what the points alone enclose.</source>
+        <translation>Der auf dem Teller stehende Körper ließ sich nicht füllen; die Basis wurde durch das geschlossen, was die Punkte allein umschließen.</translation>
+    </message>
+    <message>
+        <source>The coordinates are rounded to steps of {step_mm} mm, single precision far from the origin; export the points in double precision, or nearer to the origin.</source>
+        <translation>Die Koordinaten sind auf Schritte von {step_mm} mm gerundet, einfache Genauigkeit fern vom Ursprung; die Punkte in doppelter Genauigkeit oder näher am Ursprung exportieren.</translation>
+    </message>
+    <message>
+        <source>The object is only {extent_mm} mm large, less than an anatomical part: if the coordinates are {unit}, use --units {option}.</source>
+        <translation>Das Objekt ist nur {extent_mm} mm groß, weniger als ein Körperteil: Sind die Koordinaten in {unit}, --units {option} verwenden.</translation>
+    </message>
+    <message>
+        <source>The object is {extent_mm} mm large, more than any anatomical part: if the coordinates are micrometres, divide them by 1000; if they are millimetres, use --units mm.</source>
+        <translation>Das Objekt ist {extent_mm} mm groß, mehr als jeder Körperteil: Sind die Koordinaten Mikrometer, durch 1000 teilen; sind sie Millimeter, --units mm verwenden.</translation>
+    </message>
+    <message>
+        <source>The object lies {away_mm} mm from the origin; it was computed about its centre, so that no precision was lost.</source>
+        <translation>Das Objekt liegt {away_mm} mm vom Ursprung; es wurde um seine Mitte berechnet, sodass keine Genauigkeit verloren ging.</translation>
+    </message>
+    <message>
+        <source>{count} points ({share}) lie more than {link_mm} mm from the object; they were left out as strays.</source>
+        <translation>{count} Punkte ({share}) liegen mehr als {link_mm} mm vom Objekt; sie blieben als Streupunkte weg.</translation>
+    </message>
+    <message>
+        <source>{share} % of the closed surface was not scanned; it is capped and marked as unsupported.</source>
+        <translation>{share} % der geschlossenen Oberfläche wurden nicht gescannt; sie sind überbrückt und als nicht belegt markiert.</translation>
+    </message>
+    <message>
+        <source>{share} % of the closed surface was not scanned; it is left open.</source>
+        <translation>{share} % der geschlossenen Oberfläche wurden nicht gescannt; dort bleibt sie offen.</translation>
+    </message>
+    <message>
+        <source>{share} % of the points do not belong to the surface and were rejected.</source>
+        <translation>{share} % der Punkte gehören nicht zur Oberfläche und wurden verworfen.</translation>
+    </message>
+    <message>
+        <source>{share} of the points repeat others exactly; each place was counted once.</source>
+        <translation>{share} der Punkte wiederholen andere genau; jede Stelle zählte einmal.</translation>
+    </message>
+</context>
+<context>
     <name>remedies</name>
     <message>
         <source>A reset was sent to switch the laser off; see that it is dark, check cable and power, then try again.</source>
@@ -7198,7 +7265,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Bench: 604 × 294 px at 435 mm</source>
-        <translation>Werkbank: 604 × 294 px auf 435 mm</translation>
+        <translation>Werkbank: 604 × 294, 435 mm</translation>
     </message>
     <message>
         <source>Both ears on a pair tray</source>
@@ -7218,7 +7285,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Paper 2003: the published rig at 770 mm</source>
-        <translation>Paper 2003: der veröffentlichte Messplatz auf 770 mm</translation>
+        <translation>Artikel 2003: Messplatz, 770 mm</translation>
     </message>
     <message>
         <source>Real time</source>
@@ -7230,7 +7297,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Workshop: 1440 × 1080 px at 600 mm</source>
-        <translation>Werkstatt: 1440 × 1080 px auf 600 mm</translation>
+        <translation>Werkstatt: 1440 × 1080, 600 mm</translation>
     </message>
     <message>
         <source>{rig}  (the file is missing)</source>
