@@ -70,6 +70,7 @@ def release(language: str, into: Path) -> None:
 def core_texts() -> Iterator[tuple[str, str]]:
     """(context, English) of what the core says and the window translates."""
     sys.path.insert(0, str(ROOT))
+    from scanner_core.comparison.doubt_sentences import DOUBTS
     from scanner_core.delivery.check_sentences import NAMES
     from scanner_core.delivery.check_sentences import SENTENCES as CHECKS
     from scanner_core.optics.calibration_result import FindingKind
@@ -84,6 +85,7 @@ def core_texts() -> Iterator[tuple[str, str]]:
     yield from (("delivery", text) for text in (*NAMES.values(), *CHECKS.values()))
     yield from (("calibration", kind.value) for kind in FindingKind)
     yield from (("remarks", kind.value) for kind in RemarkKind)
+    yield from (("doubts", text) for text in DOUBTS.values())
     for fault in FAULTS.values():
         yield from (("rig-faults", text) for text in (fault.title, fault.happens, fault.expected))
 
