@@ -5163,8 +5163,32 @@ Nachher: {after}</translation>
         <translation>Maßstab</translation>
     </message>
     <message>
+        <source>Scale by a length measured on the print alone, to {ppm} ppm: no second length has verified it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale not verified: no known length was shown, and the board&apos;s nominal size was believed ({ppm} ppm, k = 1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board is bent: its corners lie within {bend_mm} mm of height; this is taken into account.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The print is {percent} % larger than its nominal size; this is corrected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The print is {percent} % smaller than its nominal size; this is corrected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The reference sphere measured {change} µm otherwise than in the tests before: calibrate and test it again.</source>
         <translation>Die Referenzkugel maß {change} µm anders als in den Prüfungen zuvor: kalibrieren und neu prüfen.</translation>
+    </message>
+    <message>
+        <source>The table stood {error_deg} degrees off its reported angle at {table_deg} degrees: backlash or lost steps.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This calibration is {n} days old and has expired: cameras creep. Calibrate before you measure.</source>
@@ -6008,6 +6032,177 @@ Nachher: {after}</translation>
     </message>
 </context>
 <context>
+    <name>doubts</name>
+    <message>
+        <source>1 triangle has no area; it has no normal and is measured only by its neighbours.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A best fit of the whole spreads what moved over everything: against the region that did not move it shifts the surface by up to {length}. Use the automatic or a painted frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another pose fits about as well, because the shape resembles itself: pick three points to say which one is meant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By its order {before} is &apos;{first}&apos;, but {after} &apos;{second}&apos;; choose two that belong together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By its order {before} is of the side &apos;{first}&apos;, but {after} &apos;{second}&apos;; choose two that belong together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edges that belong to more than two triangles: {edges}; corners that join separate parts: {corners}. Inside and outside are not defined there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hardly anything ({percent} % of the surface) kept its place, so geometry does not say what is fixed: paint what you know to be stable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It consists of {count} separate shells; the largest has {share} of the area. All of them are compared.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is open: its border has {mm} mm in one line. What lies beyond a border has no counterpart and is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is open: its border has {mm} mm in {count} lines. What lies beyond a border has no counterpart and is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {mm} mm long, which neither an arch nor an ear is; check the unit of the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It touches or crosses itself: more than {count} triangles cut others. Distances near them may go to the wrong layer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It touches or crosses itself: {count} triangles cut others. Distances near them may go to the wrong layer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its normals point inwards: + and - would be exchanged; turn them round in the program that wrote it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its normals point inwards: they look to the side of the gum, not of the teeth. If it is no impression (a negative), + and - are exchanged; turn them round in the program that wrote it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its normals seem to point inwards: it is open, but what it encloses lies on their side. If it is no impression (a negative), + and - are exchanged; turn them round in the program that wrote it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its numbers were taken as {unit} ({why}), so it is {mm} mm long; say the unit if that is wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No region was stable throughout the series; each surface was aligned by a region of its own, so small motions may not add up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only {percent} % of the after surface has a counterpart before: scan the same region both times.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points that belong to no triangle were left out: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points with exactly the place of another one were joined: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some triangles ({share} of its area) face the other way than their neighbours; + and - are exchanged there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The after surface is {percent} % (+- {uncertainty} %) larger than the before surface where nothing should have changed, {length} at its rim: check units and the calibration of both scanners; nothing was rescaled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The after surface is {percent} % (+- {uncertainty} %) smaller than the before surface where nothing should have changed, {length} at its rim: check units and the calibration of both scanners; nothing was rescaled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The alignment rests on {mm2} mm2, {percent} % of the surface that both files show: look whether the region drawn as stable is, or paint it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file says {unit}, so it is {mm} mm long; by its size it would be in {guess}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The later surface is {ratio} times as large as the earlier one; check the units ({units} differ by {factor}), or whether the two belong together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The later surface is {ratio} times as large as the earlier one; check the units, or whether the two belong together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The material was not named; of the rig&apos;s null comparisons the largest level is shown (&apos;{other}&apos;).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The null comparison is of the rig &apos;{rig}&apos;, but the surfaces were measured with &apos;{others}&apos;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The null comparison of &apos;{material}&apos; ({date}) is older than the rig&apos;s calibration ({calibrated}); repeat it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The orders of {before} and {after} name different patients; choose two of one patient.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The stable region lies too much in one lump to hold the far end of the surface, which may be off by {length}: take in stable places that are farther apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This rig has no null comparison of &apos;{material}&apos;; the level shown is of another material, &apos;{other}&apos;. Measure one twice.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangles without an extent but a line or point were left out: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is taken for unchanged differs by up to {length} (95 %): either the scans are that noisy, or it changed everywhere and nothing is fixed. Smaller changes cannot be told.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{before} and {after} are identical files: nothing was measured twice; choose the other state.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{before} and {after} hold the identical surface: nothing was measured twice; choose the other state.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{before} was measured after {after} ({first} and {second}): are the two exchanged?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} triangles have no area; they have no normal and are measured only by their neighbours.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} lands {closure} um beside its place when it goes over {previous} (+- {uncertainty} um, k = 2): what is taken as stable may have moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share} of its area faces the other way than its neighbours, so + and - cannot be told apart; let the program that wrote it orient it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>draft</name>
     <message>
         <source>Accept a place as it is</source>
@@ -6170,6 +6365,14 @@ Nachher: {after}</translation>
     <message>
         <source>What was measured is kept; the details help us to mend it.</source>
         <translation>Das Gemessene ist gesichert; die Details helfen uns, es zu beheben.</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation type="unfinished">linke</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation type="unfinished">rechte</translation>
     </message>
 </context>
 <context>
