@@ -30,7 +30,7 @@ from app.controllers.transcript import Line
 from scanner_core.acquisition.handover import LatestSlot
 from scanner_core.devices.camera import Frame
 from scanner_core.devices.motion import MotionStatus
-from scanner_core.errors import CalibrationError, ControllerAlarmError, DeviceError, ImprontaError, MotionStoppedError
+from scanner_core.errors import CalibrationError, ControllerAlarmError, DeviceError, ImprontaError, MotionStoppedError, UsageError
 from scanner_core.jobs.progress import Cancelled, Progress
 
 if TYPE_CHECKING:
@@ -89,7 +89,13 @@ class RigController(QObject):
 
     # -------------------------------------------------------------------------------- what a person chooses
     def choose(self, *, preset: str | None = None, specimen: str | None = None, speed: str | None = None, pose: str | None = None) -> None:
-        """Read the rig file again and open the rig anew with this; what is not given stays.  `preset` may be the path of a rig file."""
+        """Read the rig file again and open the rig anew with this; what is not given stays.  `preset` may be the path of a rig file.
+
+        Not while the rig is lent: it would be closed under whoever measures.
+        """
+        if self._loaned.is_set():
+            self._tell(UsageError("E-USE-01", what="The rig is measuring", do="wait until that is done, or stop it first (Esc)"))
+            return
         before = self.snapshot
         wanted = replace(before, preset=preset or before.preset, specimen=specimen or before.specimen, speed=speed or before.speed, connected=False)
         wanted = replace(wanted, pose=pose or (before.pose if specimen is None else None))
@@ -107,7 +113,12 @@ class RigController(QObject):
         self._act("unlock", lambda motion: motion.recover())
 
     def calibrate(self, by_hand: ByHand | None = None) -> None:
-        """Measure in the device thread; a person shows the board as `by_hand` says, or the virtual bench does when it is None."""
+        """Measure in the device thread; a person shows the board as `by_hand` says, or the virtual bench does when it is None.
+
+        Nothing while the rig is lent.
+        """
+        if self._loaned.is_set():
+            return
         self.calibration.begin()
         self._begin_calibration(by_hand is not None)
         self._device.call(partial(self._calibrate, by_hand))
@@ -187,6 +198,11 @@ class RigController(QObject):
     def give_back(self) -> None:
         self._loaned.clear()
         self._news(replace(self.snapshot, busy=False))
+
+    def take_sphere(self, preset: str, sphere: SphereTrend | None) -> None:
+        """The reference sphere was measured with this rig."""
+        if self.snapshot.preset == preset:
+            self._news(replace(self.snapshot, sphere=sphere))
 
     def release(self, released: Callable[[], None]) -> None:
         """Close the devices, so that others may open them; then `released` in the GUI thread.  :meth:`choose` opens them again."""
