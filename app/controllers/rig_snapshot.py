@@ -102,3 +102,8 @@ class RigSnapshot:
     def simulated(self) -> bool:
         """Its controller is computed, too: it has a speed of its own, and faults can be rehearsed."""
         return self.virtual and (self.config is None or is_simulated(self.config))
+
+
+def shown_of(status: MotionStatus | None) -> tuple[object, ...]:
+    """What the window shows of a controller's report."""
+    return () if status is None else (status.state, status.table_deg, status.laser_power > 0.0)
