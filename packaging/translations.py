@@ -82,8 +82,8 @@ def core_texts() -> Iterator[tuple[str, str]]:
     for sentence in SENTENCES.values():
         yield from (("sentences", text) for text in (sentence.what, sentence.do) if text)
     yield from (("remedies", text) for text in REMEDIES.values())
-    yield from (("delivery", text) for text in (*NAMES.values(), *CHECKS.values()))
     yield from (("calibration", kind.value) for kind in FindingKind)
+    yield from (("delivery", text) for text in (*NAMES.values(), *CHECKS.values()))
     yield from (("remarks", kind.value) for kind in RemarkKind)
     yield from (("doubts", text) for text in DOUBTS.values())
     for fault in FAULTS.values():
