@@ -64,7 +64,7 @@ class Page(QWidget):
         """Turn a 3D view of its own: ``fit``, ``front`` or ``top``; False when there is none."""
         return False
 
-    def focusNextPrevChild(self, forwards: bool) -> bool:  # noqa: FBT001, N802 - Qt's name
+    def focusNextPrevChild(self, forwards: bool) -> bool:  # noqa: N802 - Qt's name
         """Where the keys go on Tab, or when the part that has them is hidden or disabled: then they stay on the page, with none of its parts.
 
         Qt would give them to the next part in the order, which may be a step in the rail: it would look chosen, and the next Space would go there.
