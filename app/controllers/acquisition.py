@@ -90,6 +90,9 @@ class AcquisitionController(QObject):
         if not self._rig.snapshot.connected:
             self._tell(UsageError("E-USE-01", what="The rig is not open yet", do="wait until the status line shows it, or choose it on the Rig page"))
             return
+        if self._rig.snapshot.busy:  # the reference sphere is being measured
+            self._tell(UsageError("E-USE-01", what="The rig is measuring", do="wait until that is done, or stop it first (Esc)"))
+            return
         self._prepare()
         self._case.for_scan(lambda store: self._begin(store, partial(_new_scan, request)), self._no_case)
 
@@ -110,7 +113,7 @@ class AcquisitionController(QObject):
 
     def resume(self, path: Path) -> None:
         """Go on with the interrupted scan of a case; known points are measured again first."""
-        if self.running or not self._rig.snapshot.connected:
+        if self.running or self._rig.snapshot.busy or not self._rig.snapshot.connected:
             return
         self._prepare()
         self._case.open(path, lambda store: self._begin(store, _rest_of_scan), self._no_case)
@@ -118,7 +121,7 @@ class AcquisitionController(QObject):
     def _go_on(self, make: MakeRunner) -> None:
         """Scan into the open case."""
         store = self._case.store
-        if self.running or store is None or not self._rig.snapshot.connected:
+        if self.running or self._rig.snapshot.busy or store is None or not self._rig.snapshot.connected:
             return
         self._prepare()
         self._begin(store, make)

@@ -68,7 +68,7 @@ class CoveragePage(Page):
         self.places.accepted.connect(self._coverage.accept)
         self.places.filled.connect(lambda: self.intent.emit("fill"))
         box.addWidget(self.places, 1)
-        box.addStretch(0)  # takes the room where there is no list, so that nothing else is drawn out
+        box.addStretch()  # takes the room while there is no list
         self.counts = label("", "faint", wrap=True)
         box.addWidget(self.counts)
         box.addWidget(seam())

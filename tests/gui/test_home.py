@@ -282,10 +282,13 @@ def test_ages_in_words() -> None:
 def test_how_accurate_the_rig_is(application: QApplication, shared_program: Program) -> None:
     from dataclasses import replace
 
-    card, rig = AccuracyCard(), shared_program.services.rig
+    asked: list[bool] = []
+    card, rig = AccuracyCard(lambda: asked.append(True)), shared_program.services.rig
     until(lambda: rig.snapshot.connected, 120, "the rig")
     card.show_rig(replace(rig.snapshot, sphere=None))
-    assert "impronta verify sphere --rig bench" in card.advice.text()
+    assert "No reference sphere" in card.advice.text()
+    card.measure.click()
+    assert asked
     entries = [
         HistoryEntry(f"2026-11-{day:02d}T10:00:00+00:00", "sphere", {"size": size, "dispersion": 40.0}, {}, {}, "pass", "c", "", "")
         for day, size in ((1, -1.5), (8, -2.0))
