@@ -54,6 +54,8 @@ def set_theme(application: QApplication, theme: str) -> None:
     else:
         palette = LIGHT if theme == "light" else DARK
         hints.setColorScheme(Qt.ColorScheme.Light if palette is LIGHT else Qt.ColorScheme.Dark)  # of the window's frame too
+    if palette is _present.palette and application.styleSheet():
+        return  # a style sheet costs every widget a polish: a second for the whole window
     _present.palette = palette
     if not application.styleSheet() and application.style().name() != "fusion":  # a style sheet's style has no name
         application.setStyle("Fusion")

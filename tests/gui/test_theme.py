@@ -101,7 +101,7 @@ def test_an_icon_that_is_there_already_takes_the_other_palettes_colour(applicati
 def test_window_and_3d_view_change_while_the_program_runs(application: QApplication, shared_program: Program) -> None:
     window = shared_program.window
     assert window.scene is not None
-    for theme, palette in (("light", LIGHT), ("dark", DARK), ("light", LIGHT)):
+    for theme, palette in (("light", LIGHT), ("dark", DARK)):
         set_theme(application, theme)
         wait_ms(50)
         rail = pixels_of(window.rail)
