@@ -34,6 +34,7 @@ from app.controllers.reconstruction import ReconstructionController
 from app.controllers.recovery import RecoveryController
 from app.controllers.rig import RigController
 from app.controllers.shading import Shading
+from app.controllers.verification import VerificationController
 from app.controllers.worklist import WorklistController
 from app.draft import Draft, DraftValues, first_order
 from app.event_log import EventLog
@@ -144,6 +145,7 @@ class Program(QObject):
             aiming,
             editing,
             Measurements(self.background, cases, self.tell, self),
+            VerificationController(self.background, rig, self.tell, self),
         )
         draft.load(first_order(self.settings.last_order) if after is None else after.order)
         live.allow(self.settings.live_surface)
@@ -186,7 +188,7 @@ class Program(QObject):
     def _take_preference(self, name: str) -> None:
         """What was set is in force from now on."""
         if name == "theme":
-            set_theme(self._application, self.settings.theme)
+            self._restyle(self.settings.theme)
         elif name == "live_surface":
             self.services.live_surface.allow(self.settings.live_surface)
         elif name == "language" and not activity_words(self.services):
@@ -197,7 +199,15 @@ class Program(QObject):
     def _follow_system(self) -> None:
         """The desktop has changed between dark and light."""
         if self.settings.theme == "system" and not self._closed:
-            set_theme(self._application, "system")
+            self._restyle("system")
+
+    def _restyle(self, theme: str) -> None:
+        """Every widget is told some twenty things, none of which is a key: a filter that sees them all would make it take much longer."""
+        self._application.removeEventFilter(self._stop_key)
+        try:
+            set_theme(self._application, theme)
+        finally:
+            self._application.installEventFilter(self._stop_key)
 
     # -------------------------------------------------------------------------------- start
     def _painted(self, case: Path | None, after: Again | None) -> None:
@@ -247,6 +257,7 @@ class Program(QObject):
             ("recovery", services.recovery.shutdown),
             ("worklist", services.worklist.shutdown),
             ("scan", lambda: services.acquisition.shutdown(_DEADLINE_S)),
+            ("reference sphere", lambda: services.verification.shutdown(_DEADLINE_S)),
             ("assistant", lambda: services.assistant.shutdown(_DEADLINE_S)),
             ("rig", lambda: services.rig.shutdown(_DEADLINE_S)),
             ("live surface", services.live_surface.shutdown),

@@ -58,8 +58,11 @@ class AcquisitionController(QObject):
         self._calibration = ""  # its identity
         self.result: ScanResult | None = None
         self._taken = 0
+        self._scanned: Path | None = None
+        """The case that status, views and result belong to."""
         self._point_sinks: list[Callable[[LivePoints], None]] = []
         self._preview_sinks: list[Callable[[str, Preview], None]] = []
+        case.opened.connect(self._forget_other)
 
     # -------------------------------------------------------------------------------- who wants to see it
     def add_point_sink(self, sink: Callable[[LivePoints], None]) -> None:
@@ -87,6 +90,9 @@ class AcquisitionController(QObject):
         if not self._rig.snapshot.connected:
             self._tell(UsageError("E-USE-01", what="The rig is not open yet", do="wait until the status line shows it, or choose it on the Rig page"))
             return
+        if self._rig.snapshot.busy:  # the reference sphere is being measured
+            self._tell(UsageError("E-USE-01", what="The rig is measuring", do="wait until that is done, or stop it first (Esc)"))
+            return
         self._prepare()
         self._case.for_scan(lambda store: self._begin(store, partial(_new_scan, request)), self._no_case)
 
@@ -107,7 +113,7 @@ class AcquisitionController(QObject):
 
     def resume(self, path: Path) -> None:
         """Go on with the interrupted scan of a case; known points are measured again first."""
-        if self.running or not self._rig.snapshot.connected:
+        if self.running or self._rig.snapshot.busy or not self._rig.snapshot.connected:
             return
         self._prepare()
         self._case.open(path, lambda store: self._begin(store, _rest_of_scan), self._no_case)
@@ -115,7 +121,7 @@ class AcquisitionController(QObject):
     def _go_on(self, make: MakeRunner) -> None:
         """Scan into the open case."""
         store = self._case.store
-        if self.running or store is None or not self._rig.snapshot.connected:
+        if self.running or self._rig.snapshot.busy or store is None or not self._rig.snapshot.connected:
             return
         self._prepare()
         self._begin(store, make)
@@ -188,6 +194,12 @@ class AcquisitionController(QObject):
             sink(points)
 
     # -------------------------------------------------------------------------------- inside
+    def _forget_other(self) -> None:
+        """Of another order neither figures nor views may be told, nor a view measured again."""
+        if not self.running and self._case.path != self._scanned:
+            self.status, self.result, self.views, self._scanned = None, None, (), None
+            self.changed.emit()
+
     def _begin(self, store: CaseStore, make: MakeRunner) -> None:
         """`make` the scan, off the GUI thread, and follow it."""
         if self._stopped:  # while the case was made
@@ -198,7 +210,7 @@ class AcquisitionController(QObject):
             self._no_case()
             self._tell(UsageError("E-USE-01", what="The rig is not open yet", do="wait until the status line shows it"))
             return
-        self._borrowed = True
+        self._borrowed, self._scanned = True, store.path
         self._calibration = "" if rig.calibration is None else rig.calibration.identity()
         self._background.run("scan-start", lambda: _started(make, rig, store), self._follow, self._not_started)
 

@@ -42,6 +42,7 @@ class EditPage(Page):
         self._measure_aside: MeasureAside | None = None
         self._drawn: tuple[Surface, DrawnSurface] | None = None
         self._drawing: Surface | None = None
+        self._told_facts = ""
         box = self.inspector(self.tr("Edit"))
         self.points_tab = button(self.tr("Points"), "choice", self._turn)
         self.measure_tab = button(self.tr("Measure"), "choice", self._turn)
@@ -69,6 +70,7 @@ class EditPage(Page):
         self.points.looks_changed.connect(self._show_points)
         self.measure.looks_changed.connect(self._show_lines)
         self._editing.changed.connect(self._show_points)
+        self._editing.changed.connect(self._show_count)
         self._editing.loaded.connect(self._renew)
         services.case.opened.connect(self._renew_measure)
         services.case.meshed.connect(self._renew_measure)
@@ -127,7 +129,7 @@ class EditPage(Page):
             self._tools = EditTools(scene, np.zeros(3))
             self._tools.begun.connect(self._begin)
             self._tools.drawn.connect(self._editing.draw)
-            self._tools.ended.connect(self._editing.end_stroke)
+            self._tools.ended.connect(self._end)
             self._tools.pointed.connect(self._point)
             scene.moved.connect(self._thin)
         if (bounds := scene.aside.bounds_mm) is not None:
@@ -162,7 +164,12 @@ class EditPage(Page):
 
         view = self._tools.scene.whole_view()
         sight = Sight(view.matrix, view.width, view.height, view.direction)
+        self._thin(True)
         self._editing.begin_stroke(sight, back=self.points.back.isChecked(), through=self.points.through.isChecked())
+
+    def _end(self) -> None:
+        self._thin(False)
+        self._editing.end_stroke()
 
     def _point(self, x: float, y: float) -> None:
         place = self._place_at(x, y)
@@ -263,6 +270,12 @@ class EditPage(Page):
         if tools is not None:
             tools.scene.moved.disconnect(self._thin)
             tools.let_go()
+
+    def _show_count(self) -> None:
+        """The title over the view tells how many points are left: after an undo these are known later than the case's."""
+        if self.isVisible() and self.facts() != self._told_facts:
+            self._told_facts = self.facts()
+            self.aside_changed.emit()
 
     def _renew(self) -> None:
         self._measure_aside = None

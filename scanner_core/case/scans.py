@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Sequence
 from sqlite3 import Connection
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -112,6 +113,12 @@ class ScanTables(CaseDatabase):
                 for number, kind, reason, counts in self._rows("SELECT id, kind, finish_reason, counts_json FROM scan ORDER BY id")
             ]
 
+    def plan(self, scan_id: int) -> dict[str, Any]:
+        """The plan of a scan, as :attr:`~scanner_core.case.records.ScanRecord.plan`."""
+        rows = self._rows("SELECT plan_json, kind FROM scan WHERE id = ?", (scan_id,))
+        with damaged(self.path, "list of scans"):
+            return decoding.plan(*rows[0]) if rows else {}
+
     def rig_toml(self, scan_id: int) -> str:
         """The rig as it was used, a rig file's text."""
         return self._one("SELECT rig_toml FROM scan WHERE id = ?", scan_id, f"its scan {scan_id} is missing")
@@ -165,14 +172,14 @@ class ScanTables(CaseDatabase):
 
     def observations(self, scan_id: int) -> ObservationTable:
         """The measured observations of a scan in the order of their trigger ids."""
-        rows = self._rows(
+        numbers = self._numbers(
             "SELECT trigger_id, view, table_deg, left_x_px, left_y_px, right_x_px, right_y_px, left_u_upx, right_u_upx, "
             "left_sx_mpx, left_sy_mpx, right_sx_mpx, right_sy_mpx FROM observation "
             "WHERE scan_id = ? AND verdict = (SELECT id FROM verdict WHERE name = ?) ORDER BY trigger_id",
             (scan_id, MEASURED),
         )
         with damaged(self.path, "list of observations"):
-            return decoding.observations(rows)
+            return decoding.observations(list(numbers))
 
     def pairs(self, scan_id: int) -> PairTable:
         """Of a scan, what both cameras saw as one spot each, in the order of the trigger ids."""
