@@ -44,7 +44,7 @@ def _show(verification: VerificationController, snapshot: VerificationSnapshot) 
     verification.changed.emit()
 
 
-def _check(size_um: float, *, reach_deg: float = 104.0, kept: bool = True) -> SphereCheck:
+def made_check(size_um: float, *, reach_deg: float = 104.0, kept: bool = True) -> SphereCheck:
     """A made-up result: this deviation of the radius, a micrometre of scatter."""
     rng = np.random.default_rng(3)
     away = rng.normal(size=(2000, 3))
@@ -61,10 +61,10 @@ def _check(size_um: float, *, reach_deg: float = 104.0, kept: bool = True) -> Sp
 @pytest.mark.parametrize(
     ("check", "word", "says"),
     [
-        (_check(3.0), "Passed", "within"),
-        (_check(0.5 * LIMITS.size_um + 40.0), "Failed", "Calibrate"),
-        (_check(0.5 * LIMITS.size_um), "Undecided", "near its limit"),
-        (_check(3.0, reach_deg=70.0), "Undecided", "equator"),
+        (made_check(3.0), "Passed", "within"),
+        (made_check(0.5 * LIMITS.size_um + 40.0), "Failed", "Calibrate"),
+        (made_check(0.5 * LIMITS.size_um), "Undecided", "near its limit"),
+        (made_check(3.0, reach_deg=70.0), "Undecided", "equator"),
     ],
 )
 def test_the_verdict_stands_with_its_figures_in_words(page: VerifyPage, shared_program: Program, check: SphereCheck, word: str, says: str) -> None:
@@ -82,13 +82,13 @@ def test_the_verdict_stands_with_its_figures_in_words(page: VerifyPage, shared_p
 
 
 def test_the_diameter_is_told_not_the_radius(page: VerifyPage, shared_program: Program) -> None:
-    _show(shared_program.services.verification, VerificationSnapshot("bench", check=_check(3.0)))
+    _show(shared_program.services.verification, VerificationSnapshot("bench", check=made_check(3.0)))
     assert page.result.deviation.text == "+6.0"
     assert page.result.facts.texts["Measured diameter"] == "22.2720 mm"
 
 
 def test_a_result_that_was_not_kept_is_said_to_be_none_of_the_rig(page: VerifyPage, shared_program: Program) -> None:
-    _show(shared_program.services.verification, VerificationSnapshot("bench", check=_check(3.0, kept=False), rehearsed=True))
+    _show(shared_program.services.verification, VerificationSnapshot("bench", check=made_check(3.0, kept=False), rehearsed=True))
     assert any("rehearsed" in made.text() for made in page.result.findChildren(type(page.notice)))
 
 

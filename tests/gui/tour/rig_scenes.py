@@ -12,6 +12,7 @@ import pytest
 
 from app.controllers.assistant_choice import VIRTUAL_PORT
 from app.controllers.readiness import Readiness
+from app.controllers.verification import VerificationSnapshot
 from app.views.assistant_page import AssistantPage
 from app.views.rig_page import RigPage
 from scanner_core.commissioning import found_devices
@@ -20,6 +21,7 @@ from scanner_core.devices.rig import load_preset
 from tests.core.devices.boards import remote_board
 from tests.gui.lab_rig import LabRig
 from tests.gui.shown_by_hand import Hands, write_rig
+from tests.gui.test_verify_page import made_check
 from tests.gui.tour.registry import scenes
 from tests.gui.tour.tour import Tour
 from tests.gui.waiting import until, wait_ms
@@ -44,6 +46,20 @@ def rig(tour: Tour) -> Iterator[str]:
     page.faults.toggle.click()
     rig.choose()
     tour.rig_ready()
+
+
+@scenes("verify", "verify-passed")
+def reference_sphere(tour: Tour) -> Iterator[str]:
+    """Before it is measured, and a result that was made up: the real one takes a minute."""
+    verification = tour.services.verification
+    tour.rig_ready()
+    tour.window.show_page("verify")
+    yield "verify"
+    verification.snapshot = VerificationSnapshot("bench", check=made_check(1.1))
+    verification.changed.emit()
+    yield "verify-passed"
+    verification.snapshot = VerificationSnapshot()
+    verification.changed.emit()
 
 
 @scenes("calibrating")

@@ -91,7 +91,7 @@ class Tour:
         for theme in self._themes:
             self.services.settings.theme = theme
             self.services.preferences.changed.emit("theme")  # nothing that could be undone
-            wait_ms(600)
+            wait_ms(900)
             write_picture(self._still(), self.folder / f"{name}{self._suffix}-{theme}{twice}.png")
 
     def _still(self) -> NDArray[np.uint8]:
@@ -166,12 +166,13 @@ class Tour:
 def write_picture(pixels: NDArray[np.uint8], path: Path) -> None:
     """(h, w, 3) as PNG: in 256 colours where the eye does not see it, else in steps of four."""
     image = Image.fromarray(pixels)
-    made = [image.quantize(256, method, dither=Image.Dither.NONE) for method in (Image.Quantize.MAXCOVERAGE, Image.Quantize.MEDIANCUT)]
-    lost = [float(np.quantile(np.abs(np.asarray(few.convert("RGB")).astype(np.int16) - pixels).max(axis=2), 0.999)) for few in made]
-    best = int(np.argmin(lost))
-    if lost[best] > _LOST:
+    for method in (Image.Quantize.MAXCOVERAGE, Image.Quantize.MEDIANCUT):
+        few = image.quantize(256, method, dither=Image.Dither.NONE)
+        lost = np.abs(np.asarray(few.convert("RGB")).astype(np.int16) - pixels).max(axis=2)
+        if np.quantile(lost, 0.999) <= _LOST:
+            few.save(path, optimize=True)
+            break
+    else:
         coarse = np.minimum((pixels.astype(np.int16) + 2) // 4 * 4, 255).astype(np.uint8)
         Image.fromarray(coarse).save(path, optimize=True)
-    else:
-        made[best].save(path, optimize=True)
     print(f"{path} {path.stat().st_size // 1024} kB", flush=True)
