@@ -65,6 +65,7 @@ def take(folder: Path, wanted: list[str], themes: list[str], language: str, prep
     cases = home / "Documents" / "Impronta"
     made = Prepared(prepared)
     made.lay_out(cases)
+    os.environ.setdefault("MPLCONFIGDIR", str(prepared / "matplotlib"))  # it looks for all fonts once
     os.environ["HOME"] = str(home)
     for name in ("STATE", "DATA"):
         os.environ[f"XDG_{name}_HOME"] = str(home / name.lower())

@@ -14,6 +14,7 @@ from scanner_core.case.glance import DELIVERY
 from scanner_core.case.store import CaseStore, Order
 from scanner_core.devices.rig import load_preset
 from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.mesh_io import read_mesh, write_mesh
 from scanner_core.metrology.history import HistoryEntry, append_history, history_path
 from scanner_core.virtual.specimens import load_specimen
 
@@ -63,11 +64,11 @@ class Prepared:
     def lay_out(self, cases: Path) -> None:
         """The orders of some days, in every state but interrupted."""
         cases.mkdir(parents=True, exist_ok=True)
-        arch, ear = load_specimen("arch").mesh, load_specimen("ear").mesh
+        arch, ear, treated = self._mesh("arch"), self._mesh("ear"), self._mesh("arch-after")
         mirrored = TriangleMesh(ear.vertices * (-1.0, 1.0, 1.0), ear.triangles[:, ::-1])
         for hours, order, mesh in (
             (75.0, Order("2026-0138", "", "right", "ear"), mirrored),
-            (51.0, Order("2026-0139", "", "upper", "arch-after"), load_specimen("arch", treated=True).mesh),
+            (51.0, Order("2026-0139", "", "upper", "arch-after"), treated),
             (27.0, Order("2026-0140", "", "left", "ear"), ear),
             (26.0, Order("2026-0141", "", "lower", "arch"), arch),
         ):
@@ -85,6 +86,13 @@ class Prepared:
         for minutes, name, side in ((14, PAIR[0], "left"), (13, PAIR[1], "right")):
             with _ago(minutes / 60), CaseStore.create(cases / name) as store:
                 store.put_order(Order("2026-0147", "", side, "ear"))
+
+    def _mesh(self, name: str) -> TriangleMesh:
+        path = self._folder / f"{name}.ply"
+        if not path.exists():
+            specimen, _, after = name.partition("-")
+            write_mesh(path, load_specimen(specimen, treated=bool(after)).mesh)
+        return read_mesh(path)
 
     def interrupt(self, cases: Path) -> Path:
         """One more order, whose scan did not come to its end."""
