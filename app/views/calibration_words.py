@@ -60,8 +60,8 @@ def sphere_fact(sphere: SphereTrend) -> Fact:
     """The last test with the reference sphere."""
     text = _tr(QT_TRANSLATE_NOOP("calibration", "radius error {size} µm, D95 {d95} µm, {date}"))
     size = fmt.decimal(sphere.size_um, 1, signed=True)
-    words = text.format(size=size, d95=fmt.micrometres(sphere.dispersion_um), date=fmt.day(sphere.last.date))
-    return _tr(QT_TRANSLATE_NOOP("calibration", "Reference sphere")), words, ""
+    words = text.format(size=size, d95=fmt.micrometres(sphere.dispersion_um), date=f"\n{fmt.day(sphere.last.date)}")
+    return _tr(QT_TRANSLATE_NOOP("calibration", "Reference sphere")), words.replace(" \n", "\n"), ""  # in one line too wide for the page
 
 
 def drift_text(sphere: SphereTrend | None, calibration: StereoCalibration) -> str:

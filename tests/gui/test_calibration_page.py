@@ -204,7 +204,7 @@ def test_a_reference_sphere_that_has_drifted_is_told(rig: RigController) -> None
     rig.snapshot = replace(rig.snapshot, sphere=SphereTrend(test, -14.2, 33.0, -12.0, True))
     panel = CalibrationPanel(rig)
     panel.show_calibration()
-    assert panel.numbers.texts["Reference sphere"].startswith("radius error −14.2 µm, D95 33 µm, 20")
+    assert panel.numbers.texts["Reference sphere"].startswith("radius error −14.2 µm, D95 33 µm,\n20")
     assert any("−12.0 µm otherwise" in sentence for sentence in panel.sentences)
     _use(rig, replace(_calibration(rig), modes=None))  # another calibration, with which nothing was tested yet
     panel.show_calibration()

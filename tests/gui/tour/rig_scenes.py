@@ -9,6 +9,7 @@ from pathlib import Path
 from unittest import mock
 
 import pytest
+from PySide6.QtWidgets import QScrollArea, QWidget
 
 from app.controllers.assistant_choice import VIRTUAL_PORT
 from app.controllers.readiness import Readiness
@@ -42,10 +43,21 @@ def rig(tour: Tour) -> Iterator[str]:
     until(lambda: readiness.snapshot.readiness is Readiness.OBSTACLE, 30, "too much light")
     yield "rig-amber"
     page.faults.toggle.click()
+    wait_ms(300)
+    _in_sight(page.faults)
     yield "faults"
     page.faults.toggle.click()
     rig.choose()
     tour.rig_ready()
+
+
+def _in_sight(part: QWidget) -> None:
+    """Scrolled to."""
+    around = part.parentWidget()
+    while around is not None and not isinstance(around, QScrollArea):
+        around = around.parentWidget()
+    if around is not None:
+        around.ensureWidgetVisible(part)
 
 
 @scenes("verify", "verify-passed")
