@@ -50,10 +50,11 @@ def edit(tour: Tour) -> Iterator[str]:
     tour.open(tour.ear)
     tour.window.show_page("edit")
     until(lambda: editing.points is not None, 60, "the points to edit")
-    wait_ms(800)
+    wait_ms(2000)  # they are drawn
     page.points.out_too.setChecked(True)
     page.points.tools["brush"].click()
-    _stroke(tour, (0.40, 0.62), (0.44, 0.64), (0.48, 0.63), (0.52, 0.65))
+    _stroke(tour, *((0.40 + 0.01 * step, 0.62 + 0.002 * step) for step in range(13)))
+    until(lambda: editing.out.any(), 30, "brushed points")
     tour.settled()
     yield "edit"
     page.points.all_back.click()

@@ -72,15 +72,11 @@ class Tour:
             self.rest()
 
     def _follow(self, scenes: Iterator[str], missing: list[str]) -> None:
+        """To their end, where they tidy up."""
         for name in scenes:
             if name in missing:
                 self.shoot(name)
                 missing.remove(name)
-            if not missing:
-                break
-        close = getattr(scenes, "close", None)
-        if close is not None:
-            close()
 
     def shoot(self, name: str) -> None:
         """The window as it stands on the screen, the 3D view and what lies over it included, in both themes."""
@@ -167,7 +163,7 @@ def write_picture(pixels: NDArray[np.uint8], path: Path) -> None:
     """(h, w, 3) as PNG: in 256 colours where the eye does not see it, else in steps of four."""
     image = Image.fromarray(pixels)
     for method in (Image.Quantize.MAXCOVERAGE, Image.Quantize.MEDIANCUT):
-        few = image.quantize(256, method, dither=Image.Dither.NONE)
+        few = _commonest(image.quantize(256, method, dither=Image.Dither.NONE), pixels)
         lost = np.abs(np.asarray(few.convert("RGB")).astype(np.int16) - pixels).max(axis=2)
         if np.quantile(lost, 0.999) <= _LOST:
             few.save(path, optimize=True)
@@ -176,3 +172,16 @@ def write_picture(pixels: NDArray[np.uint8], path: Path) -> None:
         coarse = np.minimum((pixels.astype(np.int16) + 2) // 4 * 4, 255).astype(np.uint8)
         Image.fromarray(coarse).save(path, optimize=True)
     print(f"{path} {path.stat().st_size // 1024} kB", flush=True)
+
+
+def _commonest(few: Image.Image, pixels: NDArray[np.uint8]) -> Image.Image:
+    """Every colour of the palette is the one that most of its pixels have: what is flat keeps its colour exactly."""
+    index = np.asarray(few).astype(np.int64).ravel()
+    packed = pixels.reshape(-1, 3).astype(np.int64) @ (65536, 256, 1)
+    found, counts = np.unique(index << 24 | packed, return_counts=True)
+    order = np.argsort(counts, kind="stable")  # the last one of each number stays
+    palette = np.zeros((256, 3), np.uint8)
+    colours = found[order] & 0xFFFFFF
+    palette[found[order] >> 24] = np.stack([colours >> 16, colours >> 8 & 255, colours & 255], axis=1)
+    few.putpalette(palette.tobytes())
+    return few
