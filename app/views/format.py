@@ -60,7 +60,7 @@ def percent(share: float | None) -> str:
 def short_path(path: str) -> str:
     """A path in the person's own folder begins with ``~``."""
     home = str(Path.home())
-    return "~" + path[len(home) :] if path.startswith(home + os.sep) else path
+    return "~" + path[len(home) :] if path == home or path.startswith(home + os.sep) else path
 
 
 def day(iso: str) -> str:
