@@ -132,7 +132,7 @@ class Rail(QWidget):
         metrics, room = self._pair.fontMetrics(), self.width() - _SIDES
         if max(map(metrics.horizontalAdvance, name.split() or [""])) <= room:
             return name
-        return metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, room)
+        return metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, room - 4).replace("…", "\u2060…\u2060")  # no line may end there
 
     def show_laser(self, emission: Emission) -> None:
         """Filled red while the laser emits, outlined otherwise; it asks when nobody knows."""

@@ -131,6 +131,8 @@ class SceneLink(QObject):
         surface = None if self._services.acquisition.running else case.surface
         if surface is not None:
             self._actions["show_points"].setChecked(False)
+        elif case.cloud is not None:  # they were hidden for the surface of the order before
+            self._actions["show_points"].setChecked(True)
         self.call(lambda scene: scene.show_mesh(surface))
         self._show_facts()
         self._show_legend()
