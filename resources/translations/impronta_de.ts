@@ -75,14 +75,12 @@
         <translation>Er misst anders als in den Prüfungen zuvor: kalibrieren und neu prüfen.</translation>
     </message>
     <message>
-        <source>No reference sphere was measured with this rig yet.</source>
-        <translation>Mit diesem Messplatz wurde noch keine Referenzkugel gemessen.</translation>
+        <source>Measure the sphere…</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Put the sphere on the table and run:
-{command}</source>
-        <translation>Die Kugel auf den Teller stellen und ausführen:
-{command}</translation>
+        <source>No reference sphere was measured with this rig yet.</source>
+        <translation>Mit diesem Messplatz wurde noch keine Referenzkugel gemessen.</translation>
     </message>
     <message>
         <source>Reference sphere, {date} ({age})</source>
@@ -93,12 +91,12 @@
         <translation>Die Seite Messplatz sagt, was an der Messplatzdatei falsch ist.</translation>
     </message>
     <message>
-        <source>The rig was calibrated since.</source>
-        <translation>Der Messplatz wurde seither kalibriert.</translation>
+        <source>The rig was calibrated since: measure the sphere again.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The test is {n} days old.</source>
-        <translation>Die Prüfung ist {n} Tage alt.</translation>
+        <source>The test is {n} days old: measure the sphere again.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This rig is not calibrated. The Rig page does that in a few minutes.</source>
@@ -3116,6 +3114,10 @@ Nachher: {after}</translation>
         <translation>Prüfung</translation>
     </message>
     <message>
+        <source>Not now</source>
+        <translation type="unfinished">Nicht jetzt</translation>
+    </message>
+    <message>
         <source>Ready</source>
         <translation>Bereit</translation>
     </message>
@@ -3377,6 +3379,10 @@ Nachher: {after}</translation>
     <message>
         <source>Finds ports and cameras, checks them by what the cameras see, and writes a rig file</source>
         <translation>Findet Anschlüsse und Kameras, prüft sie an dem, was die Kameras sehen, und schreibt eine Messplatzdatei</translation>
+    </message>
+    <message>
+        <source>Measure the sphere…</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Set up a rig…</source>
@@ -3876,6 +3882,29 @@ Nachher: {after}</translation>
     </message>
 </context>
 <context>
+    <name>SphereResultPanel</name>
+    <message>
+        <source>Save certificate…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing the certificate…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>µm size deviation, U = {uncertainty} µm (k = 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Stage</name>
     <message>
         <source>Preparing the 3D view…</source>
@@ -4219,6 +4248,121 @@ Nachher: {after}</translation>
     <message>
         <source>What is shown was computed before the last change.</source>
         <translation>Das Gezeigte wurde vor der letzten Änderung berechnet.</translation>
+    </message>
+</context>
+<context>
+    <name>VerifyPage</name>
+    <message>
+        <source>% done</source>
+        <translation type="unfinished">% fertig</translation>
+    </message>
+    <message>
+        <source>1.  Take away what stands on the table.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2.  Put the reference sphere into the middle of the table, clean and alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3.  Close the lid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scan is running: wait for its end or stop it first (Esc).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A sphere of certified size tells whether the rig still measures right. It takes about a minute; nothing is scanned meanwhile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was kept, and the laser is off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation type="unfinished">Wird abgebrochen…</translation>
+    </message>
+    <message>
+        <source>Certified diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter {diameter} mm, U = {uncertainty} µm: the sphere of the virtual rig.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter the diameter from the sphere&apos;s certificate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From its certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its uncertainty U (k = 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep your hands off and the lid closed. Esc switches the laser off at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure the sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring the reference sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of the measurement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference sphere</source>
+        <translation type="unfinished">Referenzkugel</translation>
+    </message>
+    <message>
+        <source>Save the certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig is not open: the Rig page says why.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The virtual rig puts its sphere on the table by itself, and afterwards puts back what stood there. Nothing has to be done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The whole test measures the sphere ten times and belongs to an acceptance: impronta verify sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This rig is not calibrated: calibrate it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not entered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{left} left</source>
+        <translation type="unfinished">noch {left}</translation>
     </message>
 </context>
 <context>
@@ -4645,6 +4789,10 @@ Nachher: {after}</translation>
     <message>
         <source>Looking for what is missing</source>
         <translation>Fehlendes wird gesucht</translation>
+    </message>
+    <message>
+        <source>Measuring the reference sphere</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Opening the case…</source>
@@ -6429,6 +6577,10 @@ Nachher: {after}</translation>
         <translation>Hier wird ein eigener Messplatz eingerichtet: Steuerung und Kameras werden gefunden, geprüft und in eine Datei geschrieben.</translation>
     </message>
     <message>
+        <source>A sphere of certified size is measured: it tells whether the rig still measures right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>An area is that of the missing surface in square millimetres. The sign at each place says why it is missing.</source>
         <translation>Eine Fläche ist die der fehlenden Oberfläche in Quadratmillimetern. Das Zeichen an jeder Stelle sagt, warum sie fehlt.</translation>
     </message>
@@ -6485,6 +6637,10 @@ Nachher: {after}</translation>
         <translation>Punkte, die nicht zum Objekt gehören, werden hier herausgenommen, und Abstände werden gemessen.</translation>
     </message>
     <message>
+        <source>Put the sphere into the middle of the table, enter the diameter from its certificate, and start. Do it once a month, and after every calibration.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Read the checks: what is amber says in one sentence what it means. Choose the profile of the receiver and deliver.</source>
         <translation>Die Prüfungen lesen: Was gelb ist, sagt in einem Satz, was es bedeutet. Das Profil des Empfängers wählen und ausliefern.</translation>
     </message>
@@ -6539,6 +6695,10 @@ Nachher: {after}</translation>
     <message>
         <source>The points count what is in the case already. Rejected points were seen by one camera only, or not sharply enough: a few of them are normal. The time left is computed from the views that are done.</source>
         <translation>Die Punkte zählen, was schon im Fall ist. Verworfene Punkte sah nur eine Kamera, oder nicht scharf genug: Einige wenige sind normal. Die Restzeit wird aus den fertigen Ansichten berechnet.</translation>
+    </message>
+    <message>
+        <source>The size deviation is the measured diameter less the certified one; U is its uncertainty, k = 2. PF is the distance between the outermost and the innermost point, D95 the width that holds 95 % of the points, σ their standard deviation.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The size is that of everything in the window: 150 % makes texts and buttons half as large again.</source>
@@ -6892,6 +7052,10 @@ Nachher: {after}</translation>
         <translation>Rekonstruieren</translation>
     </message>
     <message>
+        <source>Reference sphere</source>
+        <translation type="unfinished">Referenzkugel</translation>
+    </message>
+    <message>
         <source>Rig</source>
         <translation>Messplatz</translation>
     </message>
@@ -7009,8 +7173,8 @@ Nachher: {after}</translation>
         <translation>Laser aus</translation>
     </message>
     <message>
-        <source>Not now</source>
-        <translation>Nicht jetzt</translation>
+        <source>Measure the sphere…</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Only {free_gib} GB are free where the cases are kept: free some space.</source>
@@ -8542,8 +8706,8 @@ Nachher: {after}</translation>
         <translation>Der Laser ist aus; das Objekt auf den Teller stellen und Laser und Objektivdeckel prüfen.</translation>
     </message>
     <message>
-        <source>The laser is off; put the reference sphere alone into the middle of the table, and check --reference-mm.</source>
-        <translation>Der Laser ist aus; die Referenzkugel allein in die Mitte des Tellers stellen und --reference-mm prüfen.</translation>
+        <source>The laser is off; put the reference sphere alone into the middle of the table, and check the size that was given.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The laser is off; take all but one away and start the test again.</source>
@@ -8972,6 +9136,113 @@ Nachher: {after}</translation>
     <message>
         <source>{what}.</source>
         <translation>{what}.</translation>
+    </message>
+</context>
+<context>
+    <name>sphere</name>
+    <message>
+        <source>A value is so near its limit that its uncertainty leaves it open: nothing is proved. Measure again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certified diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation type="unfinished">Abdeckung</translation>
+    </message>
+    <message>
+        <source>Dispersion D95</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Form PF without the worst 0.3 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Form PF, all points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept in the history of this rig.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured on every side, from the top down to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not kept in the history: a fault was rehearsed on this rig, or it shows a recording.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not kept in the history: its file could not be written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points on the sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size and D95 are within the rig&apos;s limits, even with their uncertainty added.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation σ of the points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points do not reach down to the sphere&apos;s equator on every side: nothing is proved. See that nothing stands in the way, and measure again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig measures outside of its limits. Calibrate it, then measure the sphere again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undecided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count}, and {rejected} left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{reach}° (at least {needed}°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share} % of the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{value} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{value} µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{value} µm, U = {uncertainty} µm, limit {limit} µm</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
