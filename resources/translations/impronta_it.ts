@@ -7471,6 +7471,49 @@ Dopo: {after}</translation>
     </message>
 </context>
 <context>
+    <name>remarks</name>
+    <message>
+        <source>The body that stands on the table could not be filled; the base was closed by what the points alone enclose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coordinates are rounded to steps of {step_mm} mm, single precision far from the origin; export the points in double precision, or nearer to the origin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The object is only {extent_mm} mm large, less than an anatomical part: if the coordinates are {unit}, use --units {option}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The object is {extent_mm} mm large, more than any anatomical part: if the coordinates are micrometres, divide them by 1000; if they are millimetres, use --units mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The object lies {away_mm} mm from the origin; it was computed about its centre, so that no precision was lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} points ({share}) lie more than {link_mm} mm from the object; they were left out as strays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share} % of the closed surface was not scanned; it is capped and marked as unsupported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share} % of the closed surface was not scanned; it is left open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share} % of the points do not belong to the surface and were rejected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share} of the points repeat others exactly; each place was counted once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>remedies</name>
     <message>
         <source>A reset was sent to switch the laser off; see that it is dark, check cable and power, then try again.</source>
