@@ -184,6 +184,12 @@ class RigController(QObject):
         self._news(replace(self.snapshot, busy=True, failure=None))  # a scan begins by unlocking
         return self._devices.rig
 
+    def settle(self, timeout_s: float) -> None:
+        """After :meth:`borrow`, in a thread of the borrower's: wait until what the device thread is doing with the rig is over."""
+        over = threading.Event()
+        self._device.call(over.set)
+        over.wait(timeout_s)
+
     def give_back(self) -> None:
         self._loaned.clear()
         self._news(replace(self.snapshot, busy=False))
