@@ -12,10 +12,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from app.views.cloud_store import every
-from app.views.height_colours import SUPPORTED, UNSUPPORTED
 from app.views.interactor import SceneClosedError
 from app.views.scene_view import SceneView
 from app.views.surface import Surface
+from app.views.surface_colours import SUPPORTED, UNSUPPORTED
 from scanner_core.acquisition.live_points import LivePoints
 from scanner_core.geometry.icosahedron import icosahedron
 from scanner_core.geometry.mesh import TriangleMesh
