@@ -6,11 +6,12 @@ import logging
 import sys
 import threading
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from types import TracebackType
 
 from PySide6.QtCore import QCoreApplication
 
+from app.draft import SIDES
 from scanner_core.acquisition.finding import Finding
 from scanner_core.errors import ImprontaError
 from scanner_core.remedies import REMEDIES
@@ -51,8 +52,8 @@ def sentence_of(fault: BaseException) -> tuple[str, str]:
     """What happened and what to do, in the window's language."""
     if isinstance(fault, ImprontaError):
         sentence = SENTENCES[fault.code]
-        translate = QCoreApplication.translate
-        return translate("sentences", sentence.what).format(**fault.fields), translate("sentences", sentence.do).format(**fault.fields)
+        translate, fields = QCoreApplication.translate, _spoken(fault.fields)
+        return translate("sentences", sentence.what).format(**fields), translate("sentences", sentence.do).format(**fields)
     return (
         QCoreApplication.translate("faults", "Something unexpected happened ({kind}).").format(kind=type(fault).__name__),
         QCoreApplication.translate("faults", "What was measured is kept; the details help us to mend it."),
@@ -63,7 +64,7 @@ def unmeasured_words(fault: BaseException) -> str:
     """What happened and what to do while devices are looked for or checked, in the window's language."""
     what, do = sentence_of(fault)
     if isinstance(fault, ImprontaError) and fault.code in REMEDIES:
-        do = QCoreApplication.translate("remedies", REMEDIES[fault.code]).format(**fault.fields)
+        do = QCoreApplication.translate("remedies", REMEDIES[fault.code]).format(**_spoken(fault.fields))
     return f"{what} {do}"
 
 
@@ -71,7 +72,16 @@ def finding_words(finding: Finding) -> str:
     """What a scan noticed and what to do, in the window's language."""
     sentence = SENTENCES[finding.code]
     translate = QCoreApplication.translate
-    return f"{translate('sentences', sentence.what)} {translate('sentences', sentence.do)}".format(**finding.fields)
+    return f"{translate('sentences', sentence.what)} {translate('sentences', sentence.do)}".format(**_spoken(finding.fields))
+
+
+def _spoken(fields: Mapping[str, object]) -> dict[str, object]:
+    """The fields of a sentence; which camera or ear it is, in the window's language."""
+    translate = QCoreApplication.translate
+    cameras: dict[object, str] = {"left": translate("faults", "left"), "right": translate("faults", "right")}
+    ears: dict[object, str] = {side: translate("draft", SIDES[side]).lower() for side in ("left", "right")}
+    words = {"camera": cameras, "other": cameras, "late": cameras, "side": ears}
+    return {name: words[name].get(value, value) if name in words else value for name, value in fields.items()}
 
 
 def details_of(fault: BaseException) -> str:

@@ -70,8 +70,10 @@ def release(language: str, into: Path) -> None:
 def core_texts() -> Iterator[tuple[str, str]]:
     """(context, English) of what the core says and the window translates."""
     sys.path.insert(0, str(ROOT))
+    from scanner_core.comparison.doubt_sentences import DOUBTS
     from scanner_core.delivery.check_sentences import NAMES
     from scanner_core.delivery.check_sentences import SENTENCES as CHECKS
+    from scanner_core.optics.calibration_result import FindingKind
     from scanner_core.remedies import REMEDIES
     from scanner_core.sentences import SENTENCES
     from scanner_core.virtual.faults import FAULTS
@@ -79,7 +81,9 @@ def core_texts() -> Iterator[tuple[str, str]]:
     for sentence in SENTENCES.values():
         yield from (("sentences", text) for text in (sentence.what, sentence.do) if text)
     yield from (("remedies", text) for text in REMEDIES.values())
+    yield from (("calibration", kind.value) for kind in FindingKind)
     yield from (("delivery", text) for text in (*NAMES.values(), *CHECKS.values()))
+    yield from (("doubts", text) for text in DOUBTS.values())
     for fault in FAULTS.values():
         yield from (("rig-faults", text) for text in (fault.title, fault.happens, fault.expected))
 

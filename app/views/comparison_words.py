@@ -87,7 +87,7 @@ def _uncertain(motion: PartMotion) -> dict[str, str]:
 
 def doubt_words(doubt: Doubt) -> str:
     """Lengths in the window's unit."""
-    words = QCoreApplication.translate("doubts", doubt.words)
+    words = QCoreApplication.translate("doubts", doubt.template).format(**dict(doubt.fields)) if doubt.template else doubt.words
     return re.sub(r"(\d+(?:\.\d+)?) (?:um|µm)\b", lambda found: f"{fine_millimetres(float(found[1]))} mm", words)
 
 

@@ -68,6 +68,7 @@ class CoveragePage(Page):
         self.places.accepted.connect(self._coverage.accept)
         self.places.filled.connect(lambda: self.intent.emit("fill"))
         box.addWidget(self.places, 1)
+        box.addStretch()  # takes the room while there is no list
         self.counts = label("", "faint", wrap=True)
         box.addWidget(self.counts)
         box.addWidget(seam())

@@ -9,7 +9,7 @@ from app.faults import sentence_of
 from app.views.parts import Lamp, label, row
 from scanner_core.errors import ImprontaError
 
-_CAPTION = 110
+_CAPTION = 124
 
 
 class DeviceRow(QWidget):

@@ -337,23 +337,23 @@
     <name>AssistantPage</name>
     <message>
         <source>1  Find the devices</source>
-        <translation type="unfinished"></translation>
+        <translation>1  Geräte finden</translation>
     </message>
     <message>
         <source>2  Check the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>2  Messplatz prüfen</translation>
     </message>
     <message>
         <source>3  Write its file</source>
-        <translation type="unfinished"></translation>
+        <translation>3  Datei schreiben</translation>
     </message>
     <message>
         <source>Asking every port and every camera  ·  {left} left</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Anschluss und jede Kamera wird gefragt  ·  noch {left}</translation>
     </message>
     <message>
         <source>Back to the Rig page; the devices are released</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zur Seite Messplatz; die Geräte werden freigegeben</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -361,35 +361,35 @@
     </message>
     <message>
         <source>Every serial port and every camera is asked who it is. A board may restart; nothing moves, and no laser is lit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder serielle Anschluss und jede Kamera wird gefragt, wer sie sind. Eine Steuerung kann dabei neu starten; nichts bewegt sich, und kein Laser leuchtet.</translation>
     </message>
     <message>
         <source>Go on without a check</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Prüfung weiter</translation>
     </message>
     <message>
         <source>Leave</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlassen</translation>
     </message>
     <message>
         <source>Look again</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu suchen</translation>
     </message>
     <message>
         <source>Look for devices</source>
-        <translation type="unfinished"></translation>
+        <translation>Geräte suchen</translation>
     </message>
     <message>
         <source>Next: check the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter: Messplatz prüfen</translation>
     </message>
     <message>
         <source>Next: write its file</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter: Datei schreiben</translation>
     </message>
     <message>
         <source>Progress of the search</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt der Suche</translation>
     </message>
     <message>
         <source>Set up a rig</source>
@@ -397,23 +397,23 @@
     </message>
     <message>
         <source>Still to be chosen: {what}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch zu wählen: {what}.</translation>
     </message>
     <message>
         <source>The rig of the program is measuring: its devices are free afterwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Messplatz des Programms misst gerade: Danach sind seine Geräte frei.</translation>
     </message>
     <message>
         <source>a controller</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Steuerung</translation>
     </message>
     <message>
         <source>the left camera</source>
-        <translation type="unfinished"></translation>
+        <translation>die linke Kamera</translation>
     </message>
     <message>
         <source>the right camera</source>
-        <translation type="unfinished"></translation>
+        <translation>die rechte Kamera</translation>
     </message>
 </context>
 <context>
@@ -428,15 +428,15 @@
     </message>
     <message>
         <source>Live</source>
-        <translation type="unfinished"></translation>
+        <translation>Live</translation>
     </message>
     <message>
         <source>What the cameras see</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Kameras sehen</translation>
     </message>
     <message>
         <source>no spot</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Lichtpunkt</translation>
     </message>
 </context>
 <context>
@@ -805,11 +805,11 @@
     <name>CheckLine</name>
     <message>
         <source>Pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder</translation>
     </message>
     <message>
         <source>Pictures of: {check}</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder zu: {check}</translation>
     </message>
 </context>
 <context>
@@ -823,7 +823,7 @@
     <name>CheckStep</name>
     <message>
         <source>All {n} checks are good.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle {n} Prüfungen sind gut.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -835,39 +835,39 @@
     </message>
     <message>
         <source>Check again</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu prüfen</translation>
     </message>
     <message>
         <source>Everybody near the rig is protected, and nothing is in the way of beam and table</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle am Messplatz sind geschützt, und nichts steht Strahl und Teller im Weg</translation>
     </message>
     <message>
         <source>Not everything is as it should be: {checks}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht alles ist, wie es sein soll: {checks}.</translation>
     </message>
     <message>
         <source>Only look and move by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur ansehen und von Hand bewegen</translation>
     </message>
     <message>
         <source>Opening the devices</source>
-        <translation type="unfinished"></translation>
+        <translation>Geräte werden geöffnet</translation>
     </message>
     <message>
         <source>Progress of the check</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt der Prüfung</translation>
     </message>
     <message>
         <source>Start the check</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfung starten</translation>
     </message>
     <message>
         <source>The check moves beam and table and lights the laser. A laser of class 3R can injure the eye: do not look into the beam or its reflections, wear goggles for its wavelength, take rings and watches off, and keep hands and hair out of the rig. Esc and the red button at the lower left stop everything at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Prüfung bewegt Strahl und Teller und schaltet den Laser ein. Ein Laser der Klasse 3R kann das Auge verletzen: nicht in den Strahl oder seine Reflexe blicken, Schutzbrille für seine Wellenlänge tragen, Ringe und Uhren ablegen, Hände und Haare aus dem Messplatz halten. Esc und der rote Knopf unten links stoppen alles sofort.</translation>
     </message>
     <message>
         <source>{doing}  ·  {left} left</source>
-        <translation type="unfinished"></translation>
+        <translation>{doing}  ·  noch {left}</translation>
     </message>
 </context>
 <context>
@@ -1186,7 +1186,7 @@
     </message>
     <message>
         <source>Cut away what does not belong to the object before it becomes a surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Abschneiden, was nicht zum Objekt gehört, bevor eine Oberfläche daraus wird</translation>
     </message>
     <message>
         <source>Do not accept</source>
@@ -1194,7 +1194,7 @@
     </message>
     <message>
         <source>Edit</source>
-        <translation type="unfinished">Bearbeiten</translation>
+        <translation>Bearbeiten</translation>
     </message>
     <message>
         <source>Every place is as certain as wanted.</source>
@@ -1780,7 +1780,7 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>{happens}. The program {expected}.</source>
-        <translation>{happens}. Das Programm: {expected}.</translation>
+        <translation>{happens}. Das Programm {expected}.</translation>
     </message>
     <message>
         <source>{n} before</source>
@@ -2559,7 +2559,7 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>{told}. Of another surface than the one that is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>{told}. Von einer anderen Oberfläche als der gezeigten.</translation>
     </message>
 </context>
 <context>
@@ -4287,11 +4287,11 @@ Nachher: {after}</translation>
     <name>WriteStep</name>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>Limits, the laser&apos;s place and the volume are those of the shipped bench. Correct them for your mechanics before the first scan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenzen, Ort des Lasers und Messvolumen sind die der mitgelieferten Werkbank. Vor dem ersten Scan für die eigene Mechanik berichtigen.</translation>
     </message>
     <message>
         <source>Name</source>
@@ -4299,11 +4299,11 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Name of the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Messplatzes</translation>
     </message>
     <message>
         <source>Other file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Datei…</translation>
     </message>
     <message>
         <source>Replace it</source>
@@ -4311,43 +4311,43 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Rigs (*.toml)</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplätze (*.toml)</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>The Rig page shows it, and calibrates it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Seite Messplatz zeigt ihn und kalibriert ihn neu.</translation>
     </message>
     <message>
         <source>The rig cannot measure before it is calibrated: the Rig page prints the target and takes you through it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Messplatz kann erst messen, wenn er kalibriert ist: Die Seite Messplatz druckt die Tafel und führt hindurch.</translation>
     </message>
     <message>
         <source>The rig&apos;s file</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei des Messplatzes</translation>
     </message>
     <message>
         <source>There is a file of this name already. Press once more to replace it, or choose another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Datei dieses Namens gibt es schon. Zum Ersetzen noch einmal drücken oder anderen Namen wählen.</translation>
     </message>
     <message>
         <source>Use this rig now</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Messplatz benutzen</translation>
     </message>
     <message>
         <source>What will be written</source>
-        <translation type="unfinished"></translation>
+        <translation>Was geschrieben wird</translation>
     </message>
     <message>
         <source>Where to write the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Wohin der Messplatz geschrieben wird</translation>
     </message>
     <message>
         <source>Written to {path}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschrieben nach {path}.</translation>
     </message>
 </context>
 <context>
@@ -4762,123 +4762,123 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Correct the steps of beam X: it moves {percent} % of what it is told.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte von Strahl X berichtigen: Er fährt {percent} % des Verlangten.</translation>
     </message>
     <message>
         <source>Correct the steps of beam Y: it moves {percent} % of what it is told.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte von Strahl Y berichtigen: Er fährt {percent} % des Verlangten.</translation>
     </message>
     <message>
         <source>Correct the steps of the table: it turns {percent} % of what it is told.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte des Tellers berichtigen: Er dreht {percent} % des Verlangten.</translation>
     </message>
     <message>
         <source>Exchange the cameras: the one that is called left stands to the right of the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameras tauschen: Die als linke bezeichnete steht rechts von der anderen.</translation>
     </message>
     <message>
         <source>Expose both cameras for {ms} ms (left {left} dB, right {right} dB): it suits what stands there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Kameras {ms} ms belichten (links {left} dB, rechts {right} dB): Das passt zu dem, was dort steht.</translation>
     </message>
     <message>
         <source>Free: each by its own clock</source>
-        <translation type="unfinished"></translation>
+        <translation>Frei: jede nach eigenem Takt</translation>
     </message>
     <message>
         <source>GRBL board, set up for something else</source>
-        <translation type="unfinished"></translation>
+        <translation>GRBL-Steuerung, für anderes eingerichtet</translation>
     </message>
     <message>
         <source>Hardware: a cable to both</source>
-        <translation type="unfinished"></translation>
+        <translation>Hardware: ein Kabel zu beiden</translation>
     </message>
     <message>
         <source>Left, difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Links, Differenz</translation>
     </message>
     <message>
         <source>Left, first end</source>
-        <translation type="unfinished"></translation>
+        <translation>Links, erstes Ende</translation>
     </message>
     <message>
         <source>Left, laser off</source>
-        <translation type="unfinished"></translation>
+        <translation>Links, Laser aus</translation>
     </message>
     <message>
         <source>Left, laser on</source>
-        <translation type="unfinished"></translation>
+        <translation>Links, Laser an</translation>
     </message>
     <message>
         <source>Left, other end</source>
-        <translation type="unfinished"></translation>
+        <translation>Links, anderes Ende</translation>
     </message>
     <message>
         <source>Right, difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechts, Differenz</translation>
     </message>
     <message>
         <source>Right, first end</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechts, erstes Ende</translation>
     </message>
     <message>
         <source>Right, laser off</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechts, Laser aus</translation>
     </message>
     <message>
         <source>Right, laser on</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechts, Laser an</translation>
     </message>
     <message>
         <source>Right, other end</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechts, anderes Ende</translation>
     </message>
     <message>
         <source>Software: a command for every picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Software: ein Befehl für jedes Bild</translation>
     </message>
     <message>
         <source>Turn the direction of beam X round: it moves the spot the other way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung von Strahl X umkehren: Er bewegt den Lichtpunkt andersherum.</translation>
     </message>
     <message>
         <source>Turn the direction of beam Y round: it moves the spot the other way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung von Strahl Y umkehren: Er bewegt den Lichtpunkt andersherum.</translation>
     </message>
     <message>
         <source>Turn the direction of the table round: it turns the other way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung des Tellers umkehren: Er dreht andersherum.</translation>
     </message>
     <message>
         <source>Virtual camera, left</source>
-        <translation type="unfinished"></translation>
+        <translation>Virtuelle Kamera, links</translation>
     </message>
     <message>
         <source>Virtual camera, right</source>
-        <translation type="unfinished"></translation>
+        <translation>Virtuelle Kamera, rechts</translation>
     </message>
     <message>
         <source>black picture</source>
-        <translation type="unfinished"></translation>
+        <translation>schwarzes Bild</translation>
     </message>
     <message>
         <source>cannot be opened</source>
-        <translation type="unfinished"></translation>
+        <translation>lässt sich nicht öffnen</translation>
     </message>
     <message>
         <source>controller</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerung</translation>
     </message>
     <message>
         <source>does not work</source>
-        <translation type="unfinished"></translation>
+        <translation>arbeitet nicht</translation>
     </message>
     <message>
         <source>good</source>
-        <translation type="unfinished"></translation>
+        <translation>gut</translation>
     </message>
     <message>
         <source>look at this</source>
-        <translation type="unfinished"></translation>
+        <translation>ansehen</translation>
     </message>
     <message>
         <source>no picture</source>
@@ -4886,7 +4886,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>not permitted</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht erlaubt</translation>
     </message>
     <message>
         <source>ready</source>
@@ -4894,372 +4894,396 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>silent</source>
-        <translation type="unfinished"></translation>
+        <translation>stumm</translation>
     </message>
     <message>
         <source>something else</source>
-        <translation type="unfinished"></translation>
+        <translation>etwas anderes</translation>
     </message>
     <message>
         <source>used by another program</source>
-        <translation type="unfinished"></translation>
+        <translation>von anderem Programm benutzt</translation>
     </message>
     <message>
         <source>wrong format</source>
-        <translation type="unfinished"></translation>
+        <translation>falsches Format</translation>
     </message>
     <message>
         <source>{width} × {height} px, {rate} frames/s</source>
-        <translation type="unfinished"></translation>
+        <translation>{width} × {height} px, {rate} Bilder/s</translation>
     </message>
 </context>
 <context>
     <name>board</name>
     <message>
         <source>Angle {n} of {count}</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel {n} von {count}</translation>
     </message>
     <message>
         <source>Angle {n} taken. The table turns: hands off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel {n} aufgenommen. Der Teller dreht: Hände weg.</translation>
     </message>
     <message>
         <source>Bar {n} taken. Now hold it another way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stab {n} aufgenommen. Jetzt anders halten.</translation>
     </message>
     <message>
         <source>Blurred</source>
-        <translation type="unfinished"></translation>
+        <translation>Unscharf</translation>
     </message>
     <message>
         <source>Both cameras see the board, but not the same part of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Kameras sehen die Tafel, aber nicht denselben Teil.</translation>
     </message>
     <message>
         <source>Both of its ends in sight of both cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Enden im Bild beider Kameras.</translation>
     </message>
     <message>
         <source>Bring the board nearer and farther</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel näher und weiter weg bringen</translation>
     </message>
     <message>
         <source>Bring the board to the left of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel nach links im Bild der {camera} bringen</translation>
     </message>
     <message>
         <source>Bring the board to the lower left of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel nach unten links im Bild der {camera} bringen</translation>
     </message>
     <message>
         <source>Bring the board to the lower middle of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel nach unten Mitte im Bild der {camera} bringen</translation>
     </message>
     <message>
         <source>Bring the board to the lower right of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel nach unten rechts im Bild der {camera} bringen</translation>
     </message>
     <message>
         <source>Bring the board to the middle of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel in die Mitte des Bildes der {camera} bringen</translation>
     </message>
     <message>
         <source>Bring the board to the right of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel nach rechts im Bild der {camera} bringen</translation>
     </message>
     <message>
         <source>Bring the board to the upper left of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel nach oben links im Bild der {camera} bringen</translation>
     </message>
     <message>
         <source>Bring the board to the upper middle of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel nach oben Mitte im Bild der {camera} bringen</translation>
     </message>
     <message>
         <source>Bring the board to the upper right of the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel nach oben rechts im Bild der {camera} bringen</translation>
     </message>
     <message>
         <source>Computing cameras and lenses from all views.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameras und Objektive werden aus allen Ansichten berechnet.</translation>
     </message>
     <message>
         <source>Computing the scale from the length bar.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Maßstab wird aus dem Längenstab berechnet.</translation>
     </message>
     <message>
         <source>Computing the table&apos;s axis and the uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Achse des Tellers und die Unsicherheit werden berechnet.</translation>
     </message>
     <message>
         <source>Cut by the picture&apos;s edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Vom Bildrand abgeschnitten</translation>
     </message>
     <message>
         <source>Each time at another place and tilted another way; hold it still until it is taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes Mal an anderer Stelle und anders geneigt; ruhig halten, bis aufgenommen ist.</translation>
     </message>
     <message>
         <source>Flat, face up, about the table&apos;s middle; then the table turns by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Flach, bedruckte Seite oben, um die Tellermitte; dann dreht der Teller von selbst.</translation>
     </message>
     <message>
         <source>Hold the bar still.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Stab ruhig halten.</translation>
     </message>
     <message>
         <source>Hold the board into the volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel in das Messvolumen halten</translation>
     </message>
     <message>
         <source>Hold the board still.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel ruhig halten.</translation>
     </message>
     <message>
         <source>Hold the length bar into the volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Längenstab in das Messvolumen halten</translation>
     </message>
     <message>
         <source>Lay the board on the table</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel auf den Teller legen</translation>
     </message>
     <message>
         <source>Length bar {n} of {count}</source>
-        <translation type="unfinished"></translation>
+        <translation>Längenstab {n} von {count}</translation>
     </message>
     <message>
         <source>More angles of the table: {n}</source>
-        <translation type="unfinished"></translation>
+        <translation>Weitere Winkel des Tellers: {n}</translation>
     </message>
     <message>
         <source>More views of the length bar: {n}</source>
-        <translation type="unfinished"></translation>
+        <translation>Weitere Ansichten des Längenstabs: {n}</translation>
     </message>
     <message>
         <source>More views: {n}</source>
-        <translation type="unfinished"></translation>
+        <translation>Weitere Ansichten: {n}</translation>
     </message>
     <message>
         <source>Neither camera sees the board.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Kamera sieht die Tafel.</translation>
     </message>
     <message>
         <source>No board in sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Tafel im Bild</translation>
     </message>
     <message>
         <source>Only one camera sees the board.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur eine Kamera sieht die Tafel.</translation>
     </message>
     <message>
         <source>Take your hands away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hände wegnehmen.</translation>
     </message>
     <message>
         <source>Tilt the board more, each time to another side</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel stärker neigen, jedes Mal zu einer anderen Seite</translation>
     </message>
     <message>
         <source>Too bright</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu hell</translation>
     </message>
     <message>
         <source>Too dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu dunkel</translation>
     </message>
     <message>
         <source>Too little of the board in sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu wenig von der Tafel im Bild</translation>
     </message>
     <message>
         <source>Too similar to an earlier view: move or tilt the board.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einer früheren Ansicht zu ähnlich: Tafel bewegen oder neigen.</translation>
     </message>
     <message>
         <source>View taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht aufgenommen.</translation>
     </message>
     <message>
         <source>View {n} of {count}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht {n} von {count}</translation>
     </message>
     <message>
         <source>View {n} taken. Now tilt it another way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht {n} aufgenommen. Jetzt anders neigen.</translation>
     </message>
     <message>
         <source>left camera&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>linken Kamera</translation>
     </message>
     <message>
         <source>right camera&apos;s</source>
-        <translation type="unfinished"></translation>
+        <translation>rechten Kamera</translation>
     </message>
     <message>
         <source>{n} corners</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} Ecken</translation>
     </message>
     <message>
         <source>{what} in the {camera} picture</source>
-        <translation type="unfinished"></translation>
+        <translation>{what} im Bild der {camera}</translation>
     </message>
 </context>
 <context>
     <name>calibration</name>
     <message>
         <source>Age unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>Alter unbekannt</translation>
     </message>
     <message>
         <source>Distance between the cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand der Kameras</translation>
     </message>
     <message>
         <source>Expired {n} days ago</source>
-        <translation type="unfinished"></translation>
+        <translation>Vor {n} Tagen abgelaufen</translation>
     </message>
     <message>
         <source>Expires soon: {n} days left</source>
-        <translation type="unfinished"></translation>
+        <translation>Läuft bald ab: noch {n} Tage</translation>
     </message>
     <message>
         <source>Focal length, left and right</source>
-        <translation type="unfinished"></translation>
+        <translation>Brennweite, links und rechts</translation>
     </message>
     <message>
         <source>Identity</source>
-        <translation type="unfinished"></translation>
+        <translation>Kennung</translation>
     </message>
     <message>
         <source>Image centre, left</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildmitte, links</translation>
     </message>
     <message>
         <source>Image centre, right</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildmitte, rechts</translation>
     </message>
     <message>
         <source>Length bar where it took no part</source>
-        <translation type="unfinished"></translation>
+        <translation>Längenstab, wo er nicht mitwirkte</translation>
     </message>
     <message>
         <source>Measured shapes change by {rms} µm rms over the volume, {largest} µm at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Formen ändern sich im Messvolumen um {rms} µm rms, höchstens {largest} µm</translation>
     </message>
     <message>
         <source>Reference sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenzkugel</translation>
     </message>
     <message>
         <source>Reprojection error</source>
-        <translation type="unfinished"></translation>
+        <translation>Reprojektionsfehler</translation>
     </message>
     <message>
         <source>Right camera against the left, turned</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechte Kamera gegen linke, gedreht</translation>
     </message>
     <message>
         <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Scale by a length measured on the print alone, to {ppm} ppm: no second length has verified it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale not verified: no known length was shown, and the board&apos;s nominal size was believed ({ppm} ppm, k = 1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The board is bent: its corners lie within {bend_mm} mm of height; this is taken into account.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The print is {percent} % larger than its nominal size; this is corrected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The print is {percent} % smaller than its nominal size; this is corrected.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The reference sphere measured {change} µm otherwise than in the tests before: calibrate and test it again.</source>
+        <translation>Die Referenzkugel maß {change} µm anders als in den Prüfungen zuvor: kalibrieren und neu prüfen.</translation>
+    </message>
+    <message>
+        <source>The table stood {error_deg} degrees off its reported angle at {table_deg} degrees: backlash or lost steps.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This calibration is {n} days old and has expired: cameras creep. Calibrate before you measure.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Kalibrierung ist {n} Tage alt und abgelaufen: Kameras driften. Vor dem Messen kalibrieren.</translation>
     </message>
     <message>
         <source>Turntable axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse des Drehtellers</translation>
     </message>
     <message>
         <source>Turntable axis, turned</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse des Drehtellers, gedreht</translation>
     </message>
     <message>
         <source>Valid: {n} days left</source>
-        <translation type="unfinished"></translation>
+        <translation>Gültig: noch {n} Tage</translation>
     </message>
     <message>
         <source>Views of the board</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansichten der Tafel</translation>
     </message>
     <message>
         <source>by the print alone, not verified</source>
-        <translation type="unfinished"></translation>
+        <translation>nur durch den Druck, nicht bestätigt</translation>
     </message>
     <message>
         <source>more than three standard uncertainties of {u} µm explain: something has moved.</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr, als drei Standardunsicherheiten von {u} µm erklären: Etwas hat sich bewegt.</translation>
     </message>
     <message>
         <source>not verified</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht bestätigt</translation>
     </message>
     <message>
         <source>radius error {size} µm, D95 {d95} µm, {date}</source>
-        <translation type="unfinished"></translation>
+        <translation>Radiusfehler {size} µm, D95 {d95} µm, {date}</translation>
     </message>
     <message>
         <source>the previous one does not state its uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>die vorige nennt ihre Unsicherheit nicht.</translation>
     </message>
     <message>
         <source>verified by the {length} mm bar</source>
-        <translation type="unfinished"></translation>
+        <translation>bestätigt durch den {length}-mm-Stab</translation>
     </message>
     <message>
         <source>within three standard uncertainties of {u} µm each.</source>
-        <translation type="unfinished"></translation>
+        <translation>innerhalb von drei Standardunsicherheiten von je {u} µm.</translation>
     </message>
 </context>
 <context>
     <name>checks</name>
     <message>
         <source>beam axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahlachsen</translation>
     </message>
     <message>
         <source>beam axis x</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahlachse x</translation>
     </message>
     <message>
         <source>beam axis y</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahlachse y</translation>
     </message>
     <message>
         <source>camera left</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera links</translation>
     </message>
     <message>
         <source>camera right</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera rechts</translation>
     </message>
     <message>
         <source>cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameras</translation>
     </message>
     <message>
         <source>controller</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerung</translation>
     </message>
     <message>
         <source>controller handshake</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerung: Verbindung</translation>
     </message>
     <message>
         <source>controller laser</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerung: Laser</translation>
     </message>
     <message>
         <source>controller laser left off</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerung: Laser bleibt aus</translation>
     </message>
     <message>
         <source>controller move</source>
-        <translation type="unfinished"></translation>
+        <translation>Steuerung: Bewegung</translation>
     </message>
     <message>
         <source>done</source>
@@ -5267,110 +5291,110 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>exposure</source>
-        <translation type="unfinished"></translation>
+        <translation>Belichtung</translation>
     </message>
     <message>
         <source>frame rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildrate</translation>
     </message>
     <message>
         <source>frame rate left</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildrate links</translation>
     </message>
     <message>
         <source>frame rate right</source>
-        <translation type="unfinished"></translation>
+        <translation>Bildrate rechts</translation>
     </message>
     <message>
         <source>laser seen</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser gesehen</translation>
     </message>
     <message>
         <source>laser spot</source>
-        <translation type="unfinished"></translation>
+        <translation>Laserpunkt</translation>
     </message>
     <message>
         <source>left and right</source>
-        <translation type="unfinished"></translation>
+        <translation>links und rechts</translation>
     </message>
     <message>
         <source>rest of the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>übriger Messplatz</translation>
     </message>
     <message>
         <source>table</source>
-        <translation type="unfinished"></translation>
+        <translation>Teller</translation>
     </message>
     <message>
         <source>trigger skew</source>
-        <translation type="unfinished"></translation>
+        <translation>Triggerversatz</translation>
     </message>
 </context>
 <context>
     <name>comparison</name>
     <message>
         <source>95 % below {p} mm, on {a} mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % unter {p} mm, auf {a} mm²</translation>
     </message>
     <message>
         <source>Aligning</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausrichten</translation>
     </message>
     <message>
         <source>As they lie</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie sie liegen</translation>
     </message>
     <message>
         <source>Change threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwelle ändern</translation>
     </message>
     <message>
         <source>Change unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit ändern</translation>
     </message>
     <message>
         <source>Change what is held fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>Ändern, was festgehalten wird</translation>
     </message>
     <message>
         <source>Click the tooth in the picture: the mark grows to its edge, and its motion is told.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Zahn im Bild anklicken: Die Marke wächst bis zu seinem Rand, und seine Bewegung wird genannt.</translation>
     </message>
     <message>
         <source>Correct the marked tooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Markierten Zahn berichtigen</translation>
     </message>
     <message>
         <source>Draw a line round what belongs to the tooth, too; only what is seen is added.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Linie um das ziehen, was auch zum Zahn gehört; nur Sichtbares kommt hinzu.</translation>
     </message>
     <message>
         <source>Draw a line round what does not belong to the tooth; only what is seen is taken off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Linie um das ziehen, was nicht zum Zahn gehört; nur Sichtbares fällt weg.</translation>
     </message>
     <message>
         <source>Erase from the stable region</source>
-        <translation type="unfinished"></translation>
+        <translation>Vom stabilen Bereich wegradieren</translation>
     </message>
     <message>
         <source>Finding the areas</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächen suchen</translation>
     </message>
     <message>
         <source>Load the surface after</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche nachher laden</translation>
     </message>
     <message>
         <source>Load the surface before</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche vorher laden</translation>
     </message>
     <message>
         <source>Looking for its edge…</source>
-        <translation type="unfinished"></translation>
+        <translation>Sein Rand wird gesucht…</translation>
     </message>
     <message>
         <source>Lower</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterkiefer</translation>
     </message>
     <message>
         <source>Mark a tooth</source>
@@ -5378,43 +5402,43 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Measuring its motion…</source>
-        <translation type="unfinished"></translation>
+        <translation>Seine Bewegung wird gemessen…</translation>
     </message>
     <message>
         <source>Measuring the distances</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstände messen</translation>
     </message>
     <message>
         <source>Paint as stable</source>
-        <translation type="unfinished"></translation>
+        <translation>Als stabil malen</translation>
     </message>
     <message>
         <source>Paint with the left button what did not move, then align on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit der linken Taste malen, was sich nicht bewegt hat, dann daran ausrichten.</translation>
     </message>
     <message>
         <source>Painted region</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemalter Bereich</translation>
     </message>
     <message>
         <source>Pick no points</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Punkte wählen</translation>
     </message>
     <message>
         <source>Pick three points on each</source>
-        <translation type="unfinished"></translation>
+        <translation>Je drei Punkte wählen</translation>
     </message>
     <message>
         <source>Remove a surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche entfernen</translation>
     </message>
     <message>
         <source>Remove the mark of the tooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Marke des Zahns entfernen</translation>
     </message>
     <message>
         <source>Say which jaw it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Angeben, welcher Kiefer es ist</translation>
     </message>
     <message>
         <source>Swap before and after</source>
@@ -5422,31 +5446,31 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Upper</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberkiefer</translation>
     </message>
     <message>
         <source>What did not move</source>
-        <translation type="unfinished"></translation>
+        <translation>Was sich nicht bewegt hat</translation>
     </message>
     <message>
         <source>Whole surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganze Oberfläche</translation>
     </message>
     <message>
         <source>Wipe with the left button over what may have moved, then align on the rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit der linken Taste über das wischen, was sich bewegt haben kann, dann am Rest ausrichten.</translation>
     </message>
     <message>
         <source>best fit of everything, also of what moved</source>
-        <translation type="unfinished"></translation>
+        <translation>beste Anpassung von allem, auch von Bewegtem</translation>
     </message>
     <message>
         <source>given</source>
-        <translation type="unfinished"></translation>
+        <translation>vorgegeben</translation>
     </message>
     <message>
         <source>moved {d} ± {u} mm, turned {a} ± {v}°</source>
-        <translation type="unfinished"></translation>
+        <translation>{d} ± {u} mm bewegt, {a} ± {v}° gedreht</translation>
     </message>
     <message>
         <source>no counterpart</source>
@@ -5454,39 +5478,39 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>picked points</source>
-        <translation type="unfinished"></translation>
+        <translation>gewählte Punkte</translation>
     </message>
     <message>
         <source>point-pair features</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktpaar-Merkmale</translation>
     </message>
     <message>
         <source>principal axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Hauptachsen</translation>
     </message>
     <message>
         <source>the files share one frame; nothing is aligned</source>
-        <translation type="unfinished"></translation>
+        <translation>die Dateien teilen ein Koordinatensystem; nichts wird ausgerichtet</translation>
     </message>
     <message>
         <source>the stable region is found and held fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>der stabile Bereich wird gefunden und festgehalten</translation>
     </message>
     <message>
         <source>what was painted is held fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>was gemalt wurde, wird festgehalten</translation>
     </message>
     <message>
         <source>{n} mm inwards</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} mm nach innen</translation>
     </message>
     <message>
         <source>{n} mm outwards</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} mm nach außen</translation>
     </message>
     <message>
         <source>± {u} mm, turned {a} ± {v}°</source>
-        <translation type="unfinished"></translation>
+        <translation>± {u} mm, {a} ± {v}° gedreht</translation>
     </message>
 </context>
 <context>
@@ -6008,6 +6032,177 @@ Nachher: {after}</translation>
     </message>
 </context>
 <context>
+    <name>doubts</name>
+    <message>
+        <source>1 triangle has no area; it has no normal and is measured only by its neighbours.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A best fit of the whole spreads what moved over everything: against the region that did not move it shifts the surface by up to {length}. Use the automatic or a painted frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another pose fits about as well, because the shape resembles itself: pick three points to say which one is meant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By its order {before} is &apos;{first}&apos;, but {after} &apos;{second}&apos;; choose two that belong together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By its order {before} is of the side &apos;{first}&apos;, but {after} &apos;{second}&apos;; choose two that belong together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edges that belong to more than two triangles: {edges}; corners that join separate parts: {corners}. Inside and outside are not defined there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hardly anything ({percent} % of the surface) kept its place, so geometry does not say what is fixed: paint what you know to be stable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It consists of {count} separate shells; the largest has {share} of the area. All of them are compared.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is open: its border has {mm} mm in one line. What lies beyond a border has no counterpart and is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is open: its border has {mm} mm in {count} lines. What lies beyond a border has no counterpart and is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {mm} mm long, which neither an arch nor an ear is; check the unit of the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It touches or crosses itself: more than {count} triangles cut others. Distances near them may go to the wrong layer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It touches or crosses itself: {count} triangles cut others. Distances near them may go to the wrong layer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its normals point inwards: + and - would be exchanged; turn them round in the program that wrote it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its normals point inwards: they look to the side of the gum, not of the teeth. If it is no impression (a negative), + and - are exchanged; turn them round in the program that wrote it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its normals seem to point inwards: it is open, but what it encloses lies on their side. If it is no impression (a negative), + and - are exchanged; turn them round in the program that wrote it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its numbers were taken as {unit} ({why}), so it is {mm} mm long; say the unit if that is wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No region was stable throughout the series; each surface was aligned by a region of its own, so small motions may not add up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only {percent} % of the after surface has a counterpart before: scan the same region both times.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points that belong to no triangle were left out: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points with exactly the place of another one were joined: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some triangles ({share} of its area) face the other way than their neighbours; + and - are exchanged there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The after surface is {percent} % (+- {uncertainty} %) larger than the before surface where nothing should have changed, {length} at its rim: check units and the calibration of both scanners; nothing was rescaled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The after surface is {percent} % (+- {uncertainty} %) smaller than the before surface where nothing should have changed, {length} at its rim: check units and the calibration of both scanners; nothing was rescaled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The alignment rests on {mm2} mm2, {percent} % of the surface that both files show: look whether the region drawn as stable is, or paint it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file says {unit}, so it is {mm} mm long; by its size it would be in {guess}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The later surface is {ratio} times as large as the earlier one; check the units ({units} differ by {factor}), or whether the two belong together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The later surface is {ratio} times as large as the earlier one; check the units, or whether the two belong together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The material was not named; of the rig&apos;s null comparisons the largest level is shown (&apos;{other}&apos;).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The null comparison is of the rig &apos;{rig}&apos;, but the surfaces were measured with &apos;{others}&apos;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The null comparison of &apos;{material}&apos; ({date}) is older than the rig&apos;s calibration ({calibrated}); repeat it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The orders of {before} and {after} name different patients; choose two of one patient.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The stable region lies too much in one lump to hold the far end of the surface, which may be off by {length}: take in stable places that are farther apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This rig has no null comparison of &apos;{material}&apos;; the level shown is of another material, &apos;{other}&apos;. Measure one twice.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangles without an extent but a line or point were left out: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is taken for unchanged differs by up to {length} (95 %): either the scans are that noisy, or it changed everywhere and nothing is fixed. Smaller changes cannot be told.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{before} and {after} are identical files: nothing was measured twice; choose the other state.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{before} and {after} hold the identical surface: nothing was measured twice; choose the other state.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{before} was measured after {after} ({first} and {second}): are the two exchanged?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} triangles have no area; they have no normal and are measured only by their neighbours.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} lands {closure} um beside its place when it goes over {previous} (+- {uncertainty} um, k = 2): what is taken as stable may have moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share} of its area faces the other way than its neighbours, so + and - cannot be told apart; let the program that wrote it orient it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>draft</name>
     <message>
         <source>Accept a place as it is</source>
@@ -6146,7 +6341,7 @@ Nachher: {after}</translation>
     <name>emission</name>
     <message>
         <source>Laser ON</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser AN</translation>
     </message>
     <message>
         <source>Laser off</source>
@@ -6154,65 +6349,73 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Laser unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser unbekannt</translation>
     </message>
     <message>
         <source>Laser: no rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Laser: kein Messplatz</translation>
     </message>
 </context>
 <context>
     <name>faults</name>
     <message>
         <source>Something unexpected happened ({kind}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwas Unerwartetes ist geschehen ({kind}).</translation>
     </message>
     <message>
         <source>What was measured is kept; the details help us to mend it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gemessene ist gesichert; die Details helfen uns, es zu beheben.</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation type="unfinished">linke</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation type="unfinished">rechte</translation>
     </message>
 </context>
 <context>
     <name>format</name>
     <message>
         <source>1 day old</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Tag alt</translation>
     </message>
     <message>
         <source>1 hour ago</source>
-        <translation type="unfinished"></translation>
+        <translation>vor 1 Stunde</translation>
     </message>
     <message>
         <source>1 minute ago</source>
-        <translation type="unfinished"></translation>
+        <translation>vor 1 Minute</translation>
     </message>
     <message>
         <source>just now</source>
-        <translation type="unfinished"></translation>
+        <translation>gerade eben</translation>
     </message>
     <message>
         <source>today</source>
-        <translation type="unfinished"></translation>
+        <translation>heute</translation>
     </message>
     <message>
         <source>yesterday</source>
-        <translation type="unfinished"></translation>
+        <translation>gestern</translation>
     </message>
     <message>
         <source>{n} days ago</source>
-        <translation type="unfinished"></translation>
+        <translation>vor {n} Tagen</translation>
     </message>
     <message>
         <source>{n} days old</source>
-        <translation type="unfinished"></translation>
+        <translation>{n} Tage alt</translation>
     </message>
     <message>
         <source>{n} hours ago</source>
-        <translation type="unfinished"></translation>
+        <translation>vor {n} Stunden</translation>
     </message>
     <message>
         <source>{n} minutes ago</source>
-        <translation type="unfinished"></translation>
+        <translation>vor {n} Minuten</translation>
     </message>
 </context>
 <context>
@@ -6382,27 +6585,27 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Everywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Überall</translation>
     </message>
     <message>
         <source>Nearer and farther</source>
-        <translation type="unfinished"></translation>
+        <translation>Näher und weiter weg</translation>
     </message>
     <message>
         <source>Next and previous control</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächstes und voriges Bedienelement</translation>
     </message>
     <message>
         <source>Open the menus</source>
-        <translation type="unfinished"></translation>
+        <translation>Menüs öffnen</translation>
     </message>
     <message>
         <source>Pages</source>
-        <translation type="unfinished"></translation>
+        <translation>Seiten</translation>
     </message>
     <message>
         <source>Pick the point in the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt in der Mitte wählen</translation>
     </message>
     <message>
         <source>Pick three points</source>
@@ -6410,133 +6613,133 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Press the control in hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewähltes Bedienelement drücken</translation>
     </message>
     <message>
         <source>The other surface, for a moment</source>
-        <translation type="unfinished"></translation>
+        <translation>Die andere Oberfläche, für einen Augenblick</translation>
     </message>
     <message>
         <source>Turn the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht drehen</translation>
     </message>
 </context>
 <context>
     <name>materials</name>
     <message>
         <source>A clipped top hides where the peak is, and on gloss it is seldom in the middle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine abgeschnittene Spitze verdeckt, wo das Maximum ist, und auf Glanz liegt es selten in der Mitte.</translation>
     </message>
     <message>
         <source>A dim halo without its spot must not be taken for one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein dunkler Hof ohne seinen Lichtpunkt darf nicht für einen gelten.</translation>
     </message>
     <message>
         <source>A higher threshold keeps the foot of the halo, which is no part of the beam, out of the spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine höhere Schwelle hält den Fuß des Hofs, der nicht zum Strahl gehört, aus dem Lichtpunkt heraus.</translation>
     </message>
     <message>
         <source>A little light spreads inside of the plaster and comes out around the spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein wenig Licht breitet sich im Gips aus und tritt um den Lichtpunkt herum aus.</translation>
     </message>
     <message>
         <source>Alginate or another wet, glossy impression under a thin coat of white powder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alginat oder eine andere nasse, glänzende Abformung unter einer dünnen Schicht weißen Puders.</translation>
     </message>
     <message>
         <source>Alginate, scan-sprayed</source>
-        <translation type="unfinished"></translation>
+        <translation>Alginat, mit Scanspray</translation>
     </message>
     <message>
         <source>Dry plaster does not mirror; what is less bright by four is light from a neighbouring wall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Trockener Gips spiegelt nicht; was viermal dunkler ist, ist Licht von einer Nachbarwand.</translation>
     </message>
     <message>
         <source>Ear impression silicone</source>
-        <translation type="unfinished"></translation>
+        <translation>Abformsilikon (Ohr)</translation>
     </message>
     <message>
         <source>Glare flattens the top of a spot on a wet place: fewer clipped pixels are borne than on a matt surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Glanz flacht die Spitze eines Lichtpunkts auf nasser Stelle ab: Es werden weniger abgeschnittene Pixel geduldet als auf matter Fläche.</translation>
     </message>
     <message>
         <source>Glossy plastic</source>
-        <translation type="unfinished"></translation>
+        <translation>Glänzender Kunststoff</translation>
     </message>
     <message>
         <source>Light goes in and comes out around: the peak is lower than on silicone that scatters as much.</source>
-        <translation type="unfinished"></translation>
+        <translation>Licht dringt ein und tritt ringsum aus: Die Spitze ist niedriger als auf Silikon, das ebenso stark streut.</translation>
     </message>
     <message>
         <source>Matt, light silicone that has set; coloured ones may need more light.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mattes, helles, ausgehärtetes Silikon; farbiges kann mehr Licht brauchen.</translation>
     </message>
     <message>
         <source>Mirrored light is drawn out along the surface: spots that are longer than three times their width are doubtful here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespiegeltes Licht ist längs der Fläche gestreckt: Lichtpunkte, die länger sind als das Dreifache ihrer Breite, sind hier zweifelhaft.</translation>
     </message>
     <message>
         <source>Mirrored spots are nearly as bright as true ones: the frame alone decides nothing, the other camera does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespiegelte Lichtpunkte sind fast so hell wie echte: Das Bild allein entscheidet nichts, die andere Kamera schon.</translation>
     </message>
     <message>
         <source>Plaster</source>
-        <translation type="unfinished"></translation>
+        <translation>Gips</translation>
     </message>
     <message>
         <source>Plaster scatters back about 0.8 of the light where silicone scatters 0.5: the same peak comes in 0.65 of the time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gips streut etwa 0,8 des Lichts zurück, Silikon 0,5: dieselbe Spitze in 0,65 der Zeit.</translation>
     </message>
     <message>
         <source>Printed models, varnish, enamel; spray it where you can.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gedruckte Modelle, Lack, Schmelz; wo möglich einsprühen.</translation>
     </message>
     <message>
         <source>Set silicone hardly mirrors: four times as bright tells the spot from the few reflections.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgehärtetes Silikon spiegelt kaum: Vierfache Helligkeit trennt den Lichtpunkt von den wenigen Reflexen.</translation>
     </message>
     <message>
         <source>Skin-like</source>
-        <translation type="unfinished"></translation>
+        <translation>Hautähnlich</translation>
     </message>
     <message>
         <source>The halo of the light that comes out around the spot is wider than the spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Hof des Lichts, das um den Lichtpunkt austritt, ist breiter als der Lichtpunkt.</translation>
     </message>
     <message>
         <source>The part that is mirrored is lost to both cameras or blinds one: between plaster and silicone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der gespiegelte Anteil geht beiden Kameras verloren oder blendet eine: zwischen Gips und Silikon.</translation>
     </message>
     <message>
         <source>The powder is as white as plaster where the coat covers; a little more light for where it is thin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Puder ist weiß wie Gips, wo die Schicht deckt; etwas mehr Licht für die Stellen, wo sie dünn ist.</translation>
     </message>
     <message>
         <source>The rig&apos;s own exposure is made for a matt, light surface that scatters back about half of the light, as silicone does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die eigene Belichtung des Messplatzes gilt für eine matte, helle Fläche, die etwa die Hälfte des Lichts zurückstreut, wie Silikon.</translation>
     </message>
     <message>
         <source>The walls of the canal are seen at up to 80 degrees: their spots are drawn out, and still good.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Wände des Gehörgangs werden mit bis zu 80 Grad gesehen: Ihre Lichtpunkte sind gestreckt und trotzdem gut.</translation>
     </message>
     <message>
         <source>Translucent and reddish: skin, wax, flesh-coloured silicone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchscheinend und rötlich: Haut, Wachs, hautfarbenes Silikon.</translation>
     </message>
     <message>
         <source>Where the coat is thin the wet surface mirrors: only what is clearly the brightest is taken, the rest is left to the other camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo die Schicht dünn ist, spiegelt die nasse Fläche: Nur das eindeutig Hellste wird genommen, der Rest bleibt der anderen Kamera überlassen.</translation>
     </message>
     <message>
         <source>White gypsum, as dental models and casts are made of.</source>
-        <translation type="unfinished"></translation>
+        <translation>Weißer Gips, wie für Dental- und andere Modelle.</translation>
     </message>
 </context>
 <context>
     <name>measure</name>
     <message>
         <source>Canal length</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge des Gehörgangs</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -6552,31 +6755,31 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>at most ±{mm3} mm³; surface {mm2} mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>höchstens ±{mm3} mm³; Oberfläche {mm2} mm²</translation>
     </message>
     <message>
         <source>from end to end</source>
-        <translation type="unfinished"></translation>
+        <translation>von Ende zu Ende</translation>
     </message>
     <message>
         <source>from the tip to where it opens</source>
-        <translation type="unfinished"></translation>
+        <translation>von der Spitze bis zu seiner Öffnung</translation>
     </message>
     <message>
         <source>its uncertainty is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>seine Unsicherheit ist nicht bekannt</translation>
     </message>
     <message>
         <source>perimeter {mm} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Umfang {mm} mm</translation>
     </message>
     <message>
         <source>perimeter {mm} mm; the section is open</source>
-        <translation type="unfinished"></translation>
+        <translation>Umfang {mm} mm; der Schnitt ist offen</translation>
     </message>
     <message>
         <source>surface {mm2} mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche {mm2} mm²</translation>
     </message>
     <message>
         <source>{mm2} mm²</source>
@@ -6584,7 +6787,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>{mm3} mm³</source>
-        <translation type="unfinished"></translation>
+        <translation>{mm3} mm³</translation>
     </message>
     <message>
         <source>{mm} mm</source>
@@ -6592,46 +6795,46 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>± {um} µm, standard uncertainty of both places</source>
-        <translation type="unfinished"></translation>
+        <translation>± {um} µm, Standardunsicherheit beider Stellen</translation>
     </message>
 </context>
 <context>
     <name>mounts</name>
     <message>
         <source>Mount {n}</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufstellung {n}</translation>
     </message>
     <message>
         <source>Pick a point on a mount</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt auf einer Aufstellung wählen</translation>
     </message>
     <message>
         <source>from your points</source>
-        <translation type="unfinished"></translation>
+        <translation>von den gewählten Punkten</translation>
     </message>
     <message>
         <source>margin to the second-best pose {margin}</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorsprung vor der zweitbesten Lage {margin}</translation>
     </message>
     <message>
         <source>unique</source>
-        <translation type="unfinished"></translation>
+        <translation>eindeutig</translation>
     </message>
     <message>
         <source>{points} points, kept apart</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} Punkte, getrennt gehalten</translation>
     </message>
     <message>
         <source>{points} points; the others lie on it</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} Punkte; die anderen liegen darauf</translation>
     </message>
     <message>
         <source>{share} % overlap</source>
-        <translation type="unfinished"></translation>
+        <translation>{share} % Überlappung</translation>
     </message>
     <message>
         <source>{um} µm residual</source>
-        <translation type="unfinished"></translation>
+        <translation>{um} µm Restfehler</translation>
     </message>
 </context>
 <context>
@@ -6682,7 +6885,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Points and measurements</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte und Messungen</translation>
     </message>
     <message>
         <source>Reconstruct</source>
@@ -6717,85 +6920,85 @@ Nachher: {after}</translation>
     <name>phases</name>
     <message>
         <source>Inflate</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufblasen</translation>
     </message>
     <message>
         <source>Refine</source>
-        <translation type="unfinished"></translation>
+        <translation>Verfeinern</translation>
     </message>
     <message>
         <source>Smooth</source>
-        <translation type="unfinished"></translation>
+        <translation>Glätten</translation>
     </message>
     <message>
         <source>grows to the points</source>
-        <translation type="unfinished"></translation>
+        <translation>wächst zu den Punkten</translation>
     </message>
     <message>
         <source>where the error is</source>
-        <translation type="unfinished"></translation>
+        <translation>wo der Fehler ist</translation>
     </message>
     <message>
         <source>without shrinking</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne Schrumpfen</translation>
     </message>
 </context>
 <context>
     <name>preferences</name>
     <message>
         <source>another folder for cases</source>
-        <translation type="unfinished"></translation>
+        <translation>anderer Ordner für Fälle</translation>
     </message>
     <message>
         <source>another folder for exports</source>
-        <translation type="unfinished"></translation>
+        <translation>anderer Ordner für Exporte</translation>
     </message>
     <message>
         <source>another pattern of file names</source>
-        <translation type="unfinished"></translation>
+        <translation>anderes Muster der Dateinamen</translation>
     </message>
     <message>
         <source>change of the export profiles</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderung der Exportprofile</translation>
     </message>
     <message>
         <source>change of the language</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderung der Sprache</translation>
     </message>
     <message>
         <source>change of the size</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderung der Größe</translation>
     </message>
     <message>
         <source>change of the theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderung des Designs</translation>
     </message>
     <message>
         <source>measuring weak places again</source>
-        <translation type="unfinished"></translation>
+        <translation>schwache Stellen noch einmal messen</translation>
     </message>
     <message>
         <source>patient&apos;s code in file names</source>
-        <translation type="unfinished"></translation>
+        <translation>Patientencode in Dateinamen</translation>
     </message>
     <message>
         <source>surface while scanning</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberfläche während des Scans</translation>
     </message>
 </context>
 <context>
     <name>ready</name>
     <message>
         <source>Calibrate…</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrieren…</translation>
     </message>
     <message>
         <source>Check again</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu prüfen</translation>
     </message>
     <message>
         <source>Checking the rig…</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatz wird geprüft…</translation>
     </message>
     <message>
         <source>Find reference</source>
@@ -6807,75 +7010,75 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Not now</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht jetzt</translation>
     </message>
     <message>
         <source>Only {free_gib} GB are free where the cases are kept: free some space.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo die Fälle liegen, sind nur {free_gib} GB frei: Platz schaffen.</translation>
     </message>
     <message>
         <source>Ready to measure.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereit zum Messen.</translation>
     </message>
     <message>
         <source>Reconnect</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu verbinden</translation>
     </message>
     <message>
         <source>Set up…</source>
-        <translation type="unfinished"></translation>
+        <translation>Einrichten…</translation>
     </message>
     <message>
         <source>The axes have not found their reference yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Achsen haben ihre Referenz noch nicht gefunden.</translation>
     </message>
     <message>
         <source>The calibration does not fit this rig: it must be another one&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kalibrierung passt nicht zu diesem Messplatz: Sie muss von einem anderen sein.</translation>
     </message>
     <message>
         <source>The calibration expired {days} days ago.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kalibrierung ist vor {days} Tagen abgelaufen.</translation>
     </message>
     <message>
         <source>The controller is halted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung ist angehalten.</translation>
     </message>
     <message>
         <source>The controller is in alarm: look what stopped it, then unlock it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung ist im Alarm: nachsehen, was sie anhielt, dann entriegeln.</translation>
     </message>
     <message>
         <source>The controller reports that the laser is lit, and nobody has asked for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung meldet, dass der Laser leuchtet, und niemand hat es verlangt.</translation>
     </message>
     <message>
         <source>The lid was opened: close it, then unlock.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Deckel wurde geöffnet: schließen, dann entriegeln.</translation>
     </message>
     <message>
         <source>The reference sphere was last measured {days} days ago: have the rig verified.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Referenzkugel wurde zuletzt vor {days} Tagen gemessen: Messplatz prüfen lassen.</translation>
     </message>
     <message>
         <source>The reference sphere was never measured on this rig: have it verified.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Referenzkugel wurde an diesem Messplatz nie gemessen: Messplatz prüfen lassen.</translation>
     </message>
     <message>
         <source>The rig is not calibrated yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Messplatz ist noch nicht kalibriert.</translation>
     </message>
     <message>
         <source>The {camera} camera sends black pictures: take the cap off its lens and look at its cable.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die {camera} Kamera sendet schwarze Bilder: Objektivdeckel abnehmen und Kabel prüfen.</translation>
     </message>
     <message>
         <source>The {camera} camera sends pictures of {size} pixels, the rig file says {expected}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die {camera} Kamera sendet Bilder mit {size} Pixeln, die Messplatzdatei sagt {expected}.</translation>
     </message>
     <message>
         <source>Too much light falls into the {camera} camera: switch the lamp off or close the lid.</source>
-        <translation type="unfinished"></translation>
+        <translation>In die {camera} Kamera fällt zu viel Licht: Lampe ausschalten oder Deckel schließen.</translation>
     </message>
     <message>
         <source>Unlock</source>
@@ -6883,129 +7086,129 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>left</source>
-        <translation type="unfinished"></translation>
+        <translation>linke</translation>
     </message>
     <message>
         <source>right</source>
-        <translation type="unfinished"></translation>
+        <translation>rechte</translation>
     </message>
     <message>
         <source>{sentence} (and {more} more)</source>
-        <translation type="unfinished"></translation>
+        <translation>{sentence} (und {more} weitere)</translation>
     </message>
 </context>
 <context>
     <name>reasons</name>
     <message>
         <source>cameras did not expose together</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameras haben nicht gleichzeitig belichtet</translation>
     </message>
     <message>
         <source>cameras saw different spots</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameras sahen verschiedene Lichtpunkte</translation>
     </message>
     <message>
         <source>cut by the picture&apos;s edge</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Bildrand abgeschnitten</translation>
     </message>
     <message>
         <source>hidden from the left camera</source>
-        <translation type="unfinished"></translation>
+        <translation>vor der linken Kamera verdeckt</translation>
     </message>
     <message>
         <source>hidden from the right camera</source>
-        <translation type="unfinished"></translation>
+        <translation>vor der rechten Kamera verdeckt</translation>
     </message>
     <message>
         <source>more than one spot</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr als ein Lichtpunkt</translation>
     </message>
     <message>
         <source>no spot in either camera</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Lichtpunkt in beiden Kameras</translation>
     </message>
     <message>
         <source>on a mark of the table&apos;s rim</source>
-        <translation type="unfinished"></translation>
+        <translation>auf einer Marke am Tellerrand</translation>
     </message>
     <message>
         <source>on the table</source>
-        <translation type="unfinished"></translation>
+        <translation>auf dem Teller</translation>
     </message>
     <message>
         <source>outside the volume</source>
-        <translation type="unfinished"></translation>
+        <translation>außerhalb des Messvolumens</translation>
     </message>
     <message>
         <source>picture lost</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild verloren</translation>
     </message>
     <message>
         <source>picture too bright</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild zu hell</translation>
     </message>
     <message>
         <source>picture torn</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild zerrissen</translation>
     </message>
     <message>
         <source>spot overexposed</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtpunkt überbelichtet</translation>
     </message>
     <message>
         <source>spot smeared along the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtpunkt längs der Fläche verschmiert</translation>
     </message>
     <message>
         <source>spot too dim</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtpunkt zu schwach</translation>
     </message>
     <message>
         <source>spot too large</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtpunkt zu groß</translation>
     </message>
     <message>
         <source>spot too small</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtpunkt zu klein</translation>
     </message>
 </context>
 <context>
     <name>reconstruction</name>
     <message>
         <source>About {triangles} triangles, expected error about {n} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwa {triangles} Dreiecke, erwarteter Fehler etwa {n} µm.</translation>
     </message>
     <message>
         <source>About {triangles} triangles, expected error about {n} µm: rounder, but no more certain.</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwa {triangles} Dreiecke, erwarteter Fehler etwa {n} µm: runder, aber nicht sicherer.</translation>
     </message>
     <message>
         <source>About {triangles} triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwa {triangles} Dreiecke.</translation>
     </message>
     <message>
         <source>As many triangles as a tolerance of {n} µm needs (set under Expert).</source>
-        <translation type="unfinished"></translation>
+        <translation>So viele Dreiecke, wie eine Toleranz von {n} µm braucht (unter Experte gesetzt).</translation>
     </message>
     <message>
         <source>Closed and whole: points support all of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschlossen und ganz: alles von Punkten belegt.</translation>
     </message>
     <message>
         <source>Closed and whole; {share} % of the points did not belong to it and were left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschlossen und ganz; {share} % der Punkte gehörten nicht dazu und blieben weg.</translation>
     </message>
     <message>
         <source>Closed; {share} % of it was not scanned and is only bridged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschlossen; {share} % davon wurden nicht gescannt und sind nur überbrückt.</translation>
     </message>
     <message>
         <source>Kept early: closed and whole, but coarser than the points allow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorzeitig behalten: geschlossen und ganz, aber gröber, als die Punkte erlauben.</translation>
     </message>
     <message>
         <source>Left open where nothing was scanned, as it was asked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie verlangt offen gelassen, wo nichts gescannt wurde.</translation>
     </message>
     <message>
         <source>No order number</source>
@@ -7013,42 +7216,42 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>The points carry the number of triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte tragen diese Zahl von Dreiecken.</translation>
     </message>
     <message>
         <source>{order} · {side}</source>
-        <translation type="unfinished"></translation>
+        <translation>{order} · {side}</translation>
     </message>
     <message>
         <source>{order}: being finished</source>
-        <translation type="unfinished"></translation>
+        <translation>{order}: wird fertiggestellt</translation>
     </message>
     <message>
         <source>{order}: reconstructing</source>
-        <translation type="unfinished"></translation>
+        <translation>{order}: wird rekonstruiert</translation>
     </message>
     <message>
         <source>{order}: reconstructing, {left} left</source>
-        <translation type="unfinished"></translation>
+        <translation>{order}: wird rekonstruiert, noch {left}</translation>
     </message>
     <message>
         <source>{order}: reconstructing, {left} left, {count} waiting</source>
-        <translation type="unfinished"></translation>
+        <translation>{order}: wird rekonstruiert, noch {left}, {count} wartend</translation>
     </message>
 </context>
 <context>
     <name>reject_advice</name>
     <message>
         <source>Check the trigger cable of the cameras (Rig).</source>
-        <translation type="unfinished"></translation>
+        <translation>Triggerkabel der Kameras prüfen (Messplatz).</translation>
     </message>
     <message>
         <source>Focus the lenses on the object (Aim).</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektive auf das Objekt scharf stellen (Anvisieren).</translation>
     </message>
     <message>
         <source>Lengthen the exposure (Aim), or dust the object with a matt white powder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Länger belichten (Anvisieren) oder das Objekt mit mattem weißem Puder bestäuben.</translation>
     </message>
     <message>
         <source>Move the object to the middle of the table.</source>
@@ -7056,157 +7259,157 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Normal at the edges of the object, where the beam passes it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal an den Rändern des Objekts, wo der Strahl vorbeigeht.</translation>
     </message>
     <message>
         <source>Normal at the edges; if there are many, defocus the lenses a little (Aim).</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal an den Rändern; sind es viele, die Objektive etwas unscharf stellen (Anvisieren).</translation>
     </message>
     <message>
         <source>Normal in small numbers; if there are many, check the calibration (Rig).</source>
-        <translation type="unfinished"></translation>
+        <translation>In kleiner Zahl normal; sind es viele, die Kalibrierung prüfen (Messplatz).</translation>
     </message>
     <message>
         <source>Normal on steep flanks; another mount turns them towards the laser.</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal an steilen Flanken; eine andere Aufstellung dreht sie zum Laser.</translation>
     </message>
     <message>
         <source>Normal: the beam met a mark of the table&apos;s rim.</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal: Der Strahl traf eine Marke am Tellerrand.</translation>
     </message>
     <message>
         <source>Normal: the beam met the table beside the object.</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal: Der Strahl traf den Teller neben dem Objekt.</translation>
     </message>
     <message>
         <source>Pictures come damaged: plug each camera into a USB port of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder kommen beschädigt an: jede Kamera an ihren eigenen USB-Anschluss stecken.</translation>
     </message>
     <message>
         <source>Pictures get lost: plug each camera into a USB port of its own, and close other programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder gehen verloren: jede Kamera an ihren eigenen USB-Anschluss stecken und andere Programme schließen.</translation>
     </message>
     <message>
         <source>Shorten the exposure (Aim), or dust shiny places with a matt powder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kürzer belichten (Anvisieren) oder glänzende Stellen mit mattem Puder bestäuben.</translation>
     </message>
     <message>
         <source>Something mirrors the laser: dust it with matt powder, or cover what shines beside the object.</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwas spiegelt den Laser: mit mattem Puder bestäuben oder abdecken, was neben dem Objekt glänzt.</translation>
     </message>
     <message>
         <source>Switch off lamps, keep the sun away, close the lid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lampen aus, Sonne fernhalten, Deckel schließen.</translation>
     </message>
     <message>
         <source>The object stands in the camera&apos;s way: another mount shows what is hidden.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objekt steht der Kamera im Weg: Eine andere Aufstellung zeigt das Verdeckte.</translation>
     </message>
 </context>
 <context>
     <name>remedies</name>
     <message>
         <source>A reset was sent to switch the laser off; see that it is dark, check cable and power, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Ausschalten des Lasers wurde ein Reset gesendet; nachsehen, dass er dunkel ist, Kabel und Strom prüfen, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>A reset was sent; check the cable (length, shield, plugs), then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Reset wurde gesendet; Kabel prüfen (Länge, Schirm, Stecker), dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>A sweep ends dark by itself, a standing spot may stay lit: see that the laser is off, plug it in, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Bahn endet von selbst dunkel, ein stehender Laserpunkt kann weiterleuchten: nachsehen, dass der Laser aus ist, einstecken, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>Nothing was measured; choose another size or pixel format, or another camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; andere Größe, anderes Pixelformat oder andere Kamera wählen.</translation>
     </message>
     <message>
         <source>Nothing was measured; take the lens cap off, open the shutter, or lengthen its exposure.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; Objektivdeckel abnehmen, Verschluss öffnen oder länger belichten.</translation>
     </message>
     <message>
         <source>Nothing was moved; if it should be the controller, it has to be given GRBL first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; soll es die Steuerung sein, muss sie zuerst GRBL erhalten.</translation>
     </message>
     <message>
         <source>Nothing was moved; if it should be the controller, see that it has power and that the cable carries data, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; soll es die Steuerung sein, prüfen, dass sie Strom hat und das Kabel Daten führt, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>Nothing was moved; plug it in, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; einstecken, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>Nothing was moved; plug the controller in again, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; Steuerung wieder einstecken, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>Nothing was moved; such a rig needs a rig file that names one of these as &apos;table_axis&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; ein solcher Messplatz braucht eine Messplatzdatei, die eine davon als &apos;table_axis&apos; nennt.</translation>
     </message>
     <message>
         <source>The laser is off; check its cable, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; ihr Kabel prüfen, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>The laser is off; check the trigger cable, or let the cameras run freely.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; Triggerkabel prüfen oder die Kameras frei laufen lassen.</translation>
     </message>
     <message>
         <source>The laser is off; close other programs, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; andere Programme schließen, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>The laser is off; close the door, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; Tür schließen, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>The laser is off; its position is lost: home it, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; die Position ist verloren: Referenz suchen, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>The laser is off; plug it in, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; einstecken, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>The laser is off; try again when the rig is free.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; noch einmal versuchen, wenn der Messplatz frei ist.</translation>
     </message>
     <message>
         <source>The laser is off; unplug the camera, plug it in again, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; Kamera ausstecken, wieder einstecken, dann noch einmal versuchen.</translation>
     </message>
     <message>
         <source>The laser is off; {remedy}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; {remedy}.</translation>
     </message>
     <message>
         <source>The laser was switched off; free the machine of other work, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser wurde ausgeschaltet; den Rechner von anderer Arbeit befreien, dann noch einmal versuchen.</translation>
     </message>
 </context>
 <context>
     <name>rig</name>
     <message>
         <source>5 times</source>
-        <translation type="unfinished"></translation>
+        <translation>5-fach</translation>
     </message>
     <message>
         <source>As fast as it can</source>
-        <translation type="unfinished"></translation>
+        <translation>So schnell es geht</translation>
     </message>
     <message>
         <source>Bench: 604 × 294 px at 435 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkbank: 604 × 294 px auf 435 mm</translation>
     </message>
     <message>
         <source>Both ears on a pair tray</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Ohren auf einem Paarträger</translation>
     </message>
     <message>
         <source>Dental arch</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahnbogen</translation>
     </message>
     <message>
         <source>Ear impression</source>
@@ -7214,1628 +7417,1628 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Heart</source>
-        <translation type="unfinished"></translation>
+        <translation>Herz</translation>
     </message>
     <message>
         <source>Paper 2003: the published rig at 770 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Paper 2003: der veröffentlichte Messplatz auf 770 mm</translation>
     </message>
     <message>
         <source>Real time</source>
-        <translation type="unfinished"></translation>
+        <translation>Echtzeit</translation>
     </message>
     <message>
         <source>Reference sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenzkugel</translation>
     </message>
     <message>
         <source>Workshop: 1440 × 1080 px at 600 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkstatt: 1440 × 1080 px auf 600 mm</translation>
     </message>
     <message>
         <source>{rig}  (the file is missing)</source>
-        <translation type="unfinished"></translation>
+        <translation>{rig}  (die Datei fehlt)</translation>
     </message>
 </context>
 <context>
     <name>rig-faults</name>
     <message>
         <source>ALARM:1 (limit switch)</source>
-        <translation type="unfinished"></translation>
+        <translation>ALARM:1 (Endschalter)</translation>
     </message>
     <message>
         <source>ALARM:2 (soft limit)</source>
-        <translation type="unfinished"></translation>
+        <translation>ALARM:2 (Soft-Limit)</translation>
     </message>
     <message>
         <source>ALARM:3 (reset in a move)</source>
-        <translation type="unfinished"></translation>
+        <translation>ALARM:3 (Reset in Bewegung)</translation>
     </message>
     <message>
         <source>Camera bumped</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera angestoßen</translation>
     </message>
     <message>
         <source>Camera stalled</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera hängt</translation>
     </message>
     <message>
         <source>Camera unplugged</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera ausgesteckt</translation>
     </message>
     <message>
         <source>Cameras out of step</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameras versetzt</translation>
     </message>
     <message>
         <source>Case locked</source>
-        <translation type="unfinished"></translation>
+        <translation>Fall gesperrt</translation>
     </message>
     <message>
         <source>Clock jump</source>
-        <translation type="unfinished"></translation>
+        <translation>Uhrsprung</translation>
     </message>
     <message>
         <source>Controller reset</source>
-        <translation type="unfinished"></translation>
+        <translation>Reset der Steuerung</translation>
     </message>
     <message>
         <source>Disk full</source>
-        <translation type="unfinished"></translation>
+        <translation>Datenträger voll</translation>
     </message>
     <message>
         <source>E-JOB-01; the points are safe, a new worker is started</source>
-        <translation type="unfinished"></translation>
+        <translation>meldet E-JOB-01; die Punkte sind sicher, ein neuer Arbeitsprozess startet</translation>
     </message>
     <message>
         <source>E-JOB-02 or E-JOB-01; the points are safe</source>
-        <translation type="unfinished"></translation>
+        <translation>meldet E-JOB-02 oder E-JOB-01; die Punkte sind sicher</translation>
     </message>
     <message>
         <source>Frames dropped</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder verloren</translation>
     </message>
     <message>
         <source>Frames late</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder verspätet</translation>
     </message>
     <message>
         <source>Frames torn</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder zerrissen</translation>
     </message>
     <message>
         <source>Lamp on</source>
-        <translation type="unfinished"></translation>
+        <translation>Lampe an</translation>
     </message>
     <message>
         <source>Lenses warm</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektive warm</translation>
     </message>
     <message>
         <source>Lid opened</source>
-        <translation type="unfinished"></translation>
+        <translation>Deckel geöffnet</translation>
     </message>
     <message>
         <source>Lost ok</source>
-        <translation type="unfinished"></translation>
+        <translation>ok verloren</translation>
     </message>
     <message>
         <source>Mark knocked off</source>
-        <translation type="unfinished"></translation>
+        <translation>Marke abgeschlagen</translation>
     </message>
     <message>
         <source>Partial lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen in Stücken</translation>
     </message>
     <message>
         <source>Port gone</source>
-        <translation type="unfinished"></translation>
+        <translation>Anschluss weg</translation>
     </message>
     <message>
         <source>Port gone and back</source>
-        <translation type="unfinished"></translation>
+        <translation>Anschluss weg und zurück</translation>
     </message>
     <message>
         <source>Program killed</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm abgeschossen</translation>
     </message>
     <message>
         <source>Serial noise</source>
-        <translation type="unfinished"></translation>
+        <translation>Serielle Störungen</translation>
     </message>
     <message>
         <source>Shiny patch</source>
-        <translation type="unfinished"></translation>
+        <translation>Glänzende Stelle</translation>
     </message>
     <message>
         <source>Steps lost</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte verloren</translation>
     </message>
     <message>
         <source>Trigger lost</source>
-        <translation type="unfinished"></translation>
+        <translation>Trigger verloren</translation>
     </message>
     <message>
         <source>Worker killed</source>
-        <translation type="unfinished"></translation>
+        <translation>Arbeitsprozess abgeschossen</translation>
     </message>
     <message>
         <source>Worker out of memory</source>
-        <translation type="unfinished"></translation>
+        <translation>Arbeitsprozess ohne Speicher</translation>
     </message>
     <message>
         <source>a camera exposes 8 ms later than the other</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kamera belichtet 8 ms später als die andere</translation>
     </message>
     <message>
         <source>a camera hangs: no frame and no error comes any more</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kamera hängt: kein Bild und kein Fehler kommt mehr</translation>
     </message>
     <message>
         <source>a camera is turned by a small angle and stays so</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kamera wird um einen kleinen Winkel verdreht und bleibt so</translation>
     </message>
     <message>
         <source>a camera loses a fifth of its frames</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kamera verliert ein Fünftel ihrer Bilder</translation>
     </message>
     <message>
         <source>a camera misses a trigger: its frames belong to the next exposure from then on</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kamera verpasst einen Trigger: Von da an gehören ihre Bilder zur nächsten Belichtung</translation>
     </message>
     <message>
         <source>a garbled report is asked for again and the scan goes on; a garbled ok ends it with E-MOT-01</source>
-        <translation type="unfinished"></translation>
+        <translation>fragt bei verstümmelter Meldung nach, und der Scan läuft weiter; ein verstümmeltes ok beendet ihn mit E-MOT-01</translation>
     </message>
     <message>
         <source>a lamp shines into the cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Lampe scheint in die Kameras</translation>
     </message>
     <message>
         <source>a limit switch is touched; nothing but a reset gets through</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Endschalter wird berührt; nur ein Reset kommt durch</translation>
     </message>
     <message>
         <source>a wet place on the object mirrors the beam: glare, and second spots</source>
-        <translation type="unfinished"></translation>
+        <translation>eine nasse Stelle am Objekt spiegelt den Strahl: Glanz und zweite Lichtpunkte</translation>
     </message>
     <message>
         <source>an &apos;ok&apos; of the controller gets lost on its way</source>
-        <translation type="unfinished"></translation>
+        <translation>ein &apos;ok&apos; der Steuerung geht unterwegs verloren</translation>
     </message>
     <message>
         <source>another program tries to open the case; at the opening it holds it</source>
-        <translation type="unfinished"></translation>
+        <translation>ein anderes Programm versucht den Fall zu öffnen; beim Öffnen hält es ihn</translation>
     </message>
     <message>
         <source>both lenses get longer by a thousandth, so that everything is measured too large</source>
-        <translation type="unfinished"></translation>
+        <translation>beide Objektive werden um ein Tausendstel länger, sodass alles zu groß gemessen wird</translation>
     </message>
     <message>
         <source>ends with E-CAM-01 after 4 s; laser off, points kept</source>
-        <translation type="unfinished"></translation>
+        <translation>endet nach 4 s mit E-CAM-01; Laser aus, Punkte gesichert</translation>
     </message>
     <message>
         <source>ends with E-CAM-02; laser off, points kept</source>
-        <translation type="unfinished"></translation>
+        <translation>endet mit E-CAM-02; Laser aus, Punkte gesichert</translation>
     </message>
     <message>
         <source>ends with E-DISK-01; laser off, everything acknowledged is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>endet mit E-DISK-01; Laser aus, alles Bestätigte ist gesichert</translation>
     </message>
     <message>
         <source>ends with E-MOT-01, 2 s after the controller fell idle</source>
-        <translation type="unfinished"></translation>
+        <translation>endet mit E-MOT-01, 2 s nachdem die Steuerung ruht</translation>
     </message>
     <message>
         <source>ends with E-MOT-02; a sweep ends dark by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>endet mit E-MOT-02; eine Bahn endet von selbst dunkel</translation>
     </message>
     <message>
         <source>ends with E-MOT-02; the next start works</source>
-        <translation type="unfinished"></translation>
+        <translation>endet mit E-MOT-02; der nächste Start gelingt</translation>
     </message>
     <message>
         <source>ends with E-MOT-05</source>
-        <translation type="unfinished"></translation>
+        <translation>endet mit E-MOT-05</translation>
     </message>
     <message>
         <source>ends with E-MOT-09; dark by the restart</source>
-        <translation type="unfinished"></translation>
+        <translation>endet mit E-MOT-09; dunkel durch den Neustart</translation>
     </message>
     <message>
         <source>ends with E-MOT-16; the controller itself stops and darkens the beam</source>
-        <translation type="unfinished"></translation>
+        <translation>endet mit E-MOT-16; die Steuerung selbst stoppt und verdunkelt den Strahl</translation>
     </message>
     <message>
         <source>for 10 s one byte in a hundred of the controller&apos;s answers is changed, or another one comes in between</source>
-        <translation type="unfinished"></translation>
+        <translation>10 s lang ist eines von hundert Bytes der Antworten der Steuerung verändert, oder ein fremdes kommt dazwischen</translation>
     </message>
     <message>
         <source>for 10 s the worker process gets no more memory; the time counts from the start of the reconstruction</source>
-        <translation type="unfinished"></translation>
+        <translation>10 s lang erhält der Arbeitsprozess keinen Speicher mehr; die Zeit zählt ab dem Start der Rekonstruktion</translation>
     </message>
     <message>
         <source>for 20 s the controller&apos;s answers come in pieces of 5 bytes with pauses of 20 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>20 s lang kommen die Antworten der Steuerung in Stücken von 5 Bytes mit Pausen von 20 ms</translation>
     </message>
     <message>
         <source>goes on</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter</translation>
     </message>
     <message>
         <source>goes on, the other program is refused; a case that the other holds is refused with E-CASE-02</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter, das andere Programm wird abgewiesen; ein Fall, den das andere hält, wird mit E-CASE-02 abgewiesen</translation>
     </message>
     <message>
         <source>goes on; H-EPI-01 when it moved across the epipolar lines, H-VIEW-02 when along them</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; H-EPI-01 bei Bewegung quer zu den Epipolarlinien, H-VIEW-02 bei Bewegung längs</translation>
     </message>
     <message>
         <source>goes on; H-MARK-03 where the rig has marks, else nothing tells</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; H-MARK-03, wo der Messplatz Marken hat, sonst meldet es nichts</translation>
     </message>
     <message>
         <source>goes on; H-MARK-05</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; H-MARK-05</translation>
     </message>
     <message>
         <source>goes on; H-SYN-01</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; H-SYN-01</translation>
     </message>
     <message>
         <source>goes on; H-SYN-02</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; H-SYN-02</translation>
     </message>
     <message>
         <source>goes on; H-TAB-01</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; H-TAB-01</translation>
     </message>
     <message>
         <source>goes on; every frame is waited for</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; auf jedes Bild wird gewartet</translation>
     </message>
     <message>
         <source>goes on; glare is rejected as saturated, second spots are settled by the other camera or ambiguous</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; Glanz wird als übersteuert verworfen, zweite Lichtpunkte klärt die andere Kamera, oder sie gelten als mehrdeutig</translation>
     </message>
     <message>
         <source>goes on; no duration, rate or deadline is touched</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; keine Dauer, Rate oder Frist ist berührt</translation>
     </message>
     <message>
         <source>goes on; rejected as dropped_frame, H-CAM-01</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; verworfen als dropped_frame, H-CAM-01</translation>
     </message>
     <message>
         <source>goes on; rejected as too_bright, H-LGT-01</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; verworfen als too_bright, H-LGT-01</translation>
     </message>
     <message>
         <source>goes on; torn frames are rejected, H-CAM-03</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft weiter; zerrissene Bilder werden verworfen, H-CAM-03</translation>
     </message>
     <message>
         <source>in a tenth of a camera&apos;s frames the lower half is another exposure&apos;s, or garbage</source>
-        <translation type="unfinished"></translation>
+        <translation>in einem Zehntel der Bilder einer Kamera ist die untere Hälfte von einer anderen Belichtung oder Unsinn</translation>
     </message>
     <message>
         <source>is gone; the guardian darkens a real laser within 0.6 s, everything acknowledged is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>ist weg; der Wächter verdunkelt einen echten Laser innerhalb von 0,6 s, alles Bestätigte ist gesichert</translation>
     </message>
     <message>
         <source>one of the balls on the table&apos;s rim is knocked off; nothing where the rig has no marks</source>
-        <translation type="unfinished"></translation>
+        <translation>eine der Kugeln am Tellerrand wird abgeschlagen; nichts, wo der Messplatz keine Marken hat</translation>
     </message>
     <message>
         <source>the board&apos;s reset button is pressed in the middle of a move</source>
-        <translation type="unfinished"></translation>
+        <translation>der Resetknopf der Steuerung wird mitten in einer Bewegung gedrückt</translation>
     </message>
     <message>
         <source>the cable of a camera comes off</source>
-        <translation type="unfinished"></translation>
+        <translation>das Kabel einer Kamera löst sich</translation>
     </message>
     <message>
         <source>the computer&apos;s clock jumps back by an hour</source>
-        <translation type="unfinished"></translation>
+        <translation>die Uhr des Rechners springt um eine Stunde zurück</translation>
     </message>
     <message>
         <source>the controller believes that a move leaves the travel of its axes</source>
-        <translation type="unfinished"></translation>
+        <translation>die Steuerung meint, eine Bewegung verlasse den Weg ihrer Achsen</translation>
     </message>
     <message>
         <source>the controller&apos;s cable comes off and stays off</source>
-        <translation type="unfinished"></translation>
+        <translation>das Kabel der Steuerung löst sich und bleibt ab</translation>
     </message>
     <message>
         <source>the controller&apos;s cable comes off, and is plugged in again after 3 s</source>
-        <translation type="unfinished"></translation>
+        <translation>das Kabel der Steuerung löst sich und wird nach 3 s wieder eingesteckt</translation>
     </message>
     <message>
         <source>the controller&apos;s supply breaks down in the middle of a move; it starts anew and has lost its position</source>
-        <translation type="unfinished"></translation>
+        <translation>die Versorgung der Steuerung bricht mitten in einer Bewegung zusammen; sie startet neu und hat ihre Position verloren</translation>
     </message>
     <message>
         <source>the frames of a camera arrive 0.4 s late, with the right ids and time stamps</source>
-        <translation type="unfinished"></translation>
+        <translation>die Bilder einer Kamera kommen 0,4 s zu spät, mit richtigen Kennungen und Zeitstempeln</translation>
     </message>
     <message>
         <source>the lid is opened, and closed after 10 s</source>
-        <translation type="unfinished"></translation>
+        <translation>der Deckel wird geöffnet und nach 10 s geschlossen</translation>
     </message>
     <message>
         <source>the program is killed (SIGKILL)</source>
-        <translation type="unfinished"></translation>
+        <translation>das Programm wird abgeschossen (SIGKILL)</translation>
     </message>
     <message>
         <source>the table&apos;s motor loses steps in its next move, unknown to the controller</source>
-        <translation type="unfinished"></translation>
+        <translation>der Motor des Tellers verliert bei seiner nächsten Bewegung Schritte, ohne dass die Steuerung es weiß</translation>
     </message>
     <message>
         <source>the worker process is killed; the time counts from the start of the reconstruction</source>
-        <translation type="unfinished"></translation>
+        <translation>der Arbeitsprozess wird abgeschossen; die Zeit zählt ab dem Start der Rekonstruktion</translation>
     </message>
     <message>
         <source>there is no space left on the disk of the case</source>
-        <translation type="unfinished"></translation>
+        <translation>auf dem Datenträger des Falls ist kein Platz mehr</translation>
     </message>
 </context>
 <context>
     <name>sentences</name>
     <message>
         <source>A camera moved by about {shift_px} px: since the view at {table_deg} deg the marks on the table&apos;s rim are seen {shift_um} um beside.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kamera hat sich um etwa {shift_px} px bewegt: Seit der Ansicht bei {table_deg}° liegen die Marken am Tellerrand {shift_um} µm daneben.</translation>
     </message>
     <message>
         <source>A camera moved or the object moved: the view at {table_deg} deg lies {shift_um} um beside the earlier ones ({direction}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kamera oder das Objekt hat sich bewegt: Die Ansicht bei {table_deg}° liegt {shift_um} µm neben den früheren ({direction}).</translation>
     </message>
     <message>
         <source>A camera moved: the views from {table_deg} deg on lie {shift_um} um beside the earlier ones ({direction}, always as seen by the cameras).</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kamera hat sich bewegt: Die Ansichten ab {table_deg}° liegen {shift_um} µm neben den früheren ({direction}, stets aus Sicht der Kameras).</translation>
     </message>
     <message>
         <source>A camera or the object moved on the way; fix both, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kamera oder das Objekt hat sich unterwegs bewegt; beide befestigen und neu scannen.</translation>
     </message>
     <message>
         <source>A camera was moved across the epipolar lines by about {shift_px} px ({where}; noticed after {points} points).</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kamera wurde um etwa {shift_px} px quer zu den Epipolarlinien bewegt ({where}; bemerkt nach {points} Punkten).</translation>
     </message>
     <message>
         <source>A mesh of {triangles} triangles is too large to be kept in {path}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Netz mit {triangles} Dreiecken ist zu groß, um in {path} gesichert zu werden.</translation>
     </message>
     <message>
         <source>A reset was sent and the points so far are kept; check the cable (length, shield, plugs) and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Reset wurde gesendet, und die bisherigen Punkte sind gesichert; Kabel prüfen (Länge, Schirm, Stecker) und fortsetzen.</translation>
     </message>
     <message>
         <source>A reset was sent to switch it off; see that it is dark, then check the controller&apos;s laser mode ($32).</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Ausschalten wurde ein Reset gesendet; nachsehen, dass er dunkel ist, dann den Lasermodus der Steuerung ($32) prüfen.</translation>
     </message>
     <message>
         <source>A reset was sent to switch the laser off and the points so far are kept; see that it is dark, check cable and power, then resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Ausschalten des Lasers wurde ein Reset gesendet, und die bisherigen Punkte sind gesichert; nachsehen, dass er dunkel ist, Kabel und Strom prüfen, dann fortsetzen.</translation>
     </message>
     <message>
         <source>A rig needs a controller and two cameras that work; what was found: {controller}, cameras: {cameras}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Messplatz braucht eine Steuerung und zwei Kameras, die arbeiten; gefunden wurde: {controller}, Kameras: {cameras}.</translation>
     </message>
     <message>
         <source>A scan by a laser line is not steered by the uncertainty that it reaches.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Scan mit einer Laserlinie wird nicht nach der erreichten Unsicherheit gesteuert.</translation>
     </message>
     <message>
         <source>All lengths are off by as much; calibrate, or check &apos;distances_mm&apos; in the table [marks] of the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Längen weichen um so viel ab; kalibrieren oder &apos;distances_mm&apos; in der Tabelle [marks] der Messplatzdatei prüfen.</translation>
     </message>
     <message>
         <source>All points are kept in {path}; pick three points on both mounts (&apos;impronta register CASE --pairs FILE&apos;), or scan another mount that shares more with the earlier ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Punkte sind in {path} gesichert; auf beiden Aufstellungen drei Punkte wählen (&apos;impronta register CASE --pairs FILE&apos;) oder eine weitere Aufstellung scannen, die mehr mit den früheren gemeinsam hat.</translation>
     </message>
     <message>
         <source>All points are kept; measure another mount that shares more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Punkte sind gesichert; eine weitere Aufstellung messen, die mehr gemeinsam hat.</translation>
     </message>
     <message>
         <source>Both cameras of the rig file are the same one ({id}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Kameras der Messplatzdatei sind dieselbe ({id}).</translation>
     </message>
     <message>
         <source>Both files are untouched and nothing was mirrored; choose the same side, or export the mirrored one again without mirroring.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Dateien sind unberührt, und nichts wurde gespiegelt; dieselbe Seite wählen oder die gespiegelte noch einmal ohne Spiegeln exportieren.</translation>
     </message>
     <message>
         <source>Both files are untouched; check that they show the same object and that the normals of both point outwards, then pick three points on both.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Dateien sind unberührt; prüfen, ob sie dasselbe Objekt zeigen und beide Normalen nach außen zeigen, dann auf beiden drei Punkte wählen.</translation>
     </message>
     <message>
         <source>Both files are untouched; let the program find the pose, or pick three points on both.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Dateien sind unberührt; das Programm die Lage suchen lassen oder auf beiden drei Punkte wählen.</translation>
     </message>
     <message>
         <source>Camera {camera} ({id}) cannot be opened: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} ({id}) lässt sich nicht öffnen: {reason}.</translation>
     </message>
     <message>
         <source>Camera {camera} ({id}) is used by another program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} ({id}) wird von einem anderen Programm benutzt.</translation>
     </message>
     <message>
         <source>Camera {camera} cannot be triggered by {line}; it has: {lines}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} lässt sich nicht über {line} auslösen; sie hat: {lines}.</translation>
     </message>
     <message>
         <source>Camera {camera} delivered frames faster than they could be evaluated: {frames} frames are waiting.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} lieferte Bilder schneller, als sie ausgewertet werden konnten: {frames} Bilder warten.</translation>
     </message>
     <message>
         <source>Camera {camera} delivered {count} torn frames of {exposures}: part of each is another exposure&apos;s, or no picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} lieferte {count} zerrissene Bilder auf {exposures} Belichtungen: Ein Teil jedes Bildes gehört zu einer anderen Belichtung oder ist kein Bild.</translation>
     </message>
     <message>
         <source>Camera {camera} did not deliver {count} of {exposures} frames ({share} % of the last ones).</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} lieferte {count} von {exposures} Bildern nicht ({share} % der letzten).</translation>
     </message>
     <message>
         <source>Camera {camera} gave no frame within {seconds} s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} lieferte innerhalb von {seconds} s kein Bild.</translation>
     </message>
     <message>
         <source>Camera {camera} gives black frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} liefert schwarze Bilder.</translation>
     </message>
     <message>
         <source>Camera {camera} gives frames of another kind than can be measured: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} liefert andere Bilder, als gemessen werden können: {reason}.</translation>
     </message>
     <message>
         <source>Camera {camera} gives {measured_hz} frames/s where {wanted_hz} were asked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} liefert {measured_hz} Bilder/s, verlangt waren {wanted_hz}.</translation>
     </message>
     <message>
         <source>Camera {camera} is blind: {frames} spots in a row were seen by camera {other} alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} ist blind: {frames} Lichtpunkte in Folge sah nur Kamera {other}.</translation>
     </message>
     <message>
         <source>Camera {camera} is driven through OpenCV, which cannot trigger it by {trigger}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} läuft über OpenCV, das sie nicht über {trigger} auslösen kann.</translation>
     </message>
     <message>
         <source>Camera {camera} reported a fault: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} meldete einen Fehler: {reason}.</translation>
     </message>
     <message>
         <source>Camera {camera} was unplugged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} wurde ausgesteckt.</translation>
     </message>
     <message>
         <source>Camera {camera} was used after it had been closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {camera} wurde benutzt, nachdem sie geschlossen war.</translation>
     </message>
     <message>
         <source>DICOM files are written by the package pydicom, which is not installed.</source>
-        <translation type="unfinished"></translation>
+        <translation>DICOM-Dateien schreibt das Paket pydicom, das nicht installiert ist.</translation>
     </message>
     <message>
         <source>Everything measured so far is safe and a new worker was started; run it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles bisher Gemessene ist sicher, und ein neuer Arbeitsprozess wurde gestartet; noch einmal ausführen.</translation>
     </message>
     <message>
         <source>Everything measured so far is safe; send the log if it happens again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles bisher Gemessene ist sicher; geschieht es wieder, das Protokoll einsenden.</translation>
     </message>
     <message>
         <source>Everything written before is kept; open it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles zuvor Geschriebene ist gesichert; wieder öffnen.</translation>
     </message>
     <message>
         <source>Files of the kind &apos;{suffix}&apos; cannot be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateien der Art &apos;{suffix}&apos; lassen sich nicht schreiben.</translation>
     </message>
     <message>
         <source>In the best pose the new mount stands where light to the earlier one passed: {share} % of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>In der besten Lage steht die neue Aufstellung dort, wo Licht zur früheren hindurchging: {share} % von ihr.</translation>
     </message>
     <message>
         <source>It contradicts the others: the loop of mounts would close with an error of {closure_um} um.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie widerspricht den anderen: Der Ring der Aufstellungen schlösse sich mit einem Fehler von {closure_um} µm.</translation>
     </message>
     <message>
         <source>It is left out of the list; correct the file or remove it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es fehlt in der Liste; die Datei berichtigen oder entfernen.</translation>
     </message>
     <message>
         <source>It is not used; take more views with the board filling the volume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie wird nicht benutzt; weitere Ansichten aufnehmen, in denen die Tafel das Messvolumen füllt.</translation>
     </message>
     <message>
         <source>It was not touched; choose another name, or overwrite it with --force.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie wurde nicht angerührt; anderen Namen wählen oder mit --force überschreiben.</translation>
     </message>
     <message>
         <source>It was not touched; open it with the newer program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Er wurde nicht angerührt; mit dem neueren Programm öffnen.</translation>
     </message>
     <message>
         <source>It was not touched; scan into a new case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Er wurde nicht angerührt; in einen neuen Fall scannen.</translation>
     </message>
     <message>
         <source>It was switched off again; check the controller&apos;s settings $30 to $32.</source>
-        <translation type="unfinished"></translation>
+        <translation>Er wurde wieder ausgeschaltet; die Einstellungen $30 bis $32 der Steuerung prüfen.</translation>
     </message>
     <message>
         <source>Its points are kept; fix cameras and object, then scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Punkte sind gesichert; Kameras und Objekt befestigen, dann neu scannen.</translation>
     </message>
     <message>
         <source>Its points may be right; a shape without rotational symmetry would tell.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seine Punkte können stimmen; eine Form ohne Drehsymmetrie würde es zeigen.</translation>
     </message>
     <message>
         <source>Its surface lies nowhere over that of the others.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Oberfläche liegt nirgends über der der anderen.</translation>
     </message>
     <message>
         <source>Lengths from there on are off by as much; let the cameras warm up, calibrate, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Längen weichen ab dort um so viel ab; Kameras warm werden lassen, kalibrieren und neu scannen.</translation>
     </message>
     <message>
         <source>Mark {number} on the table&apos;s rim was moved by {shift_um} um before the view at {table_deg} deg.</source>
-        <translation type="unfinished"></translation>
+        <translation>Marke {number} am Tellerrand wurde vor der Ansicht bei {table_deg}° um {shift_um} µm verschoben.</translation>
     </message>
     <message>
         <source>Mark {number} on the table&apos;s rim was not found at {table_deg} deg, where nothing should hide it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Marke {number} am Tellerrand wurde bei {table_deg}° nicht gefunden, wo nichts sie verdecken sollte.</translation>
     </message>
     <message>
         <source>Mount {mount} was not joined to the others. {reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufstellung {mount} wurde nicht mit den anderen verbunden. {reason}</translation>
     </message>
     <message>
         <source>Neither camera has seen the laser spot for {frames} exposures ({seconds} s), where the object was before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Kamera sah den Laserpunkt seit {frames} Belichtungen ({seconds} s), wo vorher das Objekt war.</translation>
     </message>
     <message>
         <source>No mesh was written and the points are kept; {do}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Netz wurde geschrieben, und die Punkte sind gesichert; {do}.</translation>
     </message>
     <message>
         <source>No mesh was written; export the points again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Netz wurde geschrieben; die Punkte noch einmal exportieren.</translation>
     </message>
     <message>
         <source>No mesh was written; reconstruct one object at a time, and cut the points of the others off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Netz wurde geschrieben; ein Objekt nach dem anderen rekonstruieren und die Punkte der übrigen abschneiden.</translation>
     </message>
     <message>
         <source>No mesh was written; scan more of the object.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Netz wurde geschrieben; mehr vom Objekt scannen.</translation>
     </message>
     <message>
         <source>No mesh was written; scan the object from more sides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Netz wurde geschrieben; das Objekt von mehr Seiten scannen.</translation>
     </message>
     <message>
         <source>No part of the surface in {path} was measured: its vertices all say that nothing supports them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Teil der Oberfläche in {path} wurde gemessen: Alle ihre Eckpunkte sagen, dass nichts sie belegt.</translation>
     </message>
     <message>
         <source>No rig file was written; &apos;impronta doctor --find&apos; says what became of every port and camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Messplatzdatei wurde geschrieben; &apos;impronta doctor --find&apos; sagt, was mit jedem Anschluss und jeder Kamera ist.</translation>
     </message>
     <message>
         <source>No sphere of {radius_mm} mm radius was found: {points} points were measured, {share} % of them lie on the best candidate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Kugel mit {radius_mm} mm Radius gefunden: {points} Punkte wurden gemessen, {share} % davon liegen auf der besten Kandidatin.</translation>
     </message>
     <message>
         <source>No surface was found: of {planned} planned measurements none gave a point ({reasons}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Oberfläche gefunden: Von {planned} geplanten Messungen ergab keine einen Punkt ({reasons}).</translation>
     </message>
     <message>
         <source>No trigger reached camera {camera} on {line} within {seconds} s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Trigger erreichte Kamera {camera} an {line} innerhalb von {seconds} s.</translation>
     </message>
     <message>
         <source>Nobody can place the artefacts of the test.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niemand kann die Prüfkörper der Prüfung aufstellen.</translation>
     </message>
     <message>
         <source>Nothing answers on the port {port}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Anschluss {port} antwortet nichts.</translation>
     </message>
     <message>
         <source>Nothing is measured meanwhile; see to its lens cap, aperture and view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solange wird nichts gemessen; Objektivdeckel, Blende und Sicht der Kamera prüfen.</translation>
     </message>
     <message>
         <source>Nothing is measured meanwhile; see whether the beam is blocked, the laser is off, or the object fell over.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solange wird nichts gemessen; prüfen, ob der Strahl verdeckt, der Laser aus oder das Objekt umgefallen ist.</translation>
     </message>
     <message>
         <source>Nothing is measured meanwhile; shorten the exposure or lower the laser&apos;s power.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solange wird nichts gemessen; kürzer belichten oder die Laserleistung senken.</translation>
     </message>
     <message>
         <source>Nothing is measured meanwhile; switch the lamp off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solange wird nichts gemessen; Lampe ausschalten.</translation>
     </message>
     <message>
         <source>Nothing was changed; check the name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geändert; den Namen prüfen.</translation>
     </message>
     <message>
         <source>Nothing was changed; choose another folder or give permission.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geändert; anderen Ordner wählen oder die Berechtigung geben.</translation>
     </message>
     <message>
         <source>Nothing was changed; close it there, or choose another case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geändert; dort schließen oder anderen Fall wählen.</translation>
     </message>
     <message>
         <source>Nothing was changed; mark more of the tooth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geändert; mehr vom Zahn markieren.</translation>
     </message>
     <message>
         <source>Nothing was changed; paint more, or use the automatic frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geändert; mehr malen oder den automatischen Bezug nehmen.</translation>
     </message>
     <message>
         <source>Nothing was changed; pick at least three points far from each other, in the same order on both surfaces.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geändert; mindestens drei Punkte weit auseinander wählen, auf beiden Oberflächen in gleicher Reihenfolge.</translation>
     </message>
     <message>
         <source>Nothing was changed; write one line a point: mount, x, y, z on that mount, and x, y, z of the same place on the first mount, in mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geändert; je Punkt eine Zeile schreiben: Aufstellung, x, y, z auf dieser Aufstellung und x, y, z derselben Stelle auf der ersten Aufstellung, in mm.</translation>
     </message>
     <message>
         <source>Nothing was changed; {do}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geändert; {do}.</translation>
     </message>
     <message>
         <source>Nothing was compared; choose the whole surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde verglichen; die ganze Oberfläche wählen.</translation>
     </message>
     <message>
         <source>Nothing was compared; export the mesh again from its program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde verglichen; das Netz noch einmal aus seinem Programm exportieren.</translation>
     </message>
     <message>
         <source>Nothing was compared; mark the stable part again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde verglichen; den stabilen Teil neu markieren.</translation>
     </message>
     <message>
         <source>Nothing was compared; scan it again, or reconstruct it from its points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde verglichen; neu scannen oder aus den Punkten rekonstruieren.</translation>
     </message>
     <message>
         <source>Nothing was done; check the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde getan; die Datei prüfen.</translation>
     </message>
     <message>
         <source>Nothing was done; check the name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde getan; den Namen prüfen.</translation>
     </message>
     <message>
         <source>Nothing was done; export the mesh again from its program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde getan; das Netz noch einmal aus seinem Programm exportieren.</translation>
     </message>
     <message>
         <source>Nothing was done; use PLY, XYZ, TXT, CSV, ASC, NPY or a case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde getan; PLY, XYZ, TXT, CSV, ASC, NPY oder einen Fall nehmen.</translation>
     </message>
     <message>
         <source>Nothing was done; use STL, PLY, OBJ, VTP or 3MF.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde getan; STL, PLY, OBJ, VTP oder 3MF nehmen.</translation>
     </message>
     <message>
         <source>Nothing was joined and all points are kept; measure more of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde verbunden, und alle Punkte sind gesichert; mehr davon messen.</translation>
     </message>
     <message>
         <source>Nothing was joined and all points are kept; pick three points far from each other, in the same order on both.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde verbunden, und alle Punkte sind gesichert; drei Punkte weit auseinander wählen, auf beiden in gleicher Reihenfolge.</translation>
     </message>
     <message>
         <source>Nothing was joined and all points are kept; pick three points on both, or measure another mount that shares more with the earlier ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde verbunden, und alle Punkte sind gesichert; auf beiden drei Punkte wählen oder eine weitere Aufstellung messen, die mehr mit den früheren gemeinsam hat.</translation>
     </message>
     <message>
         <source>Nothing was joined and all points are kept; see that the object did not change its shape, and measure the mount again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde verbunden, und alle Punkte sind gesichert; prüfen, dass das Objekt seine Form behielt, und die Aufstellung neu messen.</translation>
     </message>
     <message>
         <source>Nothing was measured; ask for a number of points instead, or scan by the spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; stattdessen eine Punktzahl verlangen oder mit dem Laserpunkt scannen.</translation>
     </message>
     <message>
         <source>Nothing was measured; choose another recording.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; andere Aufzeichnung wählen.</translation>
     </message>
     <message>
         <source>Nothing was measured; correct &apos;pixel_format&apos; or &apos;size_px&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; &apos;pixel_format&apos; oder &apos;size_px&apos; in der Messplatzdatei berichtigen.</translation>
     </message>
     <message>
         <source>Nothing was measured; correct &apos;trigger_line&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; &apos;trigger_line&apos; in der Messplatzdatei berichtigen.</translation>
     </message>
     <message>
         <source>Nothing was measured; give both the same &apos;rate_hz&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; beiden in der Messplatzdatei dieselbe &apos;rate_hz&apos; geben.</translation>
     </message>
     <message>
         <source>Nothing was measured; plug it into a USB port of its own, choose a smaller size, or lower &apos;rate_hz&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; an einen eigenen USB-Anschluss stecken, kleinere Größe wählen oder &apos;rate_hz&apos; in der Messplatzdatei senken.</translation>
     </message>
     <message>
         <source>Nothing was measured; run &apos;impronta calibrate&apos; or the Rig page first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; zuerst &apos;impronta calibrate&apos; ausführen oder auf der Seite Messplatz kalibrieren.</translation>
     </message>
     <message>
         <source>Nothing was measured; run it where a person or the virtual bench can.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; dort ausführen, wo eine Person oder die virtuelle Werkbank es kann.</translation>
     </message>
     <message>
         <source>Nothing was measured; take the lens cap off, open the shutter, and look at &apos;exposure_ms&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gemessen; Objektivdeckel abnehmen, Verschluss öffnen und &apos;exposure_ms&apos; in der Messplatzdatei prüfen.</translation>
     </message>
     <message>
         <source>Nothing was moved; choose another port in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; anderen Anschluss in der Messplatzdatei wählen.</translation>
     </message>
     <message>
         <source>Nothing was moved; choose another target, or correct the limits.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; anderes Ziel wählen oder die Grenzen berichtigen.</translation>
     </message>
     <message>
         <source>Nothing was moved; close the other program and connect again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; das andere Programm schließen und neu verbinden.</translation>
     </message>
     <message>
         <source>Nothing was moved; correct &apos;table_axis&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; &apos;table_axis&apos; in der Messplatzdatei berichtigen.</translation>
     </message>
     <message>
         <source>Nothing was moved; correct the file or take one of the presets.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; die Datei berichtigen oder eine der Vorlagen nehmen.</translation>
     </message>
     <message>
         <source>Nothing was moved; give the left and the right camera each an &apos;id&apos; of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; der linken und der rechten Kamera je eine eigene &apos;id&apos; geben.</translation>
     </message>
     <message>
         <source>Nothing was moved; install GRBL 1.1 or grblHAL with laser power on its PWM output.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; GRBL 1.1 oder grblHAL mit der Laserleistung am PWM-Ausgang installieren.</translation>
     </message>
     <message>
         <source>Nothing was moved; install GRBL 1.1 or newer on the controller.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; GRBL 1.1 oder neuer auf der Steuerung installieren.</translation>
     </message>
     <message>
         <source>Nothing was moved; install the rule of packaging/udev or join the group &apos;dialout&apos;, then log in again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; die Regel aus packaging/udev installieren oder der Gruppe &apos;dialout&apos; beitreten, dann neu anmelden.</translation>
     </message>
     <message>
         <source>Nothing was moved; install the rule of packaging/udev or join the group &apos;video&apos;, then log in again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; die Regel aus packaging/udev installieren oder der Gruppe &apos;video&apos; beitreten, dann neu anmelden.</translation>
     </message>
     <message>
         <source>Nothing was moved; plug it in, or correct &apos;id&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; einstecken oder &apos;id&apos; in der Messplatzdatei berichtigen.</translation>
     </message>
     <message>
         <source>Nothing was moved; plug the controller in or correct &apos;port&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; die Steuerung einstecken oder &apos;port&apos; in der Messplatzdatei berichtigen.</translation>
     </message>
     <message>
         <source>Nothing was moved; run: pip install &apos;impronta[{driver}]&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; ausführen: pip install &apos;impronta[{driver}]&apos;.</translation>
     </message>
     <message>
         <source>Nothing was moved; see that the controller has power and that the cable carries data, then check &apos;port&apos; and &apos;baud&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; prüfen, dass die Steuerung Strom hat und das Kabel Daten führt, dann &apos;port&apos; und &apos;baud&apos; in der Messplatzdatei prüfen.</translation>
     </message>
     <message>
         <source>Nothing was moved; unplug it, plug it in again, and connect again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; ausstecken, wieder einstecken und neu verbinden.</translation>
     </message>
     <message>
         <source>Nothing was moved; with $32=0 the beam would stand still while lit: send $32=1 to the controller once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; mit $32=0 stünde der Strahl leuchtend still: einmal $32=1 an die Steuerung senden.</translation>
     </message>
     <message>
         <source>Nothing was moved; write trigger = &quot;free&quot; into the rig file, or use a camera with a trigger of its own and its own driver.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde bewegt; trigger = &quot;free&quot; in die Messplatzdatei schreiben oder eine Kamera mit eigenem Trigger und eigenem Treiber verwenden.</translation>
     </message>
     <message>
         <source>Nothing was scanned; choose a smaller specimen, or scale it (is its unit millimetres?).</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gescannt; kleineren Prüfling wählen oder ihn skalieren (ist seine Einheit Millimeter?).</translation>
     </message>
     <message>
         <source>Nothing was scanned; correct the plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gescannt; den Plan berichtigen.</translation>
     </message>
     <message>
         <source>Nothing was split and every point is kept; a single impression needs no tray, for a pair set both on their seats and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde aufgeteilt, und jeder Punkt ist gesichert; eine einzelne Abformung braucht keinen Träger, für ein Paar beide auf ihre Sitze stellen und neu scannen.</translation>
     </message>
     <message>
         <source>Nothing was split and every point is kept; take those points out (Edit), or set the impressions on their seats and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde aufgeteilt, und jeder Punkt ist gesichert; diese Punkte herausnehmen (Bearbeiten) oder die Abformungen auf ihre Sitze stellen und neu scannen.</translation>
     </message>
     <message>
         <source>Nothing was touched, and what was measured can be used as it is; scan again into a new case, which takes about half a minute.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde angerührt, und das Gemessene ist so verwendbar; neu in einen neuen Fall scannen, das dauert etwa eine halbe Minute.</translation>
     </message>
     <message>
         <source>Nothing was written; close other programs, or ask for fewer points or triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geschrieben; andere Programme schließen oder weniger Punkte oder Dreiecke verlangen.</translation>
     </message>
     <message>
         <source>Nothing was written; install it with pip install &apos;impronta[dicom]&apos;, or choose another format.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geschrieben; mit pip install &apos;impronta[dicom]&apos; installieren oder anderes Format wählen.</translation>
     </message>
     <message>
         <source>Nothing was written; mend that, or deliver it anyway, and the certificate says so.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geschrieben; das beheben oder trotzdem ausliefern, und der Prüfbericht sagt es.</translation>
     </message>
     <message>
         <source>Nothing was written; see what would be in it with --list.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geschrieben; mit --list ansehen, was darin wäre.</translation>
     </message>
     <message>
         <source>Nothing was written; use one of {known}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geschrieben; eines von {known} nehmen.</translation>
     </message>
     <message>
         <source>Nothing was written; use one of: {known}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geschrieben; eines davon nehmen: {known}.</translation>
     </message>
     <message>
         <source>Nothing was written; write .ply, .obj or .3mf instead, or move the points nearer to the origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geschrieben; stattdessen .ply, .obj oder .3mf schreiben oder die Punkte näher an den Ursprung bringen.</translation>
     </message>
     <message>
         <source>One of {after} and {before} is mirrored, or they show opposite sides: {score} % of the surface agrees as it is, {mirrored} % of its mirror image.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eines von {after} und {before} ist gespiegelt, oder sie zeigen gegenüberliegende Seiten: Ungespiegelt stimmen {score} % der Oberfläche überein, gespiegelt {mirrored} %.</translation>
     </message>
     <message>
         <source>Only {count} points in {path} lie on the seat of the {side} ear.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur {count} Punkte in {path} liegen auf dem Sitz des Ohrs ({side}).</translation>
     </message>
     <message>
         <source>Over the others its surface is {residual_um} um away (noise explains {most_um} um), and {agree} % of it agrees with theirs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Über den anderen liegt ihre Oberfläche {residual_um} µm entfernt (Rauschen erklärt {most_um} µm), und {agree} % davon stimmen mit deren überein.</translation>
     </message>
     <message>
         <source>Points from there on may be off; see that both cameras are fixed, and calibrate before the next scan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte ab dort können daneben liegen; nachsehen, dass beide Kameras fest sind, und vor dem nächsten Scan kalibrieren.</translation>
     </message>
     <message>
         <source>Room light drowned the laser spot: of {planned} planned measurements none gave a point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Raumlicht überstrahlte den Laserpunkt: Von {planned} geplanten Messungen ergab keine einen Punkt.</translation>
     </message>
     <message>
         <source>Room light drowns the laser spot: {frames} frames in a row of camera {camera} are too bright.</source>
-        <translation type="unfinished"></translation>
+        <translation>Raumlicht überstrahlt den Laserpunkt: {frames} Bilder in Folge von Kamera {camera} sind zu hell.</translation>
     </message>
     <message>
         <source>The ball bar was not found in position {position}: {found} of its two spheres was seen.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Kugelstab wurde in Position {position} nicht gefunden: {found} seiner zwei Kugeln war zu sehen.</translation>
     </message>
     <message>
         <source>The board&apos;s squares measure {measured_mm} mm where {given_mm} mm was given (by the bar of {bar_mm} mm).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Felder der Tafel messen {measured_mm} mm, angegeben waren {given_mm} mm (laut dem {bar_mm}-mm-Stab).</translation>
     </message>
     <message>
         <source>The calibration failed: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kalibrierung ist fehlgeschlagen: {reason}.</translation>
     </message>
     <message>
         <source>The calibration of this rig is not the one with which the scan in {path} was begun.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kalibrierung dieses Messplatzes ist nicht die, mit der der Scan in {path} begann.</translation>
     </message>
     <message>
         <source>The calibration was not accepted: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kalibrierung wurde nicht angenommen: {reason}.</translation>
     </message>
     <message>
         <source>The cameras are exchanged: what is called the right camera stands to the left of the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kameras sind vertauscht: Die als rechte bezeichnete steht links von der anderen.</translation>
     </message>
     <message>
         <source>The cameras are out of step by {count} frame: camera {late} lost a trigger, and every pair since then mixes two instants.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kameras sind um {count} Bild versetzt: Kamera {late} verlor einen Trigger, und jedes Paar seither mischt zwei Augenblicke.</translation>
     </message>
     <message>
         <source>The cameras do not expose together: camera {late} is {skew_ms} ms late.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kameras belichten nicht gleichzeitig: Kamera {late} ist {skew_ms} ms zu spät.</translation>
     </message>
     <message>
         <source>The case is unchanged; reconstruct it with &apos;impronta reconstruct&apos; and ask again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Fall ist unverändert; mit &apos;impronta reconstruct&apos; rekonstruieren und noch einmal anfragen.</translation>
     </message>
     <message>
         <source>The case is unchanged; reconstruct with fewer triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Fall ist unverändert; mit weniger Dreiecken rekonstruieren.</translation>
     </message>
     <message>
         <source>The case is unchanged; {do}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Fall ist unverändert; {do}.</translation>
     </message>
     <message>
         <source>The case {path} was used after it had been closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Fall {path} wurde benutzt, nachdem er geschlossen war.</translation>
     </message>
     <message>
         <source>The connection to the controller on {port} was lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Verbindung zur Steuerung an {port} ging verloren.</translation>
     </message>
     <message>
         <source>The controller on {port} did not answer &apos;{command}&apos; within {seconds} s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung an {port} beantwortete &apos;{command}&apos; nicht innerhalb von {seconds} s.</translation>
     </message>
     <message>
         <source>The controller on {port} does not tell its setting {setting} ({meaning}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung an {port} nennt ihre Einstellung {setting} ({meaning}) nicht.</translation>
     </message>
     <message>
         <source>The controller on {port} has no axis &apos;{axis}&apos; for the table (it has {axes}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung an {port} hat keine Achse &apos;{axis}&apos; für den Drehteller (sie hat {axes}).</translation>
     </message>
     <message>
         <source>The controller on {port} is not in laser mode ($32={value}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung an {port} ist nicht im Lasermodus ($32={value}).</translation>
     </message>
     <message>
         <source>The controller on {port} reports another position each time although it rests.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung an {port} meldet jedes Mal eine andere Position, obwohl sie ruht.</translation>
     </message>
     <message>
         <source>The controller on {port} restarted by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung an {port} hat von selbst neu gestartet.</translation>
     </message>
     <message>
         <source>The controller on {port} runs {firmware}, which knows no laser mode.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf der Steuerung an {port} läuft {firmware}, das keinen Lasermodus kennt.</translation>
     </message>
     <message>
         <source>The controller on {port} was used after it had been closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung an {port} wurde benutzt, nachdem sie geschlossen war.</translation>
     </message>
     <message>
         <source>The controller refused &apos;{command}&apos; with error:{number} ({meaning}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung lehnte &apos;{command}&apos; mit error:{number} ab ({meaning}).</translation>
     </message>
     <message>
         <source>The controller reports ALARM:{alarm} ({meaning}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung meldet ALARM:{alarm} ({meaning}).</translation>
     </message>
     <message>
         <source>The controller reports a lit laser (S{power}) where it must be dark.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Steuerung meldet einen leuchtenden Laser (S{power}), wo er dunkel sein muss.</translation>
     </message>
     <message>
         <source>The file is untouched; scan or export the surface again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei ist unberührt; die Oberfläche neu scannen oder neu exportieren.</translation>
     </message>
     <message>
         <source>The file of picked points {path} cannot be used: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei gewählter Punkte {path} ist nicht verwendbar: {reason}.</translation>
     </message>
     <message>
         <source>The file was not touched; choose another file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei wurde nicht angerührt; andere Datei wählen.</translation>
     </message>
     <message>
         <source>The frames of camera {camera} cannot be recorded into {path}: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bilder von Kamera {camera} lassen sich nicht nach {path} aufzeichnen: {reason}.</translation>
     </message>
     <message>
         <source>The interrupted scan cannot go on: of {known} known points {seen} were found again, {shift_um} um beside where they were.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der unterbrochene Scan kann nicht weitergehen: Von {known} bekannten Punkten wurden {seen} wiedergefunden, {shift_um} µm neben ihrem Platz.</translation>
     </message>
     <message>
         <source>The interrupted scan cannot go on: the marks on the table&apos;s rim are seen {shift_um} um beside where they were ({cause}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Der unterbrochene Scan kann nicht weitergehen: Die Marken am Tellerrand liegen {shift_um} µm neben ihrem Platz ({cause}).</translation>
     </message>
     <message>
         <source>The interrupted scan of {path} was made by a laser line, which is not resumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der unterbrochene Scan von {path} entstand mit einer Laserlinie, das lässt sich nicht fortsetzen.</translation>
     </message>
     <message>
         <source>The laser did not light although it was asked to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser leuchtete nicht, obwohl es verlangt war.</translation>
     </message>
     <message>
         <source>The laser is off and everything written before is kept; free some space and go on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und alles zuvor Geschriebene ist gesichert; Platz schaffen und weitermachen.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are in {case}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind in {case}.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; check its cable and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind gesichert; ihr Kabel prüfen und fortsetzen.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; check the trigger cable, or set trigger = &quot;free&quot; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind gesichert; Triggerkabel prüfen oder trigger = &quot;free&quot; in die Messplatzdatei setzen.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; close other programs and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind gesichert; andere Programme schließen und fortsetzen.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; close the door and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind gesichert; Tür schließen und fortsetzen.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; free some space or choose another folder, and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind gesichert; Platz schaffen oder anderen Ordner wählen und fortsetzen.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; its position is lost, home it and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind gesichert; ihre Position ist verloren, Referenz suchen und fortsetzen.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; plug it in and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind gesichert; einstecken und fortsetzen.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; resume when the rig is free.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind gesichert; fortsetzen, wenn der Messplatz frei ist.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; unplug the camera, plug it in again, and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind gesichert; Kamera ausstecken, wieder einstecken und fortsetzen.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; {remedy}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und die bisherigen Punkte sind gesichert; {remedy}.</translation>
     </message>
     <message>
         <source>The laser is off and what was measured before is kept; put table and cameras back as they were and resume, or scan anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und das zuvor Gemessene ist gesichert; Teller und Kameras zurückstellen und fortsetzen oder von vorn scannen.</translation>
     </message>
     <message>
         <source>The laser is off and what was measured before is kept; put the object and the cameras back as they were and resume, or scan anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und das zuvor Gemessene ist gesichert; Objekt und Kameras zurückstellen und fortsetzen oder von vorn scannen.</translation>
     </message>
     <message>
         <source>The laser is off and what was measured before is kept; switch the lamp off, then resume or scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus, und das zuvor Gemessene ist gesichert; Lampe ausschalten, dann fortsetzen oder neu scannen.</translation>
     </message>
     <message>
         <source>The laser is off; ask for more points, or more views.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; mehr Punkte oder mehr Ansichten verlangen.</translation>
     </message>
     <message>
         <source>The laser is off; check --spacing-mm and that nothing else of the spheres&apos; size stands in the volume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; --spacing-mm prüfen, und dass nichts anderes von der Größe der Kugeln im Messvolumen steht.</translation>
     </message>
     <message>
         <source>The laser is off; check the rig file and the controller&apos;s settings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; Messplatzdatei und Einstellungen der Steuerung prüfen.</translation>
     </message>
     <message>
         <source>The laser is off; open the rig again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; den Messplatz neu öffnen.</translation>
     </message>
     <message>
         <source>The laser is off; place the bar as the plan of the test says, and check --reference-mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; den Stab nach dem Plan der Prüfung aufstellen und --reference-mm prüfen.</translation>
     </message>
     <message>
         <source>The laser is off; put the matt white plate into the middle of the volume, facing the cameras, and keep the lamps away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; die matte weiße Platte in die Mitte des Messvolumens stellen, zu den Kameras gewandt, und Lampen fernhalten.</translation>
     </message>
     <message>
         <source>The laser is off; put the object on the table, and check the laser and the lens caps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; das Objekt auf den Teller stellen und Laser und Objektivdeckel prüfen.</translation>
     </message>
     <message>
         <source>The laser is off; put the reference sphere alone into the middle of the table, and check --reference-mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; die Referenzkugel allein in die Mitte des Tellers stellen und --reference-mm prüfen.</translation>
     </message>
     <message>
         <source>The laser is off; take all but one away and start the test again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser ist aus; alle bis auf eine wegnehmen und die Prüfung neu starten.</translation>
     </message>
     <message>
         <source>The laser may be on: switch off its power before you reach into the rig, then connect again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser kann an sein: seinen Strom abschalten, bevor jemand in den Messplatz greift, dann neu verbinden.</translation>
     </message>
     <message>
         <source>The laser spot is saturated in {frames} frames in a row of camera {camera}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laserpunkt ist in {frames} Bildern in Folge von Kamera {camera} übersteuert.</translation>
     </message>
     <message>
         <source>The laser was switched off and the points so far are kept; free the machine of other work, then resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser wurde ausgeschaltet, und die bisherigen Punkte sind gesichert; den Rechner von anderer Arbeit befreien, dann fortsetzen.</translation>
     </message>
     <message>
         <source>The laser was switched off by a reset; connect again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Laser wurde durch einen Reset ausgeschaltet; neu verbinden.</translation>
     </message>
     <message>
         <source>The left camera gives {left_hz} frames/s and the right one {right_hz}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die linke Kamera liefert {left_hz} Bilder/s und die rechte {right_hz}.</translation>
     </message>
     <message>
         <source>The marked part holds {marked} measured vertices; at least {least} are needed for a motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der markierte Teil enthält {marked} gemessene Eckpunkte; für eine Bewegung sind mindestens {least} nötig.</translation>
     </message>
     <message>
         <source>The mask {path} cannot be used: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Maske {path} ist nicht verwendbar: {reason}.</translation>
     </message>
     <message>
         <source>The material {path} cannot be used: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Material {path} ist nicht verwendbar: {reason}.</translation>
     </message>
     <message>
         <source>The mesh of {path} does not say how certain it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Netz aus {path} sagt nicht, wie sicher es ist.</translation>
     </message>
     <message>
         <source>The motion was stopped during &apos;{command}&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bewegung wurde während &apos;{command}&apos; gestoppt.</translation>
     </message>
     <message>
         <source>The new mount fits in more than one way: a pose that is turned by {angle} degrees against the best one fits about as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die neue Aufstellung passt auf mehr als eine Weise: Eine um {angle} Grad gegen die beste gedrehte Lage passt etwa ebenso gut.</translation>
     </message>
     <message>
         <source>The new mount fits nowhere on what was measured before: in the best pose only {agree} % of the surface that both show agrees.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die neue Aufstellung passt nirgends auf das zuvor Gemessene: In der besten Lage stimmen nur {agree} % der gemeinsam gezeigten Oberfläche überein.</translation>
     </message>
     <message>
         <source>The new mount shares too little with what was measured before: {overlap} % of it, and at least {least} % are needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die neue Aufstellung hat zu wenig mit dem zuvor Gemessenen gemeinsam: {overlap} % von ihr, mindestens {least} % sind nötig.</translation>
     </message>
     <message>
         <source>The new mount, or what was measured before, has too few points to find its place: {points}, but at least {least} are needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die neue Aufstellung oder das zuvor Gemessene hat zu wenige Punkte, um ihre Lage zu finden: {points}, mindestens {least} sind nötig.</translation>
     </message>
     <message>
         <source>The null comparison says nothing of the rig: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Nullvergleich sagt nichts über den Messplatz: {reason}.</translation>
     </message>
     <message>
         <source>The object moved on the table: the views from {table_deg} deg on lie {shift_um} um beside the earlier ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objekt hat sich auf dem Teller bewegt: Die Ansichten ab {table_deg}° liegen {shift_um} µm neben den früheren.</translation>
     </message>
     <message>
         <source>The picked points do not belong to each other: after the best fit of the surfaces they lie {apart_mm} mm apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählten Punkte gehören nicht zueinander: Nach der besten Anpassung der Oberflächen liegen sie {apart_mm} mm auseinander.</translation>
     </message>
     <message>
         <source>The picked points do not say how the surfaces lie: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählten Punkte sagen nicht, wie die Oberflächen liegen: {reason}.</translation>
     </message>
     <message>
         <source>The plan {path} cannot be used: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Plan {path} ist nicht verwendbar: {reason}.</translation>
     </message>
     <message>
         <source>The points are kept and the other marks go on watching; fix it, and see that nothing touches it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte sind gesichert, und die anderen Marken wachen weiter; sie befestigen und darauf achten, dass nichts sie berührt.</translation>
     </message>
     <message>
         <source>The points are kept and the other marks go on watching; see whether it is covered or was knocked off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte sind gesichert, und die anderen Marken wachen weiter; nachsehen, ob sie verdeckt oder abgeschlagen ist.</translation>
     </message>
     <message>
         <source>The points are noisier than they claim; look for vibration, moving reflections or a dirty lens.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte rauschen stärker, als sie angeben; nach Erschütterungen, bewegten Reflexen oder einem schmutzigen Objektiv suchen.</translation>
     </message>
     <message>
         <source>The points are shifted along the sweep; trigger both cameras from one source.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte sind längs der Bahn verschoben; beide Kameras aus einer Quelle auslösen.</translation>
     </message>
     <message>
         <source>The points belong to {count} separate objects: the second largest holds {share} % of them and lies {gap_mm} mm from the largest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte gehören zu {count} getrennten Objekten: Das zweitgrößte enthält {share} % davon und liegt {gap_mm} mm vom größten.</translation>
     </message>
     <message>
         <source>The points contain {count} values that are not finite numbers, or impossibly far away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte enthalten {count} Werte, die keine endlichen Zahlen oder unmöglich weit weg sind.</translation>
     </message>
     <message>
         <source>The points do not enclose a body: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte umschließen keinen Körper: {reason}.</translation>
     </message>
     <message>
         <source>The points from there on are off; fix the cameras, calibrate, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte ab dort liegen daneben; Kameras befestigen, kalibrieren und neu scannen.</translation>
     </message>
     <message>
         <source>The points since then are wrong; check the trigger cable and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Punkte seither sind falsch; Triggerkabel prüfen und neu scannen.</translation>
     </message>
     <message>
         <source>The points so far are kept. A sweep ends dark by itself, a standing spot may stay lit: see that the laser is off, plug it in, then resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die bisherigen Punkte sind gesichert. Eine Bahn endet von selbst dunkel, ein stehender Laserpunkt kann weiterleuchten: nachsehen, dass der Laser aus ist, einstecken, dann fortsetzen.</translation>
     </message>
     <message>
         <source>The port {port} does not exist or cannot be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Anschluss {port} gibt es nicht, oder er lässt sich nicht öffnen.</translation>
     </message>
     <message>
         <source>The port {port} is used by another program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Anschluss {port} wird von einem anderen Programm benutzt.</translation>
     </message>
     <message>
         <source>The previous calibration stays in use; exchange the two cameras in the rig file, then calibrate again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die vorige Kalibrierung bleibt in Gebrauch; die Kameras in der Messplatzdatei tauschen, dann neu kalibrieren.</translation>
     </message>
     <message>
         <source>The previous calibration stays in use; give the right size with --square-mm, or the bar&apos;s certified length with --length-mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die vorige Kalibrierung bleibt in Gebrauch; die richtige Größe mit --square-mm oder die zertifizierte Länge des Stabs mit --length-mm angeben.</translation>
     </message>
     <message>
         <source>The previous calibration stays in use; take the views again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die vorige Kalibrierung bleibt in Gebrauch; die Ansichten neu aufnehmen.</translation>
     </message>
     <message>
         <source>The program did not look after the lit laser for {seconds} s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Programm kümmerte sich {seconds} s lang nicht um den leuchtenden Laser.</translation>
     </message>
     <message>
         <source>The recording {path} cannot be replayed: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufzeichnung {path} lässt sich nicht abspielen: {reason}.</translation>
     </message>
     <message>
         <source>The recording {path} holds no frames for what was asked of camera {camera}: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufzeichnung {path} enthält keine Bilder für das, was von Kamera {camera} verlangt wurde: {reason}.</translation>
     </message>
     <message>
         <source>The rig file is unchanged; measure the same model twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Messplatzdatei ist unverändert; dasselbe Modell zweimal messen.</translation>
     </message>
     <message>
         <source>The rig file {path} cannot be used: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Messplatzdatei {path} ist nicht verwendbar: {reason}.</translation>
     </message>
     <message>
         <source>The rig file&apos;s own settings are used; set exposure and sizes on the Aim page again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Einstellungen der Messplatzdatei gelten; Belichtung und Größen auf der Seite Anvisieren neu einstellen.</translation>
     </message>
     <message>
         <source>The rig has no calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Messplatz hat keine Kalibrierung.</translation>
     </message>
     <message>
         <source>The right camera exposes {skew_us} us after the left one, and a moving laser line is then not the same line in both images.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die rechte Kamera belichtet {skew_us} µs nach der linken, und eine bewegte Laserlinie ist dann in beiden Bildern nicht dieselbe Linie.</translation>
     </message>
     <message>
         <source>The safety door of the rig is open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schutztür des Messplatzes ist offen.</translation>
     </message>
     <message>
         <source>The safety relay of the serial port stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Sicherheitsrelais des seriellen Anschlusses ist stehen geblieben.</translation>
     </message>
     <message>
         <source>The safety relay of the serial port {port} stopped, and the controller could not be reset.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Sicherheitsrelais des seriellen Anschlusses {port} ist stehen geblieben, und die Steuerung ließ sich nicht zurücksetzen.</translation>
     </message>
     <message>
         <source>The scale changed by {percent} %: since the view at {table_deg} deg the marks on the table&apos;s rim have other distances.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Maßstab hat sich um {percent} % geändert: Seit der Ansicht bei {table_deg}° haben die Marken am Tellerrand andere Abstände.</translation>
     </message>
     <message>
         <source>The scale is off by {percent} % against the calibrated distances of the marks on the table&apos;s rim.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Maßstab weicht um {percent} % von den kalibrierten Abständen der Marken am Tellerrand ab.</translation>
     </message>
     <message>
         <source>The scan stopped on an unexpected fault ({reason}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Scan stoppte durch eine unerwartete Störung ({reason}).</translation>
     </message>
     <message>
         <source>The software for cameras of the kind &apos;{driver}&apos; is not installed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Software für Kameras der Art &apos;{driver}&apos; ist nicht installiert.</translation>
     </message>
     <message>
         <source>The specimen is {size_mm} mm large, but both cameras see a volume of {volume_mm} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Prüfling ist {size_mm} mm groß, beide Kameras sehen aber ein Volumen von {volume_mm} mm.</translation>
     </message>
     <message>
         <source>The spheres in position {position} stand {measured_mm} mm apart, not {reference_mm} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kugeln in Position {position} stehen {measured_mm} mm auseinander, nicht {reference_mm} mm.</translation>
     </message>
     <message>
         <source>The standing spot was seen by both cameras in {seen} of {exposed} exposures only ({reasons}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Der stehende Lichtpunkt wurde von beiden Kameras nur in {seen} von {exposed} Belichtungen gesehen ({reasons}).</translation>
     </message>
     <message>
         <source>The support bundle has no entry &apos;{name}&apos;; it has {known}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Support-Paket hat keinen Eintrag &apos;{name}&apos;; es hat {known}.</translation>
     </message>
     <message>
         <source>The surface that both mounts show does not tell how they lie: {directions} of six directions of motion stay open, as on a ball or a cylinder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche, die beide Aufstellungen zeigen, sagt nicht, wie sie liegen: {directions} von sechs Bewegungsrichtungen bleiben offen, wie bei Kugel oder Zylinder.</translation>
     </message>
     <message>
         <source>The surface that was found is not trustworthy: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gefundene Oberfläche ist nicht vertrauenswürdig: {reason}.</translation>
     </message>
     <message>
         <source>The table lost steps: by the marks on its rim it stands {turn_deg} deg beside its reading, since the view at {table_deg} deg.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Teller hat Schritte verloren: Nach den Marken an seinem Rand steht er {turn_deg}° neben seiner Anzeige, seit der Ansicht bei {table_deg}°.</translation>
     </message>
     <message>
         <source>The table lost steps: it stands {turn_deg} deg beside its reading{where}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Teller hat Schritte verloren: Er steht {turn_deg}° neben seiner Anzeige{where}.</translation>
     </message>
     <message>
         <source>The table or a camera moved: since the view at {table_deg} deg the marks on the table&apos;s rim are seen up to {shift_um} um beside.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Teller oder eine Kamera hat sich bewegt: Seit der Ansicht bei {table_deg}° liegen die Marken am Tellerrand bis zu {shift_um} µm daneben.</translation>
     </message>
     <message>
         <source>The triangles of {path} all lie in one point or line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Dreiecke aus {path} liegen alle in einem Punkt oder einer Linie.</translation>
     </message>
     <message>
         <source>The turn does not close: the first view measured again lies {shift_um} um beside its first measurement.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Drehung schließt sich nicht: Die erste Ansicht, noch einmal gemessen, liegt {shift_um} µm neben ihrer ersten Messung.</translation>
     </message>
     <message>
         <source>The two ears in {path} cannot be told apart: {count} points lie half way between the seats of the tray.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die beiden Ohren in {path} lassen sich nicht trennen: {count} Punkte liegen auf halbem Weg zwischen den Sitzen des Trägers.</translation>
     </message>
     <message>
         <source>The two images of the spot disagree by {sd_px} px, where {expected_px} px are expected ({where}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die beiden Bilder des Lichtpunkts weichen um {sd_px} px ab, erwartet werden {expected_px} px ({where}).</translation>
     </message>
     <message>
         <source>The views from there on are turned; see that the table moves freely, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ansichten ab dort sind verdreht; prüfen, dass der Teller frei läuft, und neu scannen.</translation>
     </message>
     <message>
         <source>The worker process ended unexpectedly during {phase} ({reason}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Arbeitsprozess endete unerwartet während {phase} ({reason}).</translation>
     </message>
     <message>
         <source>The worker process failed: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Arbeitsprozess ist gescheitert: {reason}.</translation>
     </message>
     <message>
         <source>The {part} of the rig is not the one with which the scan in {path} was begun.</source>
-        <translation type="unfinished"></translation>
+        <translation>Teil des Messplatzes ({part}) ist nicht der, mit dem der Scan in {path} begann.</translation>
     </message>
     <message>
         <source>Their points are kept; fix the cameras, calibrate, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Punkte sind gesichert; Kameras befestigen, kalibrieren und neu scannen.</translation>
     </message>
     <message>
         <source>Their points are kept; fix the object to the table and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Punkte sind gesichert; das Objekt am Teller befestigen und neu scannen.</translation>
     </message>
     <message>
         <source>There is no camera {camera} ({id}); this machine has: {found}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Kamera {camera} ({id}); dieser Rechner hat: {found}.</translation>
     </message>
     <message>
         <source>There is no export profile &apos;{name}&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt kein Exportprofil &apos;{name}&apos;.</translation>
     </message>
     <message>
         <source>There is no space left on the disk of {path}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf dem Datenträger von {path} ist kein Platz mehr.</translation>
     </message>
     <message>
         <source>There is not enough memory for &apos;{command}&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für &apos;{command}&apos; ist nicht genug Speicher da.</translation>
     </message>
     <message>
         <source>This surface is not ready to be delivered: {checks}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Oberfläche ist nicht bereit zur Auslieferung: {checks}.</translation>
     </message>
     <message>
         <source>This user may not open camera {camera} ({id}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Benutzer darf Kamera {camera} ({id}) nicht öffnen.</translation>
     </message>
     <message>
         <source>This user may not open the port {port}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Benutzer darf den Anschluss {port} nicht öffnen.</translation>
     </message>
     <message>
         <source>Those measurements are missing; check its cable and port, and close other programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Messungen fehlen; Kabel und Anschluss prüfen und andere Programme schließen.</translation>
     </message>
     <message>
         <source>Two spheres stand on the table: {first} points lie on the one, {second} on the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Kugeln stehen auf dem Teller: {first} Punkte liegen auf der einen, {second} auf der anderen.</translation>
     </message>
     <message>
         <source>What answers on {port} is no GRBL controller (it said: {said}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Was an {port} antwortet, ist keine GRBL-Steuerung (es sagte: {said}).</translation>
     </message>
     <message>
         <source>What was measured is kept; use the rig file of that scan to resume it, or keep what is there and scan anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gemessene ist gesichert; zum Fortsetzen die Messplatzdatei jenes Scans benutzen, oder Vorhandenes behalten und von vorn scannen.</translation>
     </message>
     <message>
         <source>What was measured so far is kept and the laser is off; let a trigger line expose both cameras at once, then scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das bisher Gemessene ist gesichert, und der Laser ist aus; eine Triggerleitung beide Kameras gleichzeitig auslösen lassen, dann neu scannen.</translation>
     </message>
     <message>
         <source>What was measured so far is kept; replay with the rig, plan and seed that it was recorded with.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das bisher Gemessene ist gesichert; mit Messplatz, Plan und Startwert der Aufzeichnung abspielen.</translation>
     </message>
     <message>
         <source>What was set while aiming cannot be read ({path}: {reason}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Einstellungen vom Anvisieren sind nicht lesbar ({path}: {reason}).</translation>
     </message>
     <message>
         <source>Whether the table lost steps cannot be judged on this object: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob der Teller Schritte verlor, lässt sich an diesem Objekt nicht beurteilen: {reason}.</translation>
     </message>
     <message>
         <source>Which of them it was is not decided; the points from there on are off: fix cameras and table, calibrate, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was davon es war, ist nicht entschieden; die Punkte ab dort liegen daneben: Kameras und Teller befestigen, kalibrieren und neu scannen.</translation>
     </message>
     <message>
         <source>{after} and {before} do not fit onto each other: in the best pose only {score} % of the surface agrees. They seem to be different objects, or opposite sides of one.</source>
-        <translation type="unfinished"></translation>
+        <translation>{after} und {before} passen nicht aufeinander: In der besten Lage stimmen nur {score} % der Oberfläche überein. Es scheinen verschiedene Objekte zu sein oder gegenüberliegende Seiten von einem.</translation>
     </message>
     <message>
         <source>{after} and {before} do not overlap: nothing of one lies within {reach_mm} mm of the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>{after} und {before} überlappen sich nicht: Nichts vom einen liegt innerhalb von {reach_mm} mm des anderen.</translation>
     </message>
     <message>
         <source>{area_mm2} mm2 with a counterpart are painted as stable; at least {least_mm2} mm2 are needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>{area_mm2} mm² mit Gegenstück sind als stabil gemalt; mindestens {least_mm2} mm² sind nötig.</translation>
     </message>
     <message>
         <source>{axis} cannot go to {target} deg: {whose} allow {low} to {high} deg.</source>
-        <translation type="unfinished"></translation>
+        <translation>{axis} kann nicht auf {target}° fahren: {whose} erlauben {low} bis {high}°.</translation>
     </message>
     <message>
         <source>{name} holds too few measured triangles with an area: {triangles}, but a comparison needs at least {least}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} enthält zu wenige gemessene Dreiecke mit Fläche: {triangles}, ein Vergleich braucht mindestens {least}.</translation>
     </message>
     <message>
         <source>{path} cannot be read as points: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} ist nicht als Punkte lesbar: {reason}.</translation>
     </message>
     <message>
         <source>{path} cannot be read: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} ist nicht lesbar: {reason}.</translation>
     </message>
     <message>
         <source>{path} cannot be written: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} lässt sich nicht schreiben: {reason}.</translation>
     </message>
     <message>
         <source>{path} cannot hold this mesh: so far from the origin the numbers of an STL file have steps of {step_mm} mm, wider than its triangles allow.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} kann dieses Netz nicht fassen: So weit vom Ursprung haben die Zahlen einer STL-Datei Schritte von {step_mm} mm, gröber, als seine Dreiecke erlauben.</translation>
     </message>
     <message>
         <source>{path} does not exist.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} gibt es nicht.</translation>
     </message>
     <message>
         <source>{path} exists already.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} gibt es schon.</translation>
     </message>
     <message>
         <source>{path} holds no interrupted scan.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} enthält keinen unterbrochenen Scan.</translation>
     </message>
     <message>
         <source>{path} holds no triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} enthält keine Dreiecke.</translation>
     </message>
     <message>
         <source>{path} holds no {what} yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} enthält noch nicht: {what}.</translation>
     </message>
     <message>
         <source>{path} holds too few triangles for a comparison: {triangles}, but at least {least} are needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} enthält zu wenige Dreiecke für einen Vergleich: {triangles}, mindestens {least} sind nötig.</translation>
     </message>
     <message>
         <source>{path} is no Impronta case: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} ist kein Impronta-Fall: {reason}.</translation>
     </message>
     <message>
         <source>{path} is no mesh that can be read: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} ist kein lesbares Netz: {reason}.</translation>
     </message>
     <message>
         <source>{path} is open in another window or program.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} ist in einem anderen Fenster oder Programm offen.</translation>
     </message>
     <message>
         <source>{path} was written by a newer Impronta (case version {version}, this program knows {known}).</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} wurde von einem neueren Impronta geschrieben (Fallversion {version}, dieses Programm kennt {known}).</translation>
     </message>
     <message>
         <source>{points} points are too few for a sphere; at least {least} are needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} Punkte sind zu wenige für eine Kugel; mindestens {least} sind nötig.</translation>
     </message>
     <message>
         <source>{points} points are too few for a surface; at least {least} are needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} Punkte sind zu wenige für eine Oberfläche; mindestens {least} sind nötig.</translation>
     </message>
     <message>
         <source>{what}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{what}.</translation>
     </message>
 </context>
 <context>
     <name>spot</name>
     <message>
         <source>cut by the edge</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Rand abgeschnitten</translation>
     </message>
     <message>
         <source>drawn out</source>
-        <translation type="unfinished"></translation>
+        <translation>gestreckt</translation>
     </message>
     <message>
         <source>no spot</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Lichtpunkt</translation>
     </message>
     <message>
         <source>off the other camera&apos;s line</source>
-        <translation type="unfinished"></translation>
+        <translation>neben der Linie der anderen Kamera</translation>
     </message>
     <message>
         <source>on the table</source>
-        <translation type="unfinished"></translation>
+        <translation>auf dem Teller</translation>
     </message>
     <message>
         <source>one of several</source>
-        <translation type="unfinished"></translation>
+        <translation>einer von mehreren</translation>
     </message>
     <message>
         <source>outside the volume</source>
-        <translation type="unfinished"></translation>
+        <translation>außerhalb des Messvolumens</translation>
     </message>
     <message>
         <source>overexposed</source>
-        <translation type="unfinished"></translation>
+        <translation>überbelichtet</translation>
     </message>
     <message>
         <source>reflection: much dimmer</source>
-        <translation type="unfinished"></translation>
+        <translation>Reflex: viel dunkler</translation>
     </message>
     <message>
         <source>spot clipped: shorten the exposure</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtpunkt übersteuert: kürzer belichten</translation>
     </message>
     <message>
         <source>spot dim: lengthen the exposure</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtpunkt schwach: länger belichten</translation>
     </message>
     <message>
         <source>spot too sharp: defocus the lens</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtpunkt zu scharf: Objektiv defokussieren</translation>
     </message>
     <message>
         <source>spot too wide: focus the lens</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtpunkt zu breit: Objektiv fokussieren</translation>
     </message>
     <message>
         <source>too dim</source>
-        <translation type="unfinished"></translation>
+        <translation>zu schwach</translation>
     </message>
     <message>
         <source>too large: {area} px</source>
-        <translation type="unfinished"></translation>
+        <translation>zu groß: {area} px</translation>
     </message>
     <message>
         <source>too small: {area} px</source>
-        <translation type="unfinished"></translation>
+        <translation>zu klein: {area} px</translation>
     </message>
 </context>
 <context>
@@ -8846,7 +9049,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>How large the cases are and when they changed; nothing of what is in them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie groß die Fälle sind und wann sie geändert wurden; nichts von ihrem Inhalt.</translation>
     </message>
     <message>
         <source>Log</source>
@@ -8854,7 +9057,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Rig file</source>
-        <translation type="unfinished"></translation>
+        <translation>Messplatzdatei</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -8862,11 +9065,11 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Sizes of the cases</source>
-        <translation type="unfinished"></translation>
+        <translation>Größen der Fälle</translation>
     </message>
     <message>
         <source>The rig as it is used, with its calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Messplatz, wie er benutzt wird, mit seiner Kalibrierung.</translation>
     </message>
     <message>
         <source>Transcript of the controller</source>
@@ -8874,46 +9077,46 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Versions and machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Versionen und Rechner</translation>
     </message>
     <message>
         <source>Versions, system, processors, memory, graphics.</source>
-        <translation type="unfinished"></translation>
+        <translation>Versionen, System, Prozessoren, Speicher, Grafik.</translation>
     </message>
     <message>
         <source>What program and controller said to each other: seconds, direction, line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was Programm und Steuerung einander sagten: Sekunden, Richtung, Zeile.</translation>
     </message>
     <message>
         <source>What the program noted, the newest at the end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was das Programm notierte, das Neueste am Ende.</translation>
     </message>
     <message>
         <source>What was checked without moving anything, each with its remedy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was geprüft wurde, ohne etwas zu bewegen, jeweils mit Abhilfe.</translation>
     </message>
     <message>
         <source>Without folders, recent cases and orders.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Ordner, letzte Fälle und Aufträge.</translation>
     </message>
 </context>
 <context>
     <name>worklist</name>
     <message>
         <source>Being scanned</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird gescannt</translation>
     </message>
     <message>
         <source>Cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht lesbar</translation>
     </message>
     <message>
         <source>Damaged</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschädigt</translation>
     </message>
     <message>
         <source>Deliver it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausliefern</translation>
     </message>
     <message>
         <source>Delivered</source>
@@ -8921,23 +9124,23 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Go on with it</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortsetzen</translation>
     </message>
     <message>
         <source>Interrupted</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterbrochen</translation>
     </message>
     <message>
         <source>Made by a newer version</source>
-        <translation type="unfinished"></translation>
+        <translation>Neuere Version</translation>
     </message>
     <message>
         <source>New</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu</translation>
     </message>
     <message>
         <source>Open in another program</source>
-        <translation type="unfinished"></translation>
+        <translation>Anderswo offen</translation>
     </message>
     <message>
         <source>Open it</source>
@@ -8945,19 +9148,19 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Reconstruct it</source>
-        <translation type="unfinished"></translation>
+        <translation>Rekonstruieren</translation>
     </message>
     <message>
         <source>Reconstructed</source>
-        <translation type="unfinished"></translation>
+        <translation>Rekonstruiert</translation>
     </message>
     <message>
         <source>Scan it</source>
-        <translation type="unfinished"></translation>
+        <translation>Scannen</translation>
     </message>
     <message>
         <source>Scanned</source>
-        <translation type="unfinished"></translation>
+        <translation>Gescannt</translation>
     </message>
 </context>
 </TS>

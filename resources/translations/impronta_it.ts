@@ -1186,7 +1186,7 @@
     </message>
     <message>
         <source>Cut away what does not belong to the object before it becomes a surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Toglie ciò che non è dell&apos;oggetto prima che diventi superficie</translation>
     </message>
     <message>
         <source>Do not accept</source>
@@ -1194,7 +1194,7 @@
     </message>
     <message>
         <source>Edit</source>
-        <translation type="unfinished">Modifica</translation>
+        <translation>Modifica</translation>
     </message>
     <message>
         <source>Every place is as certain as wanted.</source>
@@ -1576,7 +1576,7 @@ Già consegnato il {day}: {name}</translation>
     </message>
     <message>
         <source>homing</source>
-        <translation>ricerca riferimento</translation>
+        <translation>azzeramento</translation>
     </message>
     <message>
         <source>idle</source>
@@ -2559,7 +2559,7 @@ Già consegnato il {day}: {name}</translation>
     </message>
     <message>
         <source>{told}. Of another surface than the one that is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>{told}. Di un&apos;altra superficie, non di quella mostrata.</translation>
     </message>
 </context>
 <context>
@@ -3853,7 +3853,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Live shows how large spots are</source>
-        <translation>«Dal vivo» mostra quanto sono grandi i punti</translation>
+        <translation>«Dal vivo» mostra i punti</translation>
     </message>
     <message>
         <source>Size of a spot: {low} to {high} pixels, {chosen}</source>
@@ -5140,7 +5140,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Length bar where it took no part</source>
-        <translation>Barra campione dove non ha contribuito</translation>
+        <translation>Barra campione, se non usata</translation>
     </message>
     <message>
         <source>Measured shapes change by {rms} µm rms over the volume, {largest} µm at most</source>
@@ -5163,8 +5163,32 @@ Dopo: {after}</translation>
         <translation>Scala</translation>
     </message>
     <message>
+        <source>Scale by a length measured on the print alone, to {ppm} ppm: no second length has verified it.</source>
+        <translation>Scala da una lunghezza misurata sulla sola stampa, a {ppm} ppm: nessuna seconda lunghezza l&apos;ha verificata.</translation>
+    </message>
+    <message>
+        <source>Scale not verified: no known length was shown, and the board&apos;s nominal size was believed ({ppm} ppm, k = 1).</source>
+        <translation>Scala non verificata: nessuna lunghezza nota è stata mostrata, e si è creduto alla misura nominale della scacchiera ({ppm} ppm, k = 1).</translation>
+    </message>
+    <message>
+        <source>The board is bent: its corners lie within {bend_mm} mm of height; this is taken into account.</source>
+        <translation>La scacchiera è curva: i suoi angoli stanno entro {bend_mm} mm di altezza; se ne tiene conto.</translation>
+    </message>
+    <message>
+        <source>The print is {percent} % larger than its nominal size; this is corrected.</source>
+        <translation>La stampa è più grande del {percent} % della misura nominale; è corretto.</translation>
+    </message>
+    <message>
+        <source>The print is {percent} % smaller than its nominal size; this is corrected.</source>
+        <translation>La stampa è più piccola del {percent} % della misura nominale; è corretto.</translation>
+    </message>
+    <message>
         <source>The reference sphere measured {change} µm otherwise than in the tests before: calibrate and test it again.</source>
         <translation>La sfera di riferimento misurata differisce di {change} µm dalle prove precedenti: calibrare e riprovare.</translation>
+    </message>
+    <message>
+        <source>The table stood {error_deg} degrees off its reported angle at {table_deg} degrees: backlash or lost steps.</source>
+        <translation>La tavola stava a {error_deg} gradi dall&apos;angolo indicato, a {table_deg} gradi: gioco o passi persi.</translation>
     </message>
     <message>
         <source>This calibration is {n} days old and has expired: cameras creep. Calibrate before you measure.</source>
@@ -5208,7 +5232,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>verified by the {length} mm bar</source>
-        <translation>verificata con la barra da {length} mm</translation>
+        <translation>con la barra da {length} mm</translation>
     </message>
     <message>
         <source>within three standard uncertainties of {u} µm each.</source>
@@ -5624,7 +5648,7 @@ Dopo: {after}</translation>
     <name>delivery</name>
     <message>
         <source>2-manifold</source>
-        <translation type="unfinished"></translation>
+        <translation>Varietà 2D</translation>
     </message>
     <message>
         <source>3MF, carries its unit</source>
@@ -5632,27 +5656,27 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>A person accepted {count} holes or thin places as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} lacune o zone rade sono state accettate così come sono.</translation>
     </message>
     <message>
         <source>A person took out {count} measured points, {percent} % of all.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} punti misurati sono stati tolti a mano, il {percent} % del totale.</translation>
     </message>
     <message>
         <source>A person took out {count} measured points.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} punti misurati sono stati tolti a mano.</translation>
     </message>
     <message>
         <source>Accepted places</source>
-        <translation type="unfinished"></translation>
+        <translation>Zone accettate</translation>
     </message>
     <message>
         <source>All triangles face outwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tutti i triangoli guardano in fuori.</translation>
     </message>
     <message>
         <source>Another ear of this order is labelled {side} too, and yet the two mirror each other. Is one of them labelled wrongly?</source>
-        <translation type="unfinished"></translation>
+        <translation>Anche un altro orecchio di quest&apos;ordine è indicato {side}, eppure i due sono speculari. Uno è indicato male?</translation>
     </message>
     <message>
         <source>Archive (PLY with uncertainty, and points)</source>
@@ -5664,27 +5688,27 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished">Calibrazione</translation>
+        <translation>Calibrazione</translation>
     </message>
     <message>
         <source>Calibration {id} of {date} had expired {days} days before the scan. Calibrate, compute the points anew or scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>La calibrazione {id} del {date} era scaduta {days} giorni prima della scansione. Calibrare, ricalcolare i punti o ripetere la scansione.</translation>
     </message>
     <message>
         <source>Calibration {id} of {date} was off by {error_um} µm on corners that it had not seen, more than {limit_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>La calibrazione {id} del {date} errava di {error_um} µm agli angoli non usati, più di {limit_um} µm.</translation>
     </message>
     <message>
         <source>Calibration {id} of {date} was valid at the scan for {days} more days only; calibrate before the next order.</source>
-        <translation type="unfinished"></translation>
+        <translation>La calibrazione {id} del {date} era valida alla scansione solo per altri {days} giorni; calibrare prima del prossimo ordine.</translation>
     </message>
     <message>
         <source>Calibration {id} of {date} was valid at the scan, but no known length has verified its scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>La calibrazione {id} del {date} era valida alla scansione, ma nessuna lunghezza nota ne ha verificato la scala.</translation>
     </message>
     <message>
         <source>Calibration {id} of {date} was valid at the scan, its scale verified; held-out error {error_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>La calibrazione {id} del {date} era valida alla scansione, scala verificata; errore agli angoli non usati {error_um} µm.</translation>
     </message>
     <message>
         <source>Canal tip up</source>
@@ -5696,15 +5720,15 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Closed</source>
-        <translation type="unfinished">Chiusa</translation>
+        <translation>Chiusa</translation>
     </message>
     <message>
         <source>Closure of the turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Chiusura del giro</translation>
     </message>
     <message>
         <source>Coverage</source>
-        <translation type="unfinished">Copertura</translation>
+        <translation>Copertura</translation>
     </message>
     <message>
         <source>Dental model (STL, occlusal plane XY)</source>
@@ -5716,23 +5740,23 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Every edge and every vertex lies on one sheet of surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ogni spigolo e ogni vertice sta su un solo foglio di superficie.</translation>
     </message>
     <message>
         <source>Every edge belongs to two triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ogni spigolo appartiene a due triangoli.</translation>
     </message>
     <message>
         <source>Expected error</source>
-        <translation type="unfinished"></translation>
+        <translation>Errore atteso</translation>
     </message>
     <message>
         <source>Facing outwards</source>
-        <translation type="unfinished"></translation>
+        <translation>Rivolta in fuori</translation>
     </message>
     <message>
         <source>How far this surface is off is not recorded; it was not reconstructed by this program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quanto erra questa superficie non è registrato; non l&apos;ha ricostruita questo programma.</translation>
     </message>
     <message>
         <source>Inches</source>
@@ -5740,31 +5764,31 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>It consists of {count} separate pieces. Remove what does not belong to the object, and reconstruct again.</source>
-        <translation type="unfinished"></translation>
+        <translation>È fatta di {count} pezzi separati. Togliere ciò che non è dell&apos;oggetto, e ricostruire di nuovo.</translation>
     </message>
     <message>
         <source>It is one piece.</source>
-        <translation type="unfinished"></translation>
+        <translation>È un pezzo solo.</translation>
     </message>
     <message>
         <source>It is {longest_mm} x {middle_mm} x {shortest_mm} mm large, as {kind} is.</source>
-        <translation type="unfinished"></translation>
+        <translation>È grande {longest_mm} x {middle_mm} x {shortest_mm} mm, come {kind}.</translation>
     </message>
     <message>
         <source>It is {longest_mm} x {middle_mm} x {shortest_mm} mm large; {kind} is {least_mm} to {most_mm} mm long. Are unit and type right?</source>
-        <translation type="unfinished"></translation>
+        <translation>È grande {longest_mm} x {middle_mm} x {shortest_mm} mm; {kind} è lunga da {least_mm} a {most_mm} mm. Unità e tipo sono giusti?</translation>
     </message>
     <message>
         <source>It is {longest_mm} x {middle_mm} x {shortest_mm} mm large; {kind} is {least_mm} to {most_mm} mm long. Is it whole, and alone?</source>
-        <translation type="unfinished"></translation>
+        <translation>È grande {longest_mm} x {middle_mm} x {shortest_mm} mm; {kind} è lunga da {least_mm} a {most_mm} mm. È intera, e sola?</translation>
     </message>
     <message>
         <source>It mirrors the other ear: {mirrored_um} µm apart mirrored, {direct_um} µm as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>È speculare all&apos;altro orecchio: {mirrored_um} µm di distanza se specchiata, {direct_um} µm com&apos;è.</translation>
     </message>
     <message>
         <source>Marks on the table</source>
-        <translation type="unfinished"></translation>
+        <translation>Tacche sulla tavola</translation>
     </message>
     <message>
         <source>Metres</source>
@@ -5780,35 +5804,35 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Mount {mount} is not part of the surface: it could not be brought together with the others.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il posizionamento {mount} non fa parte della superficie: non si è potuto unire agli altri.</translation>
     </message>
     <message>
         <source>Mounts</source>
-        <translation type="unfinished">Posizionamenti</translation>
+        <translation>Posizionamenti</translation>
     </message>
     <message>
         <source>No hole or thin place had to be accepted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna lacuna o zona rada è stata accettata.</translation>
     </message>
     <message>
         <source>No measured point was taken out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessun punto misurato è stato tolto.</translation>
     </message>
     <message>
         <source>No self-intersections</source>
-        <translation type="unfinished"></translation>
+        <translation>Senza autointersezioni</translation>
     </message>
     <message>
         <source>No size is expected of an object of this type; it is {longest_mm} x {middle_mm} x {shortest_mm} mm large.</source>
-        <translation type="unfinished"></translation>
+        <translation>Per un oggetto di questo tipo non c&apos;è una misura attesa; è grande {longest_mm} x {middle_mm} x {shortest_mm} mm.</translation>
     </message>
     <message>
         <source>No triangle runs through another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessun triangolo ne attraversa un altro.</translation>
     </message>
     <message>
         <source>Not checked: the other ear of this order is not there yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non verificato: l&apos;altro orecchio di quest&apos;ordine non c&apos;è ancora.</translation>
     </message>
     <message>
         <source>Not ready</source>
@@ -5820,19 +5844,19 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Of which points this surface was made is not recorded.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non è registrato da quali punti è stata fatta questa superficie.</translation>
     </message>
     <message>
         <source>One shell</source>
-        <translation type="unfinished"></translation>
+        <translation>Un guscio solo</translation>
     </message>
     <message>
         <source>Only {percent} % of the surface beside its base rests on measured points: too much of it is a guess. Scan the rest first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo il {percent} % della superficie oltre la base poggia su punti misurati: troppo è ipotesi. Prima scansionare il resto.</translation>
     </message>
     <message>
         <source>Only {percent} % of the surface beside its base rests on measured points; the rest is a guess. Fill the holes, or say so.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo il {percent} % della superficie oltre la base poggia su punti misurati; il resto è ipotesi. Colmare le lacune, o dichiararlo.</translation>
     </message>
     <message>
         <source>PLY, with uncertainty and support</source>
@@ -5840,7 +5864,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Points taken out</source>
-        <translation type="unfinished"></translation>
+        <translation>Punti tolti</translation>
     </message>
     <message>
         <source>Printing (3MF)</source>
@@ -5856,115 +5880,115 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Side</source>
-        <translation type="unfinished">Lato</translation>
+        <translation>Lato</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Dimensioni</translation>
     </message>
     <message>
         <source>The first view was not measured again, and the views of the turn agree only to {closure_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>La prima vista non è stata rimisurata, e le viste del giro concordano solo entro {closure_um} µm.</translation>
     </message>
     <message>
         <source>The first view was not measured again; the views of the turn agree to {closure_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>La prima vista non è stata rimisurata; le viste del giro concordano entro {closure_um} µm.</translation>
     </message>
     <message>
         <source>The first view, measured again after the turn, lies {closure_um} µm off, more than {limit_um} µm: something moved a little.</source>
-        <translation type="unfinished"></translation>
+        <translation>La prima vista, rimisurata dopo il giro, sta a {closure_um} µm, più di {limit_um} µm: qualcosa si è mosso un poco.</translation>
     </message>
     <message>
         <source>The first view, measured again at the end of the turn, lies {closure_um} µm beside its first measurement.</source>
-        <translation type="unfinished"></translation>
+        <translation>La prima vista, rimisurata a fine giro, sta a {closure_um} µm dalla sua prima misura.</translation>
     </message>
     <message>
         <source>The marks on the table&apos;s rim kept their distances to {marks_um} µm only, more than {limit_um} µm: something moved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le tacche del bordo della tavola hanno tenuto le distanze solo entro {marks_um} µm, più di {limit_um} µm: qualcosa si è mosso.</translation>
     </message>
     <message>
         <source>The marks on the table&apos;s rim kept their distances to {marks_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le tacche del bordo della tavola hanno tenuto le distanze entro {marks_um} µm.</translation>
     </message>
     <message>
         <source>The measured surface is expected to be off by {error_um} µm rms; the points scatter by {residual_um} µm about it.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;errore atteso della superficie misurata è {error_um} µm rms; i punti le si scostano di {residual_um} µm.</translation>
     </message>
     <message>
         <source>The order does not say which ear it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;ordine non dice quale orecchio è.</translation>
     </message>
     <message>
         <source>The order does not say which jaw it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;ordine non dice quale arcata è.</translation>
     </message>
     <message>
         <source>The points were changed after this surface was made of them. Reconstruct again.</source>
-        <translation type="unfinished"></translation>
+        <translation>I punti sono cambiati dopo che ne è stata fatta questa superficie. Ricostruire di nuovo.</translation>
     </message>
     <message>
         <source>The scan had no marks on the table&apos;s rim to watch over it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La scansione non aveva tacche sul bordo della tavola che la sorvegliassero.</translation>
     </message>
     <message>
         <source>The surface has {count} open edges; a printer may fill it wrongly. Reconstruct again with closed holes.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie ha {count} spigoli aperti; una stampante può riempirla male. Ricostruire di nuovo con lacune chiuse.</translation>
     </message>
     <message>
         <source>The surface is expected to be off by {error_um} µm rms, more than {limit_um} µm. More points, or a calibration, would help.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;errore atteso della superficie è {error_um} µm rms, più di {limit_um} µm. Aiuterebbero più punti, o una calibrazione.</translation>
     </message>
     <message>
         <source>The surface is expected to be off by {error_um} µm rms: too much for a shell. Calibrate, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;errore atteso della superficie è {error_um} µm rms: troppo per un guscio. Calibrare, e ripetere la scansione.</translation>
     </message>
     <message>
         <source>The surface touches itself at {count} places. Reconstruct again.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie tocca sé stessa in {count} punti. Ricostruire di nuovo.</translation>
     </message>
     <message>
         <source>The surface was made of the points as they are now.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie è fatta dai punti come sono ora.</translation>
     </message>
     <message>
         <source>The turn does not close: the first view, measured again, lies {closure_um} µm off. Object or camera moved; scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il giro non si chiude: la prima vista, rimisurata, sta a {closure_um} µm. L&apos;oggetto o una telecamera si è mosso; ripetere la scansione.</translation>
     </message>
     <message>
         <source>The two ears do not mirror each other ({direct_um} µm apart as they are, {mirrored_um} µm mirrored). Is one labelled wrongly?</source>
-        <translation type="unfinished"></translation>
+        <translation>I due orecchi non sono speculari (distano {direct_um} µm come sono, {mirrored_um} µm se specchiati). Uno è indicato male?</translation>
     </message>
     <message>
         <source>There is no other side to compare with.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non c&apos;è un altro lato con cui confrontare.</translation>
     </message>
     <message>
         <source>There is one mount; nothing had to be brought together.</source>
-        <translation type="unfinished"></translation>
+        <translation>C&apos;è un solo posizionamento; niente da unire.</translation>
     </message>
     <message>
         <source>Triangles face inwards or against their neighbours. Reconstruct again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alcuni triangoli guardano in dentro o contro i vicini. Ricostruire di nuovo.</translation>
     </message>
     <message>
         <source>Up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>Aggiornata</translation>
     </message>
     <message>
         <source>Whether it mirrors the other ear cannot be told ({mirrored_um} µm apart mirrored, {direct_um} µm as it is). Look at both.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non si può dire se è speculare all&apos;altro orecchio ({mirrored_um} µm se specchiata, {direct_um} µm com&apos;è). Guardare entrambi.</translation>
     </message>
     <message>
         <source>Whether the turn closes was not measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non è stato misurato se il giro si chiude.</translation>
     </message>
     <message>
         <source>Which part of this surface was measured is not recorded.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non è registrato quale parte di questa superficie è stata misurata.</translation>
     </message>
     <message>
         <source>With which calibration this surface was measured is not recorded.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non è registrato con quale calibrazione è stata misurata questa superficie.</translation>
     </message>
     <message>
         <source>a dental arch</source>
@@ -5992,18 +6016,189 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>{count} mounts lie on each other to {residual_um} µm only, more than {limit_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} posizionamenti combaciano solo entro {residual_um} µm, più di {limit_um} µm.</translation>
     </message>
     <message>
         <source>{count} mounts lie on each other to {residual_um} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} posizionamenti combaciano entro {residual_um} µm.</translation>
     </message>
     <message>
         <source>{count} triangles run through others. Reconstruct again, with less detail if need be.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} triangoli ne attraversano altri. Ricostruire di nuovo, se occorre con meno dettaglio.</translation>
     </message>
     <message>
         <source>{percent} % of the surface beside its base rests on measured points.</source>
+        <translation>Il {percent} % della superficie oltre la base poggia su punti misurati.</translation>
+    </message>
+</context>
+<context>
+    <name>doubts</name>
+    <message>
+        <source>1 triangle has no area; it has no normal and is measured only by its neighbours.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A best fit of the whole spreads what moved over everything: against the region that did not move it shifts the surface by up to {length}. Use the automatic or a painted frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another pose fits about as well, because the shape resembles itself: pick three points to say which one is meant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By its order {before} is &apos;{first}&apos;, but {after} &apos;{second}&apos;; choose two that belong together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By its order {before} is of the side &apos;{first}&apos;, but {after} &apos;{second}&apos;; choose two that belong together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edges that belong to more than two triangles: {edges}; corners that join separate parts: {corners}. Inside and outside are not defined there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hardly anything ({percent} % of the surface) kept its place, so geometry does not say what is fixed: paint what you know to be stable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It consists of {count} separate shells; the largest has {share} of the area. All of them are compared.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is open: its border has {mm} mm in one line. What lies beyond a border has no counterpart and is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is open: its border has {mm} mm in {count} lines. What lies beyond a border has no counterpart and is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is {mm} mm long, which neither an arch nor an ear is; check the unit of the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It touches or crosses itself: more than {count} triangles cut others. Distances near them may go to the wrong layer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It touches or crosses itself: {count} triangles cut others. Distances near them may go to the wrong layer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its normals point inwards: + and - would be exchanged; turn them round in the program that wrote it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its normals point inwards: they look to the side of the gum, not of the teeth. If it is no impression (a negative), + and - are exchanged; turn them round in the program that wrote it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its normals seem to point inwards: it is open, but what it encloses lies on their side. If it is no impression (a negative), + and - are exchanged; turn them round in the program that wrote it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its numbers were taken as {unit} ({why}), so it is {mm} mm long; say the unit if that is wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No region was stable throughout the series; each surface was aligned by a region of its own, so small motions may not add up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only {percent} % of the after surface has a counterpart before: scan the same region both times.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points that belong to no triangle were left out: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points with exactly the place of another one were joined: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some triangles ({share} of its area) face the other way than their neighbours; + and - are exchanged there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The after surface is {percent} % (+- {uncertainty} %) larger than the before surface where nothing should have changed, {length} at its rim: check units and the calibration of both scanners; nothing was rescaled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The after surface is {percent} % (+- {uncertainty} %) smaller than the before surface where nothing should have changed, {length} at its rim: check units and the calibration of both scanners; nothing was rescaled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The alignment rests on {mm2} mm2, {percent} % of the surface that both files show: look whether the region drawn as stable is, or paint it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file says {unit}, so it is {mm} mm long; by its size it would be in {guess}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The later surface is {ratio} times as large as the earlier one; check the units ({units} differ by {factor}), or whether the two belong together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The later surface is {ratio} times as large as the earlier one; check the units, or whether the two belong together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The material was not named; of the rig&apos;s null comparisons the largest level is shown (&apos;{other}&apos;).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The null comparison is of the rig &apos;{rig}&apos;, but the surfaces were measured with &apos;{others}&apos;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The null comparison of &apos;{material}&apos; ({date}) is older than the rig&apos;s calibration ({calibrated}); repeat it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The orders of {before} and {after} name different patients; choose two of one patient.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The stable region lies too much in one lump to hold the far end of the surface, which may be off by {length}: take in stable places that are farther apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This rig has no null comparison of &apos;{material}&apos;; the level shown is of another material, &apos;{other}&apos;. Measure one twice.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangles without an extent but a line or point were left out: {count}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is taken for unchanged differs by up to {length} (95 %): either the scans are that noisy, or it changed everywhere and nothing is fixed. Smaller changes cannot be told.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{before} and {after} are identical files: nothing was measured twice; choose the other state.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{before} and {after} hold the identical surface: nothing was measured twice; choose the other state.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{before} was measured after {after} ({first} and {second}): are the two exchanged?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} triangles have no area; they have no normal and are measured only by their neighbours.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} lands {closure} um beside its place when it goes over {previous} (+- {uncertainty} um, k = 2): what is taken as stable may have moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share} of its area faces the other way than its neighbours, so + and - cannot be told apart; let the program that wrote it orient it.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6170,6 +6365,14 @@ Dopo: {after}</translation>
     <message>
         <source>What was measured is kept; the details help us to mend it.</source>
         <translation>Quanto misurato è conservato; i dettagli aiutano a rimediare.</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>sinistra</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>destra</translation>
     </message>
 </context>
 <context>
@@ -6425,111 +6628,111 @@ Dopo: {after}</translation>
     <name>materials</name>
     <message>
         <source>A clipped top hides where the peak is, and on gloss it is seldom in the middle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una cima saturata nasconde il picco, e sul lucido raramente sta al centro.</translation>
     </message>
     <message>
         <source>A dim halo without its spot must not be taken for one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un alone debole senza il suo punto non va preso per un punto.</translation>
     </message>
     <message>
         <source>A higher threshold keeps the foot of the halo, which is no part of the beam, out of the spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una soglia più alta tiene fuori dal punto il piede dell&apos;alone, che non è parte del raggio.</translation>
     </message>
     <message>
         <source>A little light spreads inside of the plaster and comes out around the spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un po&apos; di luce si diffonde nel gesso ed esce attorno al punto.</translation>
     </message>
     <message>
         <source>Alginate or another wet, glossy impression under a thin coat of white powder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alginato o altra impronta bagnata e lucida, sotto un velo di polvere bianca.</translation>
     </message>
     <message>
         <source>Alginate, scan-sprayed</source>
-        <translation type="unfinished"></translation>
+        <translation>Alginato, opacizzato</translation>
     </message>
     <message>
         <source>Dry plaster does not mirror; what is less bright by four is light from a neighbouring wall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il gesso asciutto non riflette; ciò che è quattro volte più debole è luce di una parete vicina.</translation>
     </message>
     <message>
         <source>Ear impression silicone</source>
-        <translation type="unfinished"></translation>
+        <translation>Silicone per impronte auricolari</translation>
     </message>
     <message>
         <source>Glare flattens the top of a spot on a wet place: fewer clipped pixels are borne than on a matt surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il bagliore appiattisce la cima di un punto sul bagnato: si tollerano meno pixel saturi che su una superficie opaca.</translation>
     </message>
     <message>
         <source>Glossy plastic</source>
-        <translation type="unfinished"></translation>
+        <translation>Plastica lucida</translation>
     </message>
     <message>
         <source>Light goes in and comes out around: the peak is lower than on silicone that scatters as much.</source>
-        <translation type="unfinished"></translation>
+        <translation>La luce entra ed esce attorno: il picco è più basso che su un silicone che diffonde altrettanto.</translation>
     </message>
     <message>
         <source>Matt, light silicone that has set; coloured ones may need more light.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silicone opaco e chiaro, indurito; quelli colorati possono volere più luce.</translation>
     </message>
     <message>
         <source>Mirrored light is drawn out along the surface: spots that are longer than three times their width are doubtful here.</source>
-        <translation type="unfinished"></translation>
+        <translation>La luce riflessa si allunga lungo la superficie: punti più lunghi di tre volte la larghezza qui sono dubbi.</translation>
     </message>
     <message>
         <source>Mirrored spots are nearly as bright as true ones: the frame alone decides nothing, the other camera does.</source>
-        <translation type="unfinished"></translation>
+        <translation>I punti riflessi sono chiari quasi quanto i veri: l&apos;immagine da sola non decide, decide l&apos;altra telecamera.</translation>
     </message>
     <message>
         <source>Plaster</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesso</translation>
     </message>
     <message>
         <source>Plaster scatters back about 0.8 of the light where silicone scatters 0.5: the same peak comes in 0.65 of the time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il gesso rimanda circa 0.8 della luce dove il silicone ne rimanda 0.5: lo stesso picco arriva in 0.65 del tempo.</translation>
     </message>
     <message>
         <source>Printed models, varnish, enamel; spray it where you can.</source>
-        <translation type="unfinished"></translation>
+        <translation>Modelli stampati, vernice, smalto; opacizzare dove si può.</translation>
     </message>
     <message>
         <source>Set silicone hardly mirrors: four times as bright tells the spot from the few reflections.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il silicone indurito quasi non riflette: quattro volte più chiaro distingue il punto dai pochi riflessi.</translation>
     </message>
     <message>
         <source>Skin-like</source>
-        <translation type="unfinished"></translation>
+        <translation>Simile alla pelle</translation>
     </message>
     <message>
         <source>The halo of the light that comes out around the spot is wider than the spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;alone della luce che esce attorno al punto è più largo del punto.</translation>
     </message>
     <message>
         <source>The part that is mirrored is lost to both cameras or blinds one: between plaster and silicone.</source>
-        <translation type="unfinished"></translation>
+        <translation>La parte riflessa si perde per entrambe le telecamere o ne acceca una: fra gesso e silicone.</translation>
     </message>
     <message>
         <source>The powder is as white as plaster where the coat covers; a little more light for where it is thin.</source>
-        <translation type="unfinished"></translation>
+        <translation>La polvere è bianca come il gesso dove copre; un po&apos; più di luce per dove è sottile.</translation>
     </message>
     <message>
         <source>The rig&apos;s own exposure is made for a matt, light surface that scatters back about half of the light, as silicone does.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;esposizione propria del banco è fatta per una superficie opaca e chiara che rimanda circa metà della luce, come il silicone.</translation>
     </message>
     <message>
         <source>The walls of the canal are seen at up to 80 degrees: their spots are drawn out, and still good.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le pareti del condotto si vedono fino a 80 gradi: i loro punti sono allungati, e ancora buoni.</translation>
     </message>
     <message>
         <source>Translucent and reddish: skin, wax, flesh-coloured silicone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Traslucido e rossiccio: pelle, cera, silicone color carne.</translation>
     </message>
     <message>
         <source>Where the coat is thin the wet surface mirrors: only what is clearly the brightest is taken, the rest is left to the other camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dove il velo è sottile la superficie bagnata riflette: si prende solo ciò che è nettamente il più chiaro, il resto lo decide l&apos;altra telecamera.</translation>
     </message>
     <message>
         <source>White gypsum, as dental models and casts are made of.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesso bianco, di cui sono fatti i modelli dentali.</translation>
     </message>
 </context>
 <context>
@@ -6666,7 +6869,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Live point cloud</source>
-        <translation>Nuvola di punti dal vivo</translation>
+        <translation>Punti dal vivo</translation>
     </message>
     <message>
         <source>Missing places</source>
@@ -6682,7 +6885,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Points and measurements</source>
-        <translation type="unfinished"></translation>
+        <translation>Punti e misure</translation>
     </message>
     <message>
         <source>Reconstruct</source>
@@ -7107,83 +7310,83 @@ Dopo: {after}</translation>
     <name>remedies</name>
     <message>
         <source>A reset was sent to switch the laser off; see that it is dark, check cable and power, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>È stato inviato un reset per spegnere il laser; accertarsi che sia spento, controllare cavo e alimentazione, poi riprovare.</translation>
     </message>
     <message>
         <source>A reset was sent; check the cable (length, shield, plugs), then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>È stato inviato un reset; controllare il cavo (lunghezza, schermo, connettori), poi riprovare.</translation>
     </message>
     <message>
         <source>A sweep ends dark by itself, a standing spot may stay lit: see that the laser is off, plug it in, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una passata si spegne da sé, un punto fermo può restare acceso: accertarsi che il laser sia spento, ricollegare, poi riprovare.</translation>
     </message>
     <message>
         <source>Nothing was measured; choose another size or pixel format, or another camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato misurato; scegliere un&apos;altra dimensione o un altro formato di pixel, o un&apos;altra telecamera.</translation>
     </message>
     <message>
         <source>Nothing was measured; take the lens cap off, open the shutter, or lengthen its exposure.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato misurato; togliere il tappo, aprire l&apos;otturatore, o aumentarne l&apos;esposizione.</translation>
     </message>
     <message>
         <source>Nothing was moved; if it should be the controller, it has to be given GRBL first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; se dev&apos;essere il controllore, prima va dotato di GRBL.</translation>
     </message>
     <message>
         <source>Nothing was moved; if it should be the controller, see that it has power and that the cable carries data, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; se dev&apos;essere il controllore, accertarsi che sia alimentato e il cavo porti dati, poi riprovare.</translation>
     </message>
     <message>
         <source>Nothing was moved; plug it in, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; collegare, poi riprovare.</translation>
     </message>
     <message>
         <source>Nothing was moved; plug the controller in again, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; ricollegare il controllore, poi riprovare.</translation>
     </message>
     <message>
         <source>Nothing was moved; such a rig needs a rig file that names one of these as &apos;table_axis&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; un tale banco richiede un file che indichi uno di questi come &apos;table_axis&apos;.</translation>
     </message>
     <message>
         <source>The laser is off; check its cable, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento; controllarne il cavo, poi riprovare.</translation>
     </message>
     <message>
         <source>The laser is off; check the trigger cable, or let the cameras run freely.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento; controllare il cavo di trigger, o lasciare libere le telecamere.</translation>
     </message>
     <message>
         <source>The laser is off; close other programs, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento; chiudere altri programmi, poi riprovare.</translation>
     </message>
     <message>
         <source>The laser is off; close the door, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento; chiudere lo sportello, poi riprovare.</translation>
     </message>
     <message>
         <source>The laser is off; its position is lost: home it, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento; la posizione è persa: cercare il riferimento, poi riprovare.</translation>
     </message>
     <message>
         <source>The laser is off; plug it in, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento; ricollegare, poi riprovare.</translation>
     </message>
     <message>
         <source>The laser is off; try again when the rig is free.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento; riprovare quando il banco è libero.</translation>
     </message>
     <message>
         <source>The laser is off; unplug the camera, plug it in again, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento; scollegare la telecamera, ricollegarla, poi riprovare.</translation>
     </message>
     <message>
         <source>The laser is off; {remedy}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento; {remedy}.</translation>
     </message>
     <message>
         <source>The laser was switched off; free the machine of other work, then try again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è stato spento; liberare il computer da altro lavoro, poi riprovare.</translation>
     </message>
 </context>
 <context>
@@ -7194,11 +7397,11 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>As fast as it can</source>
-        <translation>Il più veloce possibile</translation>
+        <translation>Massima</translation>
     </message>
     <message>
         <source>Bench: 604 × 294 px at 435 mm</source>
-        <translation>Banco da tavolo: 604 × 294 px a 435 mm</translation>
+        <translation>Bench: 604 × 294 px a 435 mm</translation>
     </message>
     <message>
         <source>Both ears on a pair tray</source>
@@ -7230,7 +7433,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Workshop: 1440 × 1080 px at 600 mm</source>
-        <translation>Officina: 1440 × 1080 px a 600 mm</translation>
+        <translation>Workshop: 1440 × 1080 px a 600 mm</translation>
     </message>
     <message>
         <source>{rig}  (the file is missing)</source>
@@ -7241,1534 +7444,1534 @@ Dopo: {after}</translation>
     <name>rig-faults</name>
     <message>
         <source>ALARM:1 (limit switch)</source>
-        <translation type="unfinished"></translation>
+        <translation>ALARM:1 (finecorsa)</translation>
     </message>
     <message>
         <source>ALARM:2 (soft limit)</source>
-        <translation type="unfinished"></translation>
+        <translation>ALARM:2 (limite software)</translation>
     </message>
     <message>
         <source>ALARM:3 (reset in a move)</source>
-        <translation type="unfinished"></translation>
+        <translation>ALARM:3 (reset in moto)</translation>
     </message>
     <message>
         <source>Camera bumped</source>
-        <translation type="unfinished"></translation>
+        <translation>Telecamera urtata</translation>
     </message>
     <message>
         <source>Camera stalled</source>
-        <translation type="unfinished"></translation>
+        <translation>Telecamera bloccata</translation>
     </message>
     <message>
         <source>Camera unplugged</source>
-        <translation type="unfinished"></translation>
+        <translation>Telecamera scollegata</translation>
     </message>
     <message>
         <source>Cameras out of step</source>
-        <translation type="unfinished"></translation>
+        <translation>Telecamere sfasate</translation>
     </message>
     <message>
         <source>Case locked</source>
-        <translation type="unfinished"></translation>
+        <translation>Caso occupato</translation>
     </message>
     <message>
         <source>Clock jump</source>
-        <translation type="unfinished"></translation>
+        <translation>Salto dell&apos;orologio</translation>
     </message>
     <message>
         <source>Controller reset</source>
-        <translation type="unfinished"></translation>
+        <translation>Reset del controllore</translation>
     </message>
     <message>
         <source>Disk full</source>
-        <translation type="unfinished"></translation>
+        <translation>Disco pieno</translation>
     </message>
     <message>
         <source>E-JOB-01; the points are safe, a new worker is started</source>
-        <translation type="unfinished"></translation>
+        <translation>E-JOB-01; i punti sono al sicuro, un nuovo processo è avviato</translation>
     </message>
     <message>
         <source>E-JOB-02 or E-JOB-01; the points are safe</source>
-        <translation type="unfinished"></translation>
+        <translation>E-JOB-02 o E-JOB-01; i punti sono al sicuro</translation>
     </message>
     <message>
         <source>Frames dropped</source>
-        <translation type="unfinished"></translation>
+        <translation>Immagini perse</translation>
     </message>
     <message>
         <source>Frames late</source>
-        <translation type="unfinished"></translation>
+        <translation>Immagini in ritardo</translation>
     </message>
     <message>
         <source>Frames torn</source>
-        <translation type="unfinished"></translation>
+        <translation>Immagini spezzate</translation>
     </message>
     <message>
         <source>Lamp on</source>
-        <translation type="unfinished"></translation>
+        <translation>Lampada accesa</translation>
     </message>
     <message>
         <source>Lenses warm</source>
-        <translation type="unfinished"></translation>
+        <translation>Obiettivi caldi</translation>
     </message>
     <message>
         <source>Lid opened</source>
-        <translation type="unfinished"></translation>
+        <translation>Coperchio aperto</translation>
     </message>
     <message>
         <source>Lost ok</source>
-        <translation type="unfinished"></translation>
+        <translation>ok perso</translation>
     </message>
     <message>
         <source>Mark knocked off</source>
-        <translation type="unfinished"></translation>
+        <translation>Tacca staccata</translation>
     </message>
     <message>
         <source>Partial lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Righe parziali</translation>
     </message>
     <message>
         <source>Port gone</source>
-        <translation type="unfinished"></translation>
+        <translation>Porta sparita</translation>
     </message>
     <message>
         <source>Port gone and back</source>
-        <translation type="unfinished"></translation>
+        <translation>Porta sparita e tornata</translation>
     </message>
     <message>
         <source>Program killed</source>
-        <translation type="unfinished"></translation>
+        <translation>Programma ucciso</translation>
     </message>
     <message>
         <source>Serial noise</source>
-        <translation type="unfinished"></translation>
+        <translation>Rumore seriale</translation>
     </message>
     <message>
         <source>Shiny patch</source>
-        <translation type="unfinished"></translation>
+        <translation>Zona lucida</translation>
     </message>
     <message>
         <source>Steps lost</source>
-        <translation type="unfinished"></translation>
+        <translation>Passi persi</translation>
     </message>
     <message>
         <source>Trigger lost</source>
-        <translation type="unfinished"></translation>
+        <translation>Trigger perso</translation>
     </message>
     <message>
         <source>Worker killed</source>
-        <translation type="unfinished"></translation>
+        <translation>Processo ucciso</translation>
     </message>
     <message>
         <source>Worker out of memory</source>
-        <translation type="unfinished"></translation>
+        <translation>Processo senza memoria</translation>
     </message>
     <message>
         <source>a camera exposes 8 ms later than the other</source>
-        <translation type="unfinished"></translation>
+        <translation>una telecamera espone 8 ms dopo l&apos;altra</translation>
     </message>
     <message>
         <source>a camera hangs: no frame and no error comes any more</source>
-        <translation type="unfinished"></translation>
+        <translation>una telecamera si blocca: non arriva più né immagine né errore</translation>
     </message>
     <message>
         <source>a camera is turned by a small angle and stays so</source>
-        <translation type="unfinished"></translation>
+        <translation>una telecamera viene ruotata di un piccolo angolo e resta così</translation>
     </message>
     <message>
         <source>a camera loses a fifth of its frames</source>
-        <translation type="unfinished"></translation>
+        <translation>una telecamera perde un quinto delle immagini</translation>
     </message>
     <message>
         <source>a camera misses a trigger: its frames belong to the next exposure from then on</source>
-        <translation type="unfinished"></translation>
+        <translation>una telecamera perde un trigger: da allora le sue immagini sono dell&apos;esposizione successiva</translation>
     </message>
     <message>
         <source>a garbled report is asked for again and the scan goes on; a garbled ok ends it with E-MOT-01</source>
-        <translation type="unfinished"></translation>
+        <translation>un rapporto alterato è richiesto e la scansione continua; un ok alterato la termina con E-MOT-01</translation>
     </message>
     <message>
         <source>a lamp shines into the cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>una lampada illumina le telecamere</translation>
     </message>
     <message>
         <source>a limit switch is touched; nothing but a reset gets through</source>
-        <translation type="unfinished"></translation>
+        <translation>un finecorsa è toccato; passa solo un reset</translation>
     </message>
     <message>
         <source>a wet place on the object mirrors the beam: glare, and second spots</source>
-        <translation type="unfinished"></translation>
+        <translation>una zona bagnata dell&apos;oggetto riflette il raggio: bagliore e secondi punti</translation>
     </message>
     <message>
         <source>an &apos;ok&apos; of the controller gets lost on its way</source>
-        <translation type="unfinished"></translation>
+        <translation>un &apos;ok&apos; del controllore va perso per strada</translation>
     </message>
     <message>
         <source>another program tries to open the case; at the opening it holds it</source>
-        <translation type="unfinished"></translation>
+        <translation>un altro programma prova ad aprire il caso; all&apos;apertura lo tiene</translation>
     </message>
     <message>
         <source>both lenses get longer by a thousandth, so that everything is measured too large</source>
-        <translation type="unfinished"></translation>
+        <translation>i due obiettivi si allungano di un millesimo, e tutto è misurato troppo grande</translation>
     </message>
     <message>
         <source>ends with E-CAM-01 after 4 s; laser off, points kept</source>
-        <translation type="unfinished"></translation>
+        <translation>termina con E-CAM-01 dopo 4 s; laser spento, punti conservati</translation>
     </message>
     <message>
         <source>ends with E-CAM-02; laser off, points kept</source>
-        <translation type="unfinished"></translation>
+        <translation>termina con E-CAM-02; laser spento, punti conservati</translation>
     </message>
     <message>
         <source>ends with E-DISK-01; laser off, everything acknowledged is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>termina con E-DISK-01; laser spento, tutto ciò che è confermato è conservato</translation>
     </message>
     <message>
         <source>ends with E-MOT-01, 2 s after the controller fell idle</source>
-        <translation type="unfinished"></translation>
+        <translation>termina con E-MOT-01, 2 s dopo che il controllore è a riposo</translation>
     </message>
     <message>
         <source>ends with E-MOT-02; a sweep ends dark by itself</source>
-        <translation type="unfinished"></translation>
+        <translation>termina con E-MOT-02; una passata si spegne da sé</translation>
     </message>
     <message>
         <source>ends with E-MOT-02; the next start works</source>
-        <translation type="unfinished"></translation>
+        <translation>termina con E-MOT-02; il prossimo avvio funziona</translation>
     </message>
     <message>
         <source>ends with E-MOT-05</source>
-        <translation type="unfinished"></translation>
+        <translation>termina con E-MOT-05</translation>
     </message>
     <message>
         <source>ends with E-MOT-09; dark by the restart</source>
-        <translation type="unfinished"></translation>
+        <translation>termina con E-MOT-09; spento dal riavvio</translation>
     </message>
     <message>
         <source>ends with E-MOT-16; the controller itself stops and darkens the beam</source>
-        <translation type="unfinished"></translation>
+        <translation>termina con E-MOT-16; il controllore stesso si ferma e spegne il raggio</translation>
     </message>
     <message>
         <source>for 10 s one byte in a hundred of the controller&apos;s answers is changed, or another one comes in between</source>
-        <translation type="unfinished"></translation>
+        <translation>per 10 s un byte su cento delle risposte del controllore cambia, o ne arriva un altro in mezzo</translation>
     </message>
     <message>
         <source>for 10 s the worker process gets no more memory; the time counts from the start of the reconstruction</source>
-        <translation type="unfinished"></translation>
+        <translation>per 10 s il processo di calcolo non riceve più memoria; il tempo conta dall&apos;inizio della ricostruzione</translation>
     </message>
     <message>
         <source>for 20 s the controller&apos;s answers come in pieces of 5 bytes with pauses of 20 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>per 20 s le risposte del controllore arrivano in pezzi di 5 byte con pause di 20 ms</translation>
     </message>
     <message>
         <source>goes on</source>
-        <translation type="unfinished"></translation>
+        <translation>continua</translation>
     </message>
     <message>
         <source>goes on, the other program is refused; a case that the other holds is refused with E-CASE-02</source>
-        <translation type="unfinished"></translation>
+        <translation>continua, l&apos;altro programma è rifiutato; un caso tenuto dall&apos;altro è rifiutato con E-CASE-02</translation>
     </message>
     <message>
         <source>goes on; H-EPI-01 when it moved across the epipolar lines, H-VIEW-02 when along them</source>
-        <translation type="unfinished"></translation>
+        <translation>continua; H-EPI-01 se si è mossa attraverso le linee epipolari, H-VIEW-02 se lungo di esse</translation>
     </message>
     <message>
         <source>goes on; H-MARK-03 where the rig has marks, else nothing tells</source>
-        <translation type="unfinished"></translation>
+        <translation>continua; H-MARK-03 se il banco ha tacche, altrimenti niente lo dice</translation>
     </message>
     <message>
         <source>goes on; H-MARK-05</source>
-        <translation type="unfinished"></translation>
+        <translation>continua; H-MARK-05</translation>
     </message>
     <message>
         <source>goes on; H-SYN-01</source>
-        <translation type="unfinished"></translation>
+        <translation>continua; H-SYN-01</translation>
     </message>
     <message>
         <source>goes on; H-SYN-02</source>
-        <translation type="unfinished"></translation>
+        <translation>continua; H-SYN-02</translation>
     </message>
     <message>
         <source>goes on; H-TAB-01</source>
-        <translation type="unfinished"></translation>
+        <translation>continua; H-TAB-01</translation>
     </message>
     <message>
         <source>goes on; every frame is waited for</source>
-        <translation type="unfinished"></translation>
+        <translation>continua; si attende ogni immagine</translation>
     </message>
     <message>
         <source>goes on; glare is rejected as saturated, second spots are settled by the other camera or ambiguous</source>
-        <translation type="unfinished"></translation>
+        <translation>continua; il bagliore è scartato come saturo, i secondi punti sono decisi dall&apos;altra telecamera o ambigui</translation>
     </message>
     <message>
         <source>goes on; no duration, rate or deadline is touched</source>
-        <translation type="unfinished"></translation>
+        <translation>continua; nessuna durata, frequenza o scadenza ne risente</translation>
     </message>
     <message>
         <source>goes on; rejected as dropped_frame, H-CAM-01</source>
-        <translation type="unfinished"></translation>
+        <translation>continua; scartati come dropped_frame, H-CAM-01</translation>
     </message>
     <message>
         <source>goes on; rejected as too_bright, H-LGT-01</source>
-        <translation type="unfinished"></translation>
+        <translation>continua; scartati come too_bright, H-LGT-01</translation>
     </message>
     <message>
         <source>goes on; torn frames are rejected, H-CAM-03</source>
-        <translation type="unfinished"></translation>
+        <translation>continua; le immagini spezzate sono scartate, H-CAM-03</translation>
     </message>
     <message>
         <source>in a tenth of a camera&apos;s frames the lower half is another exposure&apos;s, or garbage</source>
-        <translation type="unfinished"></translation>
+        <translation>in un decimo delle immagini di una telecamera la metà inferiore è di un&apos;altra esposizione, o casuale</translation>
     </message>
     <message>
         <source>is gone; the guardian darkens a real laser within 0.6 s, everything acknowledged is kept</source>
-        <translation type="unfinished"></translation>
+        <translation>sparisce; il guardiano spegne un laser vero entro 0.6 s, tutto ciò che è confermato è conservato</translation>
     </message>
     <message>
         <source>one of the balls on the table&apos;s rim is knocked off; nothing where the rig has no marks</source>
-        <translation type="unfinished"></translation>
+        <translation>una delle sfere del bordo della tavola è staccata; niente se il banco non ha tacche</translation>
     </message>
     <message>
         <source>the board&apos;s reset button is pressed in the middle of a move</source>
-        <translation type="unfinished"></translation>
+        <translation>il pulsante di reset della scheda è premuto durante un moto</translation>
     </message>
     <message>
         <source>the cable of a camera comes off</source>
-        <translation type="unfinished"></translation>
+        <translation>il cavo di una telecamera si stacca</translation>
     </message>
     <message>
         <source>the computer&apos;s clock jumps back by an hour</source>
-        <translation type="unfinished"></translation>
+        <translation>l&apos;orologio del computer torna indietro di un&apos;ora</translation>
     </message>
     <message>
         <source>the controller believes that a move leaves the travel of its axes</source>
-        <translation type="unfinished"></translation>
+        <translation>il controllore crede che un moto esca dalla corsa dei suoi assi</translation>
     </message>
     <message>
         <source>the controller&apos;s cable comes off and stays off</source>
-        <translation type="unfinished"></translation>
+        <translation>il cavo del controllore si stacca e resta staccato</translation>
     </message>
     <message>
         <source>the controller&apos;s cable comes off, and is plugged in again after 3 s</source>
-        <translation type="unfinished"></translation>
+        <translation>il cavo del controllore si stacca, ed è ricollegato dopo 3 s</translation>
     </message>
     <message>
         <source>the controller&apos;s supply breaks down in the middle of a move; it starts anew and has lost its position</source>
-        <translation type="unfinished"></translation>
+        <translation>l&apos;alimentazione del controllore cade durante un moto; riparte e ha perso la posizione</translation>
     </message>
     <message>
         <source>the frames of a camera arrive 0.4 s late, with the right ids and time stamps</source>
-        <translation type="unfinished"></translation>
+        <translation>le immagini di una telecamera arrivano con 0.4 s di ritardo, con id e tempi giusti</translation>
     </message>
     <message>
         <source>the lid is opened, and closed after 10 s</source>
-        <translation type="unfinished"></translation>
+        <translation>il coperchio è aperto, e chiuso dopo 10 s</translation>
     </message>
     <message>
         <source>the program is killed (SIGKILL)</source>
-        <translation type="unfinished"></translation>
+        <translation>il programma è ucciso (SIGKILL)</translation>
     </message>
     <message>
         <source>the table&apos;s motor loses steps in its next move, unknown to the controller</source>
-        <translation type="unfinished"></translation>
+        <translation>il motore della tavola perde passi nel prossimo moto, senza che il controllore lo sappia</translation>
     </message>
     <message>
         <source>the worker process is killed; the time counts from the start of the reconstruction</source>
-        <translation type="unfinished"></translation>
+        <translation>il processo di calcolo è ucciso; il tempo conta dall&apos;inizio della ricostruzione</translation>
     </message>
     <message>
         <source>there is no space left on the disk of the case</source>
-        <translation type="unfinished"></translation>
+        <translation>non c&apos;è più spazio sul disco del caso</translation>
     </message>
 </context>
 <context>
     <name>sentences</name>
     <message>
         <source>A camera moved by about {shift_px} px: since the view at {table_deg} deg the marks on the table&apos;s rim are seen {shift_um} um beside.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una telecamera si è mossa di circa {shift_px} px: dalla vista a {table_deg} deg le tacche del bordo della tavola si vedono spostate di {shift_um} um.</translation>
     </message>
     <message>
         <source>A camera moved or the object moved: the view at {table_deg} deg lies {shift_um} um beside the earlier ones ({direction}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Una telecamera o l&apos;oggetto si è mosso: la vista a {table_deg} deg sta a {shift_um} um dalle precedenti ({direction}).</translation>
     </message>
     <message>
         <source>A camera moved: the views from {table_deg} deg on lie {shift_um} um beside the earlier ones ({direction}, always as seen by the cameras).</source>
-        <translation type="unfinished"></translation>
+        <translation>Una telecamera si è mossa: le viste da {table_deg} deg in poi stanno a {shift_um} um dalle precedenti ({direction}, sempre come vede la telecamera).</translation>
     </message>
     <message>
         <source>A camera or the object moved on the way; fix both, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una telecamera o l&apos;oggetto si è mosso durante la scansione; fissare entrambi e ripetere la scansione.</translation>
     </message>
     <message>
         <source>A camera was moved across the epipolar lines by about {shift_px} px ({where}; noticed after {points} points).</source>
-        <translation type="unfinished"></translation>
+        <translation>Una telecamera si è spostata attraverso le linee epipolari di circa {shift_px} px ({where}; notato dopo {points} punti).</translation>
     </message>
     <message>
         <source>A mesh of {triangles} triangles is too large to be kept in {path}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una mesh di {triangles} triangoli è troppo grande per essere conservata in {path}.</translation>
     </message>
     <message>
         <source>A reset was sent and the points so far are kept; check the cable (length, shield, plugs) and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>È stato inviato un reset e i punti finora sono conservati; controllare il cavo (lunghezza, schermo, connettori) e riprendere.</translation>
     </message>
     <message>
         <source>A reset was sent to switch it off; see that it is dark, then check the controller&apos;s laser mode ($32).</source>
-        <translation type="unfinished"></translation>
+        <translation>È stato inviato un reset per spegnerlo; accertarsi che sia spento, poi controllare il modo laser del controllore ($32).</translation>
     </message>
     <message>
         <source>A reset was sent to switch the laser off and the points so far are kept; see that it is dark, check cable and power, then resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>È stato inviato un reset per spegnere il laser e i punti finora sono conservati; accertarsi che sia spento, controllare cavo e alimentazione, poi riprendere.</translation>
     </message>
     <message>
         <source>A rig needs a controller and two cameras that work; what was found: {controller}, cameras: {cameras}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un banco richiede un controllore e due telecamere funzionanti; trovati: {controller}, telecamere: {cameras}.</translation>
     </message>
     <message>
         <source>A scan by a laser line is not steered by the uncertainty that it reaches.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una scansione a linea laser non si può guidare con l&apos;incertezza raggiunta.</translation>
     </message>
     <message>
         <source>All lengths are off by as much; calibrate, or check &apos;distances_mm&apos; in the table [marks] of the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tutte le lunghezze sono errate di altrettanto; calibrare, o controllare &apos;distances_mm&apos; nella tabella [marks] del file del banco.</translation>
     </message>
     <message>
         <source>All points are kept in {path}; pick three points on both mounts (&apos;impronta register CASE --pairs FILE&apos;), or scan another mount that shares more with the earlier ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tutti i punti sono conservati in {path}; scegliere tre punti sui due posizionamenti (&apos;impronta register CASE --pairs FILE&apos;), o scansionarne un altro che abbia più in comune con i precedenti.</translation>
     </message>
     <message>
         <source>All points are kept; measure another mount that shares more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tutti i punti sono conservati; misurare un altro posizionamento che abbia più in comune.</translation>
     </message>
     <message>
         <source>Both cameras of the rig file are the same one ({id}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Le due telecamere del file del banco sono la stessa ({id}).</translation>
     </message>
     <message>
         <source>Both files are untouched and nothing was mirrored; choose the same side, or export the mirrored one again without mirroring.</source>
-        <translation type="unfinished"></translation>
+        <translation>I due file sono intatti e niente è stato specchiato; scegliere lo stesso lato, o esportare di nuovo quello speculare senza specchiarlo.</translation>
     </message>
     <message>
         <source>Both files are untouched; check that they show the same object and that the normals of both point outwards, then pick three points on both.</source>
-        <translation type="unfinished"></translation>
+        <translation>I due file sono intatti; controllare che mostrino lo stesso oggetto e che le normali di entrambi guardino in fuori, poi scegliere tre punti su entrambi.</translation>
     </message>
     <message>
         <source>Both files are untouched; let the program find the pose, or pick three points on both.</source>
-        <translation type="unfinished"></translation>
+        <translation>I due file sono intatti; lasciare che il programma trovi la posa, o scegliere tre punti su entrambi.</translation>
     </message>
     <message>
         <source>Camera {camera} ({id}) cannot be opened: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La telecamera {camera} ({id}) non si apre: {reason}.</translation>
     </message>
     <message>
         <source>Camera {camera} ({id}) is used by another program.</source>
-        <translation type="unfinished"></translation>
+        <translation>La telecamera {camera} ({id}) è usata da un altro programma.</translation>
     </message>
     <message>
         <source>Camera {camera} cannot be triggered by {line}; it has: {lines}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La telecamera {camera} non si può comandare con il trigger {line}; ha: {lines}.</translation>
     </message>
     <message>
         <source>Camera {camera} delivered frames faster than they could be evaluated: {frames} frames are waiting.</source>
-        <translation type="unfinished"></translation>
+        <translation>La telecamera {camera} ha fornito immagini più in fretta di quanto si potessero valutare: {frames} immagini attendono.</translation>
     </message>
     <message>
         <source>Camera {camera} delivered {count} torn frames of {exposures}: part of each is another exposure&apos;s, or no picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>La telecamera {camera} ha fornito {count} immagini spezzate su {exposures}: una parte è di un&apos;altra esposizione, o non è immagine.</translation>
     </message>
     <message>
         <source>Camera {camera} did not deliver {count} of {exposures} frames ({share} % of the last ones).</source>
-        <translation type="unfinished"></translation>
+        <translation>La telecamera {camera} non ha fornito {count} immagini su {exposures} ({share} % delle ultime).</translation>
     </message>
     <message>
         <source>Camera {camera} gave no frame within {seconds} s.</source>
-        <translation type="unfinished"></translation>
+        <translation>La telecamera {camera} non ha dato immagini entro {seconds} s.</translation>
     </message>
     <message>
         <source>Camera {camera} gives black frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>La telecamera {camera} dà immagini nere.</translation>
     </message>
     <message>
         <source>Camera {camera} gives frames of another kind than can be measured: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La telecamera {camera} dà immagini di un tipo che non si può misurare: {reason}.</translation>
     </message>
     <message>
         <source>Camera {camera} gives {measured_hz} frames/s where {wanted_hz} were asked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>La telecamera {camera} dà {measured_hz} immagini/s dove ne erano chieste {wanted_hz}.</translation>
     </message>
     <message>
         <source>Camera {camera} is blind: {frames} spots in a row were seen by camera {other} alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>La telecamera {camera} non vede: {frames} punti di seguito sono stati visti solo dalla telecamera {other}.</translation>
     </message>
     <message>
         <source>Camera {camera} is driven through OpenCV, which cannot trigger it by {trigger}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La telecamera {camera} è gestita da OpenCV, che non può comandarla con {trigger}.</translation>
     </message>
     <message>
         <source>Camera {camera} reported a fault: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La telecamera {camera} ha segnalato un guasto: {reason}.</translation>
     </message>
     <message>
         <source>Camera {camera} was unplugged.</source>
-        <translation type="unfinished"></translation>
+        <translation>La telecamera {camera} è stata scollegata.</translation>
     </message>
     <message>
         <source>Camera {camera} was used after it had been closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>La telecamera {camera} è stata usata dopo la chiusura.</translation>
     </message>
     <message>
         <source>DICOM files are written by the package pydicom, which is not installed.</source>
-        <translation type="unfinished"></translation>
+        <translation>I file DICOM sono scritti dal pacchetto pydicom, che non è installato.</translation>
     </message>
     <message>
         <source>Everything measured so far is safe and a new worker was started; run it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quanto misurato finora è al sicuro ed è stato avviato un nuovo processo; eseguire di nuovo.</translation>
     </message>
     <message>
         <source>Everything measured so far is safe; send the log if it happens again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quanto misurato finora è al sicuro; se si ripete, inviare il registro.</translation>
     </message>
     <message>
         <source>Everything written before is kept; open it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quanto scritto prima è conservato; aprirlo di nuovo.</translation>
     </message>
     <message>
         <source>Files of the kind &apos;{suffix}&apos; cannot be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>I file di tipo &apos;{suffix}&apos; non si possono scrivere.</translation>
     </message>
     <message>
         <source>In the best pose the new mount stands where light to the earlier one passed: {share} % of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nella posa migliore il nuovo posizionamento sta dove prima la luce passava: il {share} % di esso.</translation>
     </message>
     <message>
         <source>It contradicts the others: the loop of mounts would close with an error of {closure_um} um.</source>
-        <translation type="unfinished"></translation>
+        <translation>Contraddice gli altri: l&apos;anello dei posizionamenti si chiuderebbe con un errore di {closure_um} um.</translation>
     </message>
     <message>
         <source>It is left out of the list; correct the file or remove it.</source>
-        <translation type="unfinished"></translation>
+        <translation>È escluso dalla lista; correggere il file o rimuoverlo.</translation>
     </message>
     <message>
         <source>It is not used; take more views with the board filling the volume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non viene usata; prendere altre viste con la scacchiera che riempie il volume.</translation>
     </message>
     <message>
         <source>It was not touched; choose another name, or overwrite it with --force.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non è stato toccato; scegliere un altro nome, o sovrascrivere con --force.</translation>
     </message>
     <message>
         <source>It was not touched; open it with the newer program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non è stato toccato; aprirlo con il programma più recente.</translation>
     </message>
     <message>
         <source>It was not touched; scan into a new case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non è stato toccato; scansionare in un nuovo caso.</translation>
     </message>
     <message>
         <source>It was switched off again; check the controller&apos;s settings $30 to $32.</source>
-        <translation type="unfinished"></translation>
+        <translation>È stato spento di nuovo; controllare le impostazioni da $30 a $32 del controllore.</translation>
     </message>
     <message>
         <source>Its points are kept; fix cameras and object, then scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>I suoi punti sono conservati; fissare telecamere e oggetto, poi ripetere la scansione.</translation>
     </message>
     <message>
         <source>Its points may be right; a shape without rotational symmetry would tell.</source>
-        <translation type="unfinished"></translation>
+        <translation>I suoi punti possono essere giusti; lo direbbe una forma senza simmetria di rotazione.</translation>
     </message>
     <message>
         <source>Its surface lies nowhere over that of the others.</source>
-        <translation type="unfinished"></translation>
+        <translation>La sua superficie non sta in nessun punto su quella degli altri.</translation>
     </message>
     <message>
         <source>Lengths from there on are off by as much; let the cameras warm up, calibrate, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Da lì in poi le lunghezze sono errate di altrettanto; lasciare scaldare le telecamere, calibrare e ripetere la scansione.</translation>
     </message>
     <message>
         <source>Mark {number} on the table&apos;s rim was moved by {shift_um} um before the view at {table_deg} deg.</source>
-        <translation type="unfinished"></translation>
+        <translation>La tacca {number} del bordo della tavola si è spostata di {shift_um} um prima della vista a {table_deg} deg.</translation>
     </message>
     <message>
         <source>Mark {number} on the table&apos;s rim was not found at {table_deg} deg, where nothing should hide it.</source>
-        <translation type="unfinished"></translation>
+        <translation>La tacca {number} del bordo della tavola non è stata trovata a {table_deg} deg, dove niente dovrebbe nasconderla.</translation>
     </message>
     <message>
         <source>Mount {mount} was not joined to the others. {reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>Il posizionamento {mount} non è stato unito agli altri. {reason}</translation>
     </message>
     <message>
         <source>Neither camera has seen the laser spot for {frames} exposures ({seconds} s), where the object was before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna telecamera ha visto il punto laser per {frames} esposizioni ({seconds} s), dove prima c&apos;era l&apos;oggetto.</translation>
     </message>
     <message>
         <source>No mesh was written and the points are kept; {do}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna mesh è stata scritta e i punti sono conservati; {do}.</translation>
     </message>
     <message>
         <source>No mesh was written; export the points again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna mesh è stata scritta; esportare di nuovo i punti.</translation>
     </message>
     <message>
         <source>No mesh was written; reconstruct one object at a time, and cut the points of the others off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna mesh è stata scritta; ricostruire un oggetto alla volta, e togliere i punti degli altri.</translation>
     </message>
     <message>
         <source>No mesh was written; scan more of the object.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna mesh è stata scritta; scansionare di più dell&apos;oggetto.</translation>
     </message>
     <message>
         <source>No mesh was written; scan the object from more sides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna mesh è stata scritta; scansionare l&apos;oggetto da più lati.</translation>
     </message>
     <message>
         <source>No part of the surface in {path} was measured: its vertices all say that nothing supports them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna parte della superficie in {path} è stata misurata: tutti i suoi vertici risultano senza sostegno.</translation>
     </message>
     <message>
         <source>No rig file was written; &apos;impronta doctor --find&apos; says what became of every port and camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessun file del banco è stato scritto; &apos;impronta doctor --find&apos; dice com&apos;è andata con ogni porta e telecamera.</translation>
     </message>
     <message>
         <source>No sphere of {radius_mm} mm radius was found: {points} points were measured, {share} % of them lie on the best candidate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna sfera di {radius_mm} mm di raggio trovata: {points} punti misurati, il {share} % sta sulla candidata migliore.</translation>
     </message>
     <message>
         <source>No surface was found: of {planned} planned measurements none gave a point ({reasons}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna superficie trovata: di {planned} misure previste nessuna ha dato un punto ({reasons}).</translation>
     </message>
     <message>
         <source>No trigger reached camera {camera} on {line} within {seconds} s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessun trigger è arrivato alla telecamera {camera} su {line} entro {seconds} s.</translation>
     </message>
     <message>
         <source>Nobody can place the artefacts of the test.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuno può collocare i campioni della prova.</translation>
     </message>
     <message>
         <source>Nothing answers on the port {port}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente risponde sulla porta {port}.</translation>
     </message>
     <message>
         <source>Nothing is measured meanwhile; see to its lens cap, aperture and view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Intanto non si misura; controllarne tappo, diaframma e visuale.</translation>
     </message>
     <message>
         <source>Nothing is measured meanwhile; see whether the beam is blocked, the laser is off, or the object fell over.</source>
-        <translation type="unfinished"></translation>
+        <translation>Intanto non si misura; vedere se il raggio è ostruito, il laser è spento o l&apos;oggetto è caduto.</translation>
     </message>
     <message>
         <source>Nothing is measured meanwhile; shorten the exposure or lower the laser&apos;s power.</source>
-        <translation type="unfinished"></translation>
+        <translation>Intanto non si misura; ridurre l&apos;esposizione o la potenza del laser.</translation>
     </message>
     <message>
         <source>Nothing is measured meanwhile; switch the lamp off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Intanto non si misura; spegnere la lampada.</translation>
     </message>
     <message>
         <source>Nothing was changed; check the name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato cambiato; controllare il nome.</translation>
     </message>
     <message>
         <source>Nothing was changed; choose another folder or give permission.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato cambiato; scegliere un&apos;altra cartella o dare il permesso.</translation>
     </message>
     <message>
         <source>Nothing was changed; close it there, or choose another case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato cambiato; chiuderlo lì, o scegliere un altro caso.</translation>
     </message>
     <message>
         <source>Nothing was changed; mark more of the tooth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato cambiato; segnare di più del dente.</translation>
     </message>
     <message>
         <source>Nothing was changed; paint more, or use the automatic frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato cambiato; dipingere di più, o usare il riferimento automatico.</translation>
     </message>
     <message>
         <source>Nothing was changed; pick at least three points far from each other, in the same order on both surfaces.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato cambiato; scegliere almeno tre punti lontani fra loro, nello stesso ordine sulle due superfici.</translation>
     </message>
     <message>
         <source>Nothing was changed; write one line a point: mount, x, y, z on that mount, and x, y, z of the same place on the first mount, in mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato cambiato; scrivere una riga per punto: posizionamento, x, y, z su di esso, e x, y, z dello stesso punto sul primo, in mm.</translation>
     </message>
     <message>
         <source>Nothing was changed; {do}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato cambiato; {do}.</translation>
     </message>
     <message>
         <source>Nothing was compared; choose the whole surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato confrontato; scegliere la superficie intera.</translation>
     </message>
     <message>
         <source>Nothing was compared; export the mesh again from its program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato confrontato; esportare di nuovo la mesh dal suo programma.</translation>
     </message>
     <message>
         <source>Nothing was compared; mark the stable part again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato confrontato; segnare di nuovo la parte stabile.</translation>
     </message>
     <message>
         <source>Nothing was compared; scan it again, or reconstruct it from its points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato confrontato; scansionarla di nuovo, o ricostruirla dai suoi punti.</translation>
     </message>
     <message>
         <source>Nothing was done; check the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato fatto; controllare il file.</translation>
     </message>
     <message>
         <source>Nothing was done; check the name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato fatto; controllare il nome.</translation>
     </message>
     <message>
         <source>Nothing was done; export the mesh again from its program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato fatto; esportare di nuovo la mesh dal suo programma.</translation>
     </message>
     <message>
         <source>Nothing was done; use PLY, XYZ, TXT, CSV, ASC, NPY or a case.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato fatto; usare PLY, XYZ, TXT, CSV, ASC, NPY o un caso.</translation>
     </message>
     <message>
         <source>Nothing was done; use STL, PLY, OBJ, VTP or 3MF.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato fatto; usare STL, PLY, OBJ, VTP o 3MF.</translation>
     </message>
     <message>
         <source>Nothing was joined and all points are kept; measure more of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato unito e tutti i punti sono conservati; misurarne di più.</translation>
     </message>
     <message>
         <source>Nothing was joined and all points are kept; pick three points far from each other, in the same order on both.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato unito e tutti i punti sono conservati; scegliere tre punti lontani fra loro, nello stesso ordine su entrambi.</translation>
     </message>
     <message>
         <source>Nothing was joined and all points are kept; pick three points on both, or measure another mount that shares more with the earlier ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato unito e tutti i punti sono conservati; scegliere tre punti su entrambi, o misurare un altro posizionamento che abbia più in comune con i precedenti.</translation>
     </message>
     <message>
         <source>Nothing was joined and all points are kept; see that the object did not change its shape, and measure the mount again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato unito e tutti i punti sono conservati; accertarsi che l&apos;oggetto non abbia cambiato forma, e misurare di nuovo il posizionamento.</translation>
     </message>
     <message>
         <source>Nothing was measured; ask for a number of points instead, or scan by the spot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato misurato; chiedere invece un numero di punti, o scansionare col punto laser.</translation>
     </message>
     <message>
         <source>Nothing was measured; choose another recording.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato misurato; scegliere un&apos;altra registrazione.</translation>
     </message>
     <message>
         <source>Nothing was measured; correct &apos;pixel_format&apos; or &apos;size_px&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato misurato; correggere &apos;pixel_format&apos; o &apos;size_px&apos; nel file del banco.</translation>
     </message>
     <message>
         <source>Nothing was measured; correct &apos;trigger_line&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato misurato; correggere &apos;trigger_line&apos; nel file del banco.</translation>
     </message>
     <message>
         <source>Nothing was measured; give both the same &apos;rate_hz&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato misurato; dare a entrambe lo stesso &apos;rate_hz&apos; nel file del banco.</translation>
     </message>
     <message>
         <source>Nothing was measured; plug it into a USB port of its own, choose a smaller size, or lower &apos;rate_hz&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato misurato; collegarla a una sua porta USB, scegliere un formato più piccolo, o ridurre &apos;rate_hz&apos; nel file del banco.</translation>
     </message>
     <message>
         <source>Nothing was measured; run &apos;impronta calibrate&apos; or the Rig page first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato misurato; eseguire prima &apos;impronta calibrate&apos; o la pagina Banco.</translation>
     </message>
     <message>
         <source>Nothing was measured; run it where a person or the virtual bench can.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato misurato; eseguire dove può farlo una persona o il banco virtuale.</translation>
     </message>
     <message>
         <source>Nothing was measured; take the lens cap off, open the shutter, and look at &apos;exposure_ms&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato misurato; togliere il tappo, aprire l&apos;otturatore e vedere &apos;exposure_ms&apos; nel file del banco.</translation>
     </message>
     <message>
         <source>Nothing was moved; choose another port in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; scegliere un&apos;altra porta nel file del banco.</translation>
     </message>
     <message>
         <source>Nothing was moved; choose another target, or correct the limits.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; scegliere un&apos;altra meta, o correggere i limiti.</translation>
     </message>
     <message>
         <source>Nothing was moved; close the other program and connect again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; chiudere l&apos;altro programma e ricollegare.</translation>
     </message>
     <message>
         <source>Nothing was moved; correct &apos;table_axis&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; correggere &apos;table_axis&apos; nel file del banco.</translation>
     </message>
     <message>
         <source>Nothing was moved; correct the file or take one of the presets.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; correggere il file o prendere uno di quelli forniti.</translation>
     </message>
     <message>
         <source>Nothing was moved; give the left and the right camera each an &apos;id&apos; of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; dare alla telecamera sinistra e alla destra un &apos;id&apos; ciascuna.</translation>
     </message>
     <message>
         <source>Nothing was moved; install GRBL 1.1 or grblHAL with laser power on its PWM output.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; installare GRBL 1.1 o grblHAL con la potenza laser sull&apos;uscita PWM.</translation>
     </message>
     <message>
         <source>Nothing was moved; install GRBL 1.1 or newer on the controller.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; installare GRBL 1.1 o più recente sul controllore.</translation>
     </message>
     <message>
         <source>Nothing was moved; install the rule of packaging/udev or join the group &apos;dialout&apos;, then log in again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; installare la regola di packaging/udev o entrare nel gruppo &apos;dialout&apos;, poi accedere di nuovo.</translation>
     </message>
     <message>
         <source>Nothing was moved; install the rule of packaging/udev or join the group &apos;video&apos;, then log in again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; installare la regola di packaging/udev o entrare nel gruppo &apos;video&apos;, poi accedere di nuovo.</translation>
     </message>
     <message>
         <source>Nothing was moved; plug it in, or correct &apos;id&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; collegarla, o correggere &apos;id&apos; nel file del banco.</translation>
     </message>
     <message>
         <source>Nothing was moved; plug the controller in or correct &apos;port&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; collegare il controllore o correggere &apos;port&apos; nel file del banco.</translation>
     </message>
     <message>
         <source>Nothing was moved; run: pip install &apos;impronta[{driver}]&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; eseguire: pip install &apos;impronta[{driver}]&apos;.</translation>
     </message>
     <message>
         <source>Nothing was moved; see that the controller has power and that the cable carries data, then check &apos;port&apos; and &apos;baud&apos; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; accertarsi che il controllore sia alimentato e il cavo porti dati, poi controllare &apos;port&apos; e &apos;baud&apos; nel file del banco.</translation>
     </message>
     <message>
         <source>Nothing was moved; unplug it, plug it in again, and connect again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; scollegare, ricollegare il cavo e riconnettere.</translation>
     </message>
     <message>
         <source>Nothing was moved; with $32=0 the beam would stand still while lit: send $32=1 to the controller once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; con $32=0 il raggio acceso starebbe fermo: inviare una volta $32=1 al controllore.</translation>
     </message>
     <message>
         <source>Nothing was moved; write trigger = &quot;free&quot; into the rig file, or use a camera with a trigger of its own and its own driver.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato mosso; scrivere trigger = &quot;free&quot; nel file del banco, o usare una telecamera con un proprio trigger e il proprio driver.</translation>
     </message>
     <message>
         <source>Nothing was scanned; choose a smaller specimen, or scale it (is its unit millimetres?).</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato scansionato; scegliere un oggetto più piccolo, o scalarlo (l&apos;unità è il millimetro?).</translation>
     </message>
     <message>
         <source>Nothing was scanned; correct the plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato scansionato; correggere il piano.</translation>
     </message>
     <message>
         <source>Nothing was split and every point is kept; a single impression needs no tray, for a pair set both on their seats and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato diviso e ogni punto è conservato; un&apos;impronta sola non vuole vassoio, per una coppia metterle sulle loro sedi e ripetere la scansione.</translation>
     </message>
     <message>
         <source>Nothing was split and every point is kept; take those points out (Edit), or set the impressions on their seats and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato diviso e ogni punto è conservato; togliere quei punti (Modifica), o mettere le impronte sulle loro sedi e ripetere la scansione.</translation>
     </message>
     <message>
         <source>Nothing was touched, and what was measured can be used as it is; scan again into a new case, which takes about half a minute.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato toccato e quanto misurato si può usare com&apos;è; ripetere la scansione in un nuovo caso, serve circa mezzo minuto.</translation>
     </message>
     <message>
         <source>Nothing was written; close other programs, or ask for fewer points or triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato scritto; chiudere altri programmi, o chiedere meno punti o triangoli.</translation>
     </message>
     <message>
         <source>Nothing was written; install it with pip install &apos;impronta[dicom]&apos;, or choose another format.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato scritto; installarlo con pip install &apos;impronta[dicom]&apos;, o scegliere un altro formato.</translation>
     </message>
     <message>
         <source>Nothing was written; mend that, or deliver it anyway, and the certificate says so.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato scritto; rimediare, o consegnare comunque, e il certificato lo dice.</translation>
     </message>
     <message>
         <source>Nothing was written; see what would be in it with --list.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato scritto; con --list si vede che cosa conterrebbe.</translation>
     </message>
     <message>
         <source>Nothing was written; use one of {known}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato scritto; usare uno di {known}.</translation>
     </message>
     <message>
         <source>Nothing was written; use one of: {known}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato scritto; usare uno di: {known}.</translation>
     </message>
     <message>
         <source>Nothing was written; write .ply, .obj or .3mf instead, or move the points nearer to the origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niente è stato scritto; scrivere invece .ply, .obj o .3mf, o portare i punti più vicino all&apos;origine.</translation>
     </message>
     <message>
         <source>One of {after} and {before} is mirrored, or they show opposite sides: {score} % of the surface agrees as it is, {mirrored} % of its mirror image.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una fra {after} e {before} è specchiata, o mostrano lati opposti: il {score} % della superficie concorda così com&apos;è, il {mirrored} % specchiata.</translation>
     </message>
     <message>
         <source>Only {count} points in {path} lie on the seat of the {side} ear.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo {count} punti in {path} stanno sulla sede dell&apos;orecchio {side}.</translation>
     </message>
     <message>
         <source>Over the others its surface is {residual_um} um away (noise explains {most_um} um), and {agree} % of it agrees with theirs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sugli altri la sua superficie dista {residual_um} um (il rumore ne spiega {most_um} um), e il {agree} % concorda con la loro.</translation>
     </message>
     <message>
         <source>Points from there on may be off; see that both cameras are fixed, and calibrate before the next scan.</source>
-        <translation type="unfinished"></translation>
+        <translation>Da lì in poi i punti possono essere errati; accertarsi che le telecamere siano fissate, e calibrare prima della prossima scansione.</translation>
     </message>
     <message>
         <source>Room light drowned the laser spot: of {planned} planned measurements none gave a point.</source>
-        <translation type="unfinished"></translation>
+        <translation>La luce ambiente copre il punto laser: di {planned} misure previste nessuna ha dato un punto.</translation>
     </message>
     <message>
         <source>Room light drowns the laser spot: {frames} frames in a row of camera {camera} are too bright.</source>
-        <translation type="unfinished"></translation>
+        <translation>La luce ambiente copre il punto laser: {frames} immagini di seguito della telecamera {camera} sono troppo chiare.</translation>
     </message>
     <message>
         <source>The ball bar was not found in position {position}: {found} of its two spheres was seen.</source>
-        <translation type="unfinished"></translation>
+        <translation>La barra a sfere non è stata trovata in posizione {position}: delle due sfere ne è stata vista {found}.</translation>
     </message>
     <message>
         <source>The board&apos;s squares measure {measured_mm} mm where {given_mm} mm was given (by the bar of {bar_mm} mm).</source>
-        <translation type="unfinished"></translation>
+        <translation>I quadretti della scacchiera misurano {measured_mm} mm dove era dato {given_mm} mm (dalla barra di {bar_mm} mm).</translation>
     </message>
     <message>
         <source>The calibration failed: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La calibrazione non è riuscita: {reason}.</translation>
     </message>
     <message>
         <source>The calibration of this rig is not the one with which the scan in {path} was begun.</source>
-        <translation type="unfinished"></translation>
+        <translation>La calibrazione di questo banco non è quella con cui è iniziata la scansione in {path}.</translation>
     </message>
     <message>
         <source>The calibration was not accepted: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La calibrazione non è stata accettata: {reason}.</translation>
     </message>
     <message>
         <source>The cameras are exchanged: what is called the right camera stands to the left of the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le telecamere sono scambiate: quella detta destra sta a sinistra dell&apos;altra.</translation>
     </message>
     <message>
         <source>The cameras are out of step by {count} frame: camera {late} lost a trigger, and every pair since then mixes two instants.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le telecamere sono sfasate di {count} immagine: la telecamera {late} ha perso un trigger, e da allora ogni coppia mescola due istanti.</translation>
     </message>
     <message>
         <source>The cameras do not expose together: camera {late} is {skew_ms} ms late.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le telecamere non espongono insieme: la telecamera {late} ritarda di {skew_ms} ms.</translation>
     </message>
     <message>
         <source>The case is unchanged; reconstruct it with &apos;impronta reconstruct&apos; and ask again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il caso è invariato; ricostruirlo con &apos;impronta reconstruct&apos; e richiedere.</translation>
     </message>
     <message>
         <source>The case is unchanged; reconstruct with fewer triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il caso è invariato; ricostruire con meno triangoli.</translation>
     </message>
     <message>
         <source>The case is unchanged; {do}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il caso è invariato; {do}.</translation>
     </message>
     <message>
         <source>The case {path} was used after it had been closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il caso {path} è stato usato dopo la chiusura.</translation>
     </message>
     <message>
         <source>The connection to the controller on {port} was lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il collegamento al controllore su {port} è caduto.</translation>
     </message>
     <message>
         <source>The controller on {port} did not answer &apos;{command}&apos; within {seconds} s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il controllore su {port} non ha risposto a &apos;{command}&apos; entro {seconds} s.</translation>
     </message>
     <message>
         <source>The controller on {port} does not tell its setting {setting} ({meaning}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Il controllore su {port} non comunica la sua impostazione {setting} ({meaning}).</translation>
     </message>
     <message>
         <source>The controller on {port} has no axis &apos;{axis}&apos; for the table (it has {axes}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Il controllore su {port} non ha un asse &apos;{axis}&apos; per la tavola (ha {axes}).</translation>
     </message>
     <message>
         <source>The controller on {port} is not in laser mode ($32={value}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Il controllore su {port} non è in modo laser ($32={value}).</translation>
     </message>
     <message>
         <source>The controller on {port} reports another position each time although it rests.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il controllore su {port} riporta ogni volta un&apos;altra posizione benché sia fermo.</translation>
     </message>
     <message>
         <source>The controller on {port} restarted by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il controllore su {port} si è riavviato da sé.</translation>
     </message>
     <message>
         <source>The controller on {port} runs {firmware}, which knows no laser mode.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il controllore su {port} esegue {firmware}, che non ha modo laser.</translation>
     </message>
     <message>
         <source>The controller on {port} was used after it had been closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il controllore su {port} è stato usato dopo la chiusura.</translation>
     </message>
     <message>
         <source>The controller refused &apos;{command}&apos; with error:{number} ({meaning}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Il controllore ha rifiutato &apos;{command}&apos; con error:{number} ({meaning}).</translation>
     </message>
     <message>
         <source>The controller reports ALARM:{alarm} ({meaning}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Il controllore segnala ALARM:{alarm} ({meaning}).</translation>
     </message>
     <message>
         <source>The controller reports a lit laser (S{power}) where it must be dark.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il controllore segnala il laser acceso (S{power}) dove deve essere spento.</translation>
     </message>
     <message>
         <source>The file is untouched; scan or export the surface again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il file è intatto; scansionare o esportare di nuovo la superficie.</translation>
     </message>
     <message>
         <source>The file of picked points {path} cannot be used: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il file dei punti scelti {path} non è utilizzabile: {reason}.</translation>
     </message>
     <message>
         <source>The file was not touched; choose another file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il file non è stato toccato; scegliere un altro file.</translation>
     </message>
     <message>
         <source>The frames of camera {camera} cannot be recorded into {path}: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le immagini della telecamera {camera} non si possono registrare in {path}: {reason}.</translation>
     </message>
     <message>
         <source>The interrupted scan cannot go on: of {known} known points {seen} were found again, {shift_um} um beside where they were.</source>
-        <translation type="unfinished"></translation>
+        <translation>La scansione interrotta non può continuare: di {known} punti noti {seen} sono stati ritrovati, a {shift_um} um da dove erano.</translation>
     </message>
     <message>
         <source>The interrupted scan cannot go on: the marks on the table&apos;s rim are seen {shift_um} um beside where they were ({cause}).</source>
-        <translation type="unfinished"></translation>
+        <translation>La scansione interrotta non può continuare: le tacche del bordo della tavola si vedono a {shift_um} um da dove erano ({cause}).</translation>
     </message>
     <message>
         <source>The interrupted scan of {path} was made by a laser line, which is not resumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>La scansione interrotta di {path} era a linea laser, e non si riprende.</translation>
     </message>
     <message>
         <source>The laser did not light although it was asked to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser non si è acceso benché richiesto.</translation>
     </message>
     <message>
         <source>The laser is off and everything written before is kept; free some space and go on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento e quanto scritto prima è conservato; liberare spazio e continuare.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are in {case}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento e i punti finora sono in {case}.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; check its cable and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento e i punti finora sono conservati; controllarne il cavo e riprendere.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; check the trigger cable, or set trigger = &quot;free&quot; in the rig file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento e i punti finora sono conservati; controllare il cavo di trigger, o mettere trigger = &quot;free&quot; nel file del banco.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; close other programs and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento e i punti finora sono conservati; chiudere altri programmi e riprendere.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; close the door and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento e i punti finora sono conservati; chiudere lo sportello e riprendere.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; free some space or choose another folder, and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento e i punti finora sono conservati; liberare spazio o scegliere un&apos;altra cartella, e riprendere.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; its position is lost, home it and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento e i punti finora sono conservati; la posizione è persa, cercare il riferimento e riprendere.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; plug it in and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento e i punti finora sono conservati; ricollegare e riprendere.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; resume when the rig is free.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento e i punti finora sono conservati; riprendere quando il banco è libero.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; unplug the camera, plug it in again, and resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento e i punti finora sono conservati; scollegare la telecamera, ricollegarla e riprendere.</translation>
     </message>
     <message>
         <source>The laser is off and the points so far are kept; {remedy}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento e i punti finora sono conservati; {remedy}.</translation>
     </message>
     <message>
         <source>The laser is off and what was measured before is kept; put table and cameras back as they were and resume, or scan anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento e quanto misurato prima è conservato; rimettere tavola e telecamere com&apos;erano e riprendere, o scansionare da capo.</translation>
     </message>
     <message>
         <source>The laser is off and what was measured before is kept; put the object and the cameras back as they were and resume, or scan anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento e quanto misurato prima è conservato; rimettere l&apos;oggetto e le telecamere com&apos;erano e riprendere, o scansionare da capo.</translation>
     </message>
     <message>
         <source>The laser is off and what was measured before is kept; switch the lamp off, then resume or scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento e quanto misurato prima è conservato; spegnere la lampada, poi riprendere o ripetere la scansione.</translation>
     </message>
     <message>
         <source>The laser is off; ask for more points, or more views.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento; chiedere più punti, o più viste.</translation>
     </message>
     <message>
         <source>The laser is off; check --spacing-mm and that nothing else of the spheres&apos; size stands in the volume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento; controllare --spacing-mm e che nel volume non ci sia altro grande quanto le sfere.</translation>
     </message>
     <message>
         <source>The laser is off; check the rig file and the controller&apos;s settings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento; controllare il file del banco e le impostazioni del controllore.</translation>
     </message>
     <message>
         <source>The laser is off; open the rig again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento; aprire di nuovo il banco.</translation>
     </message>
     <message>
         <source>The laser is off; place the bar as the plan of the test says, and check --reference-mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento; collocare la barra come dice il piano della prova, e controllare --reference-mm.</translation>
     </message>
     <message>
         <source>The laser is off; put the matt white plate into the middle of the volume, facing the cameras, and keep the lamps away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento; mettere la piastra bianca opaca al centro del volume, rivolta alle telecamere, e tenere lontane le lampade.</translation>
     </message>
     <message>
         <source>The laser is off; put the object on the table, and check the laser and the lens caps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento; mettere l&apos;oggetto sulla tavola, e controllare il laser e i tappi degli obiettivi.</translation>
     </message>
     <message>
         <source>The laser is off; put the reference sphere alone into the middle of the table, and check --reference-mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento; mettere la sola sfera di riferimento al centro della tavola, e controllare --reference-mm.</translation>
     </message>
     <message>
         <source>The laser is off; take all but one away and start the test again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento; toglierle tutte tranne una e riavviare la prova.</translation>
     </message>
     <message>
         <source>The laser may be on: switch off its power before you reach into the rig, then connect again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser può essere acceso: togliere l&apos;alimentazione prima di mettere le mani nel banco, poi ricollegare.</translation>
     </message>
     <message>
         <source>The laser spot is saturated in {frames} frames in a row of camera {camera}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il punto laser è saturo in {frames} immagini di seguito della telecamera {camera}.</translation>
     </message>
     <message>
         <source>The laser was switched off and the points so far are kept; free the machine of other work, then resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è stato spento e i punti finora sono conservati; liberare il computer da altro lavoro, poi riprendere.</translation>
     </message>
     <message>
         <source>The laser was switched off by a reset; connect again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è stato spento con un reset; ricollegare.</translation>
     </message>
     <message>
         <source>The left camera gives {left_hz} frames/s and the right one {right_hz}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La telecamera sinistra dà {left_hz} immagini/s e la destra {right_hz}.</translation>
     </message>
     <message>
         <source>The marked part holds {marked} measured vertices; at least {least} are needed for a motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>La parte segnata contiene {marked} vertici misurati; per un moto ne servono almeno {least}.</translation>
     </message>
     <message>
         <source>The mask {path} cannot be used: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La maschera {path} non è utilizzabile: {reason}.</translation>
     </message>
     <message>
         <source>The material {path} cannot be used: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il materiale {path} non è utilizzabile: {reason}.</translation>
     </message>
     <message>
         <source>The mesh of {path} does not say how certain it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>La mesh di {path} non dice quanto è certa.</translation>
     </message>
     <message>
         <source>The motion was stopped during &apos;{command}&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il moto è stato fermato durante &apos;{command}&apos;.</translation>
     </message>
     <message>
         <source>The new mount fits in more than one way: a pose that is turned by {angle} degrees against the best one fits about as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il nuovo posizionamento combacia in più modi: una posa ruotata di {angle} gradi rispetto alla migliore combacia quasi altrettanto.</translation>
     </message>
     <message>
         <source>The new mount fits nowhere on what was measured before: in the best pose only {agree} % of the surface that both show agrees.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il nuovo posizionamento non combacia con quanto misurato prima: nella posa migliore concorda solo il {agree} % della superficie comune.</translation>
     </message>
     <message>
         <source>The new mount shares too little with what was measured before: {overlap} % of it, and at least {least} % are needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il nuovo posizionamento ha troppo poco in comune con quanto misurato prima: il {overlap} %, e serve almeno il {least} %.</translation>
     </message>
     <message>
         <source>The new mount, or what was measured before, has too few points to find its place: {points}, but at least {least} are needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il nuovo posizionamento, o quanto misurato prima, ha troppo pochi punti per trovare il suo posto: {points}, e ne servono almeno {least}.</translation>
     </message>
     <message>
         <source>The null comparison says nothing of the rig: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il confronto nullo non dice nulla del banco: {reason}.</translation>
     </message>
     <message>
         <source>The object moved on the table: the views from {table_deg} deg on lie {shift_um} um beside the earlier ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;oggetto si è mosso sulla tavola: le viste da {table_deg} deg in poi stanno a {shift_um} um dalle precedenti.</translation>
     </message>
     <message>
         <source>The picked points do not belong to each other: after the best fit of the surfaces they lie {apart_mm} mm apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>I punti scelti non si corrispondono: dopo il miglior adattamento delle superfici distano {apart_mm} mm.</translation>
     </message>
     <message>
         <source>The picked points do not say how the surfaces lie: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>I punti scelti non dicono come stanno le superfici: {reason}.</translation>
     </message>
     <message>
         <source>The plan {path} cannot be used: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il piano {path} non è utilizzabile: {reason}.</translation>
     </message>
     <message>
         <source>The points are kept and the other marks go on watching; fix it, and see that nothing touches it.</source>
-        <translation type="unfinished"></translation>
+        <translation>I punti sono conservati e le altre tacche continuano a vigilare; fissarla, e badare che niente la tocchi.</translation>
     </message>
     <message>
         <source>The points are kept and the other marks go on watching; see whether it is covered or was knocked off.</source>
-        <translation type="unfinished"></translation>
+        <translation>I punti sono conservati e le altre tacche continuano a vigilare; vedere se è coperta o è stata staccata.</translation>
     </message>
     <message>
         <source>The points are noisier than they claim; look for vibration, moving reflections or a dirty lens.</source>
-        <translation type="unfinished"></translation>
+        <translation>I punti sono più rumorosi di quanto dichiarano; cercare vibrazioni, riflessi mobili o un obiettivo sporco.</translation>
     </message>
     <message>
         <source>The points are shifted along the sweep; trigger both cameras from one source.</source>
-        <translation type="unfinished"></translation>
+        <translation>I punti sono spostati lungo la passata; comandare le due telecamere da un solo trigger.</translation>
     </message>
     <message>
         <source>The points belong to {count} separate objects: the second largest holds {share} % of them and lies {gap_mm} mm from the largest.</source>
-        <translation type="unfinished"></translation>
+        <translation>I punti sono di {count} oggetti separati: il secondo ne ha il {share} % e dista {gap_mm} mm dal più grande.</translation>
     </message>
     <message>
         <source>The points contain {count} values that are not finite numbers, or impossibly far away.</source>
-        <translation type="unfinished"></translation>
+        <translation>I punti contengono {count} valori non finiti, o impossibilmente lontani.</translation>
     </message>
     <message>
         <source>The points do not enclose a body: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>I punti non racchiudono un corpo: {reason}.</translation>
     </message>
     <message>
         <source>The points from there on are off; fix the cameras, calibrate, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Da lì in poi i punti sono errati; fissare le telecamere, calibrare e ripetere la scansione.</translation>
     </message>
     <message>
         <source>The points since then are wrong; check the trigger cable and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Da allora i punti sono errati; controllare il cavo di trigger e ripetere la scansione.</translation>
     </message>
     <message>
         <source>The points so far are kept. A sweep ends dark by itself, a standing spot may stay lit: see that the laser is off, plug it in, then resume.</source>
-        <translation type="unfinished"></translation>
+        <translation>I punti finora sono conservati. Una passata si spegne da sé, un punto fermo può restare acceso: accertarsi che il laser sia spento, ricollegare, poi riprendere.</translation>
     </message>
     <message>
         <source>The port {port} does not exist or cannot be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>La porta {port} non esiste o non si apre.</translation>
     </message>
     <message>
         <source>The port {port} is used by another program.</source>
-        <translation type="unfinished"></translation>
+        <translation>La porta {port} è usata da un altro programma.</translation>
     </message>
     <message>
         <source>The previous calibration stays in use; exchange the two cameras in the rig file, then calibrate again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Resta in uso la calibrazione precedente; scambiare le due telecamere nel file del banco, poi calibrare di nuovo.</translation>
     </message>
     <message>
         <source>The previous calibration stays in use; give the right size with --square-mm, or the bar&apos;s certified length with --length-mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Resta in uso la calibrazione precedente; dare la misura giusta con --square-mm, o la lunghezza certificata della barra con --length-mm.</translation>
     </message>
     <message>
         <source>The previous calibration stays in use; take the views again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Resta in uso la calibrazione precedente; riprendere le viste.</translation>
     </message>
     <message>
         <source>The program did not look after the lit laser for {seconds} s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il programma non ha sorvegliato il laser acceso per {seconds} s.</translation>
     </message>
     <message>
         <source>The recording {path} cannot be replayed: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La registrazione {path} non si può riprodurre: {reason}.</translation>
     </message>
     <message>
         <source>The recording {path} holds no frames for what was asked of camera {camera}: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La registrazione {path} non contiene immagini per quanto chiesto alla telecamera {camera}: {reason}.</translation>
     </message>
     <message>
         <source>The rig file is unchanged; measure the same model twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il file del banco è invariato; misurare due volte lo stesso modello.</translation>
     </message>
     <message>
         <source>The rig file {path} cannot be used: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il file del banco {path} non è utilizzabile: {reason}.</translation>
     </message>
     <message>
         <source>The rig file&apos;s own settings are used; set exposure and sizes on the Aim page again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si usano le impostazioni del file del banco; regolare di nuovo esposizione e dimensioni nella pagina Puntamento.</translation>
     </message>
     <message>
         <source>The rig has no calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il banco non ha calibrazione.</translation>
     </message>
     <message>
         <source>The right camera exposes {skew_us} us after the left one, and a moving laser line is then not the same line in both images.</source>
-        <translation type="unfinished"></translation>
+        <translation>La telecamera destra espone {skew_us} us dopo la sinistra, e una linea laser in moto non è più la stessa nelle due immagini.</translation>
     </message>
     <message>
         <source>The safety door of the rig is open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo sportello di sicurezza del banco è aperto.</translation>
     </message>
     <message>
         <source>The safety relay of the serial port stopped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il relè di sicurezza della porta seriale si è fermato.</translation>
     </message>
     <message>
         <source>The safety relay of the serial port {port} stopped, and the controller could not be reset.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il relè di sicurezza della porta seriale {port} si è fermato, e non si è potuto resettare il controllore.</translation>
     </message>
     <message>
         <source>The scale changed by {percent} %: since the view at {table_deg} deg the marks on the table&apos;s rim have other distances.</source>
-        <translation type="unfinished"></translation>
+        <translation>La scala è cambiata del {percent} %: dalla vista a {table_deg} deg le tacche del bordo della tavola hanno altre distanze.</translation>
     </message>
     <message>
         <source>The scale is off by {percent} % against the calibrated distances of the marks on the table&apos;s rim.</source>
-        <translation type="unfinished"></translation>
+        <translation>La scala è errata del {percent} % rispetto alle distanze calibrate delle tacche del bordo della tavola.</translation>
     </message>
     <message>
         <source>The scan stopped on an unexpected fault ({reason}).</source>
-        <translation type="unfinished"></translation>
+        <translation>La scansione si è fermata per un guasto imprevisto ({reason}).</translation>
     </message>
     <message>
         <source>The software for cameras of the kind &apos;{driver}&apos; is not installed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il software per telecamere di tipo &apos;{driver}&apos; non è installato.</translation>
     </message>
     <message>
         <source>The specimen is {size_mm} mm large, but both cameras see a volume of {volume_mm} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;oggetto è grande {size_mm} mm, ma le due telecamere vedono un volume di {volume_mm} mm.</translation>
     </message>
     <message>
         <source>The spheres in position {position} stand {measured_mm} mm apart, not {reference_mm} mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le sfere in posizione {position} distano {measured_mm} mm, non {reference_mm} mm.</translation>
     </message>
     <message>
         <source>The standing spot was seen by both cameras in {seen} of {exposed} exposures only ({reasons}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Il punto fermo è stato visto dalle due telecamere solo in {seen} esposizioni su {exposed} ({reasons}).</translation>
     </message>
     <message>
         <source>The support bundle has no entry &apos;{name}&apos;; it has {known}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il pacchetto di assistenza non ha la voce &apos;{name}&apos;; ha {known}.</translation>
     </message>
     <message>
         <source>The surface that both mounts show does not tell how they lie: {directions} of six directions of motion stay open, as on a ball or a cylinder.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie comune ai due posizionamenti non dice come stanno: {directions} direzioni di moto su sei restano libere, come su una sfera o un cilindro.</translation>
     </message>
     <message>
         <source>The surface that was found is not trustworthy: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie trovata non è attendibile: {reason}.</translation>
     </message>
     <message>
         <source>The table lost steps: by the marks on its rim it stands {turn_deg} deg beside its reading, since the view at {table_deg} deg.</source>
-        <translation type="unfinished"></translation>
+        <translation>La tavola ha perso passi: secondo le tacche del bordo sta a {turn_deg} deg dalla sua lettura, dalla vista a {table_deg} deg.</translation>
     </message>
     <message>
         <source>The table lost steps: it stands {turn_deg} deg beside its reading{where}.</source>
-        <translation type="unfinished"></translation>
+        <translation>La tavola ha perso passi: sta a {turn_deg} deg dalla sua lettura{where}.</translation>
     </message>
     <message>
         <source>The table or a camera moved: since the view at {table_deg} deg the marks on the table&apos;s rim are seen up to {shift_um} um beside.</source>
-        <translation type="unfinished"></translation>
+        <translation>La tavola o una telecamera si è mossa: dalla vista a {table_deg} deg le tacche del bordo della tavola si vedono spostate fino a {shift_um} um.</translation>
     </message>
     <message>
         <source>The triangles of {path} all lie in one point or line.</source>
-        <translation type="unfinished"></translation>
+        <translation>I triangoli di {path} stanno tutti in un punto o su una retta.</translation>
     </message>
     <message>
         <source>The turn does not close: the first view measured again lies {shift_um} um beside its first measurement.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il giro non si chiude: la prima vista rimisurata sta a {shift_um} um dalla sua prima misura.</translation>
     </message>
     <message>
         <source>The two ears in {path} cannot be told apart: {count} points lie half way between the seats of the tray.</source>
-        <translation type="unfinished"></translation>
+        <translation>I due orecchi in {path} non si possono distinguere: {count} punti stanno a metà fra le sedi del vassoio.</translation>
     </message>
     <message>
         <source>The two images of the spot disagree by {sd_px} px, where {expected_px} px are expected ({where}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Le due immagini del punto discordano di {sd_px} px, dove se ne attendono {expected_px} ({where}).</translation>
     </message>
     <message>
         <source>The views from there on are turned; see that the table moves freely, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Da lì in poi le viste sono ruotate; accertarsi che la tavola si muova liberamente, e ripetere la scansione.</translation>
     </message>
     <message>
         <source>The worker process ended unexpectedly during {phase} ({reason}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Il processo di calcolo è terminato inatteso durante {phase} ({reason}).</translation>
     </message>
     <message>
         <source>The worker process failed: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il processo di calcolo non è riuscito: {reason}.</translation>
     </message>
     <message>
         <source>The {part} of the rig is not the one with which the scan in {path} was begun.</source>
-        <translation type="unfinished"></translation>
+        <translation>La parte {part} del banco non è quella con cui è iniziata la scansione in {path}.</translation>
     </message>
     <message>
         <source>Their points are kept; fix the cameras, calibrate, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>I loro punti sono conservati; fissare le telecamere, calibrare e ripetere la scansione.</translation>
     </message>
     <message>
         <source>Their points are kept; fix the object to the table and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>I loro punti sono conservati; fissare l&apos;oggetto alla tavola e ripetere la scansione.</translation>
     </message>
     <message>
         <source>There is no camera {camera} ({id}); this machine has: {found}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non c&apos;è la telecamera {camera} ({id}); questo computer ha: {found}.</translation>
     </message>
     <message>
         <source>There is no export profile &apos;{name}&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non c&apos;è un profilo di esportazione &apos;{name}&apos;.</translation>
     </message>
     <message>
         <source>There is no space left on the disk of {path}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non c&apos;è più spazio sul disco di {path}.</translation>
     </message>
     <message>
         <source>There is not enough memory for &apos;{command}&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non c&apos;è memoria sufficiente per &apos;{command}&apos;.</translation>
     </message>
     <message>
         <source>This surface is not ready to be delivered: {checks}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Questa superficie non è pronta per la consegna: {checks}.</translation>
     </message>
     <message>
         <source>This user may not open camera {camera} ({id}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Questo utente non può aprire la telecamera {camera} ({id}).</translation>
     </message>
     <message>
         <source>This user may not open the port {port}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Questo utente non può aprire la porta {port}.</translation>
     </message>
     <message>
         <source>Those measurements are missing; check its cable and port, and close other programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle misure mancano; controllarne cavo e porta, e chiudere altri programmi.</translation>
     </message>
     <message>
         <source>Two spheres stand on the table: {first} points lie on the one, {second} on the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Due sfere stanno sulla tavola: {first} punti sull&apos;una, {second} sull&apos;altra.</translation>
     </message>
     <message>
         <source>What answers on {port} is no GRBL controller (it said: {said}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Ciò che risponde su {port} non è un controllore GRBL (ha detto: {said}).</translation>
     </message>
     <message>
         <source>What was measured is kept; use the rig file of that scan to resume it, or keep what is there and scan anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quanto misurato è conservato; usare il file del banco di quella scansione per riprenderla, o tenere ciò che c&apos;è e scansionare da capo.</translation>
     </message>
     <message>
         <source>What was measured so far is kept and the laser is off; let a trigger line expose both cameras at once, then scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quanto misurato finora è conservato e il laser è spento; esporre le due telecamere insieme con una linea di trigger, poi ripetere la scansione.</translation>
     </message>
     <message>
         <source>What was measured so far is kept; replay with the rig, plan and seed that it was recorded with.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quanto misurato finora è conservato; riprodurre con il banco, il piano e il seme con cui è stato registrato.</translation>
     </message>
     <message>
         <source>What was set while aiming cannot be read ({path}: {reason}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Le impostazioni di puntamento non si leggono ({path}: {reason}).</translation>
     </message>
     <message>
         <source>Whether the table lost steps cannot be judged on this object: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Su questo oggetto non si può giudicare se la tavola ha perso passi: {reason}.</translation>
     </message>
     <message>
         <source>Which of them it was is not decided; the points from there on are off: fix cameras and table, calibrate, and scan again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non si sa quale dei due; da lì in poi i punti sono errati: fissare telecamere e tavola, calibrare e ripetere la scansione.</translation>
     </message>
     <message>
         <source>{after} and {before} do not fit onto each other: in the best pose only {score} % of the surface agrees. They seem to be different objects, or opposite sides of one.</source>
-        <translation type="unfinished"></translation>
+        <translation>{after} e {before} non combaciano: nella posa migliore concorda solo il {score} % della superficie. Sembrano oggetti diversi, o lati opposti di uno.</translation>
     </message>
     <message>
         <source>{after} and {before} do not overlap: nothing of one lies within {reach_mm} mm of the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>{after} e {before} non si sovrappongono: niente dell&apos;una sta entro {reach_mm} mm dall&apos;altra.</translation>
     </message>
     <message>
         <source>{area_mm2} mm2 with a counterpart are painted as stable; at least {least_mm2} mm2 are needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>{area_mm2} mm2 con corrispondente sono dipinti come stabili; ne servono almeno {least_mm2} mm2.</translation>
     </message>
     <message>
         <source>{axis} cannot go to {target} deg: {whose} allow {low} to {high} deg.</source>
-        <translation type="unfinished"></translation>
+        <translation>{axis} non può andare a {target} deg: {whose} consentono da {low} a {high} deg.</translation>
     </message>
     <message>
         <source>{name} holds too few measured triangles with an area: {triangles}, but a comparison needs at least {least}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} contiene troppo pochi triangoli misurati con area: {triangles}, ma per un confronto ne servono almeno {least}.</translation>
     </message>
     <message>
         <source>{path} cannot be read as points: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} non si può leggere come punti: {reason}.</translation>
     </message>
     <message>
         <source>{path} cannot be read: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} non si può leggere: {reason}.</translation>
     </message>
     <message>
         <source>{path} cannot be written: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} non si può scrivere: {reason}.</translation>
     </message>
     <message>
         <source>{path} cannot hold this mesh: so far from the origin the numbers of an STL file have steps of {step_mm} mm, wider than its triangles allow.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} non può contenere questa mesh: così lontano dall&apos;origine i numeri di un file STL hanno passi di {step_mm} mm, più dei suoi triangoli.</translation>
     </message>
     <message>
         <source>{path} does not exist.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} non esiste.</translation>
     </message>
     <message>
         <source>{path} exists already.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} esiste già.</translation>
     </message>
     <message>
         <source>{path} holds no interrupted scan.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} non contiene una scansione interrotta.</translation>
     </message>
     <message>
         <source>{path} holds no triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} non contiene triangoli.</translation>
     </message>
     <message>
         <source>{path} holds no {what} yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} non contiene ancora: {what}.</translation>
     </message>
     <message>
         <source>{path} holds too few triangles for a comparison: {triangles}, but at least {least} are needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} contiene troppo pochi triangoli per un confronto: {triangles}, ma ne servono almeno {least}.</translation>
     </message>
     <message>
         <source>{path} is no Impronta case: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} non è un caso di Impronta: {reason}.</translation>
     </message>
     <message>
         <source>{path} is no mesh that can be read: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} non è una mesh leggibile: {reason}.</translation>
     </message>
     <message>
         <source>{path} is open in another window or program.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} è aperto in un&apos;altra finestra o in un altro programma.</translation>
     </message>
     <message>
         <source>{path} was written by a newer Impronta (case version {version}, this program knows {known}).</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} è stato scritto da una versione più recente di Impronta (versione del caso {version}, questo programma conosce la {known}).</translation>
     </message>
     <message>
         <source>{points} points are too few for a sphere; at least {least} are needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} punti sono troppo pochi per una sfera; ne servono almeno {least}.</translation>
     </message>
     <message>
         <source>{points} points are too few for a surface; at least {least} are needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} punti sono troppo pochi per una superficie; ne servono almeno {least}.</translation>
     </message>
     <message>
         <source>{what}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{what}.</translation>
     </message>
 </context>
 <context>

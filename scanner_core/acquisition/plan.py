@@ -44,7 +44,8 @@ class ViewPlan:
     """One position of the table, its rows in the order of the scan, and the points after which it is complete.
 
     `sweep_speed_deg_s` is that of its rows where it differs from the plan's; `repeats` is the number of the view that it measures once
-    more (:mod:`~scanner_core.acquisition.retry`).
+    more (:mod:`~scanner_core.acquisition.retry`), and `instead` says that it takes the place of that one, in which something was moved
+    (:mod:`~scanner_core.case.superseded`).
     """
 
     table_deg: float
@@ -52,12 +53,15 @@ class ViewPlan:
     quota: int | None = None
     sweep_speed_deg_s: float | None = None
     repeats: int | None = None
+    instead: bool = False
 
     def as_dict(self) -> dict[str, object]:
-        """For the case file and JSON; `repeats` where it does."""
+        """For the case file and JSON; `repeats` and `instead` where it does."""
         told = asdict(self)
         if self.repeats is None:
             del told["repeats"]  # as older cases tell it, whose plan may go on growing
+        if not self.instead:
+            del told["instead"]
         return told
 
 
@@ -103,6 +107,7 @@ class ScanPlan:
                 None if view["quota"] is None else int(view["quota"]),
                 None if view.get("sweep_speed_deg_s") is None else float(view["sweep_speed_deg_s"]),
                 None if view.get("repeats") is None else int(view["repeats"]),
+                view.get("instead") is True,
             )
             for view in record["views"]
         )

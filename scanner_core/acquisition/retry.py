@@ -3,8 +3,8 @@
 A repetition is a further view at the end of the plan, at the same place of the table, with the same rows under trigger ids of their
 own (:attr:`~scanner_core.acquisition.plan.ViewPlan.repeats` names what it repeats).  So nothing that was measured is changed or
 thrown away, both attempts stand in the case, each exposure counts once, and ``planned = measured + rejected + skipped`` holds over
-the plan as it has grown.  What a repetition measures is what the view lacked.  It is repeated once: what fails twice the same way
-is not for want of trying.
+the plan as it has grown.  What a repetition measures is what the view lacked; only where the view was bumped it takes its place
+(:mod:`~scanner_core.case.superseded`).  It is repeated once: what fails twice the same way is not for want of trying.
 
 Weak is a view that
 
@@ -42,11 +42,12 @@ _BUMPED = frozenset({"H-EPI-01", "H-VIEW-01", "H-VIEW-02", "H-VIEW-03"})
 
 @dataclass(frozen=True, slots=True)
 class Weak:
-    """A view that is to be measured once more: so many points, over these of its rows, the most needed first."""
+    """A view that is to be measured once more: so many points, over these of its rows, the most needed first; `bumped`: instead of it."""
 
     view: int
     lacks: int
     rows: tuple[Row, ...]
+    bumped: bool = False
 
 
 def weak_views(counts: Sequence[ViewCount], findings: Sequence[Finding]) -> tuple[list[Weak], frozenset[int]]:
@@ -76,7 +77,7 @@ def weak_views(counts: Sequence[ViewCount], findings: Sequence[Finding]) -> tupl
         if i in again:
             still |= {i} if far else set()
         elif i in bumped:
-            weak.append(Weak(i, count.wanted, count.plan.rows))
+            weak.append(Weak(i, count.wanted, count.plan.rows, bumped=True))
         elif far:
             weak.append(Weak(i, lacks[i], lost + tuple(row for row in count.plan.rows if row not in lost)))
         elif few and lost:
@@ -99,6 +100,7 @@ def repetitions(
     """
     left = share * sum(_exposures(count.plan.rows) for count in counts if count.plan.repeats is None)
     left -= sum(_exposures(count.plan.rows) for count in counts if count.plan.repeats is not None)
+    bumped = {one.view for one in weak if one.bumped}
     parts = [(i, counts[i].wanted, counts[i].plan.rows) for i in sorted(asked)]
     for one in weak:
         rows: list[Row] = []
@@ -118,7 +120,8 @@ def repetitions(
             again.append(replace(row, view=len(counts) + len(made), first_id=first_id))
             first_id += row.count
         plan = counts[view].plan
-        made.append(replace(plan, rows=tuple(again), quota=None if plan.quota is None else max(1, quota), repeats=view))
+        instead = view in bumped and len(again) == len(plan.rows)  # a part of it cannot take its place
+        made.append(replace(plan, rows=tuple(again), quota=None if plan.quota is None else max(1, quota), repeats=view, instead=instead))
     return tuple(made)
 
 

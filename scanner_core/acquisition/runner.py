@@ -133,7 +133,9 @@ class ScanRunner:
 
     def views(self) -> tuple[ViewProgress, ...]:
         """What has become of the views of the plan so far; from any thread.  None before there is a plan, and of a laser line."""
-        return () if isinstance(self._course, LineCourse) else self._course.progress.views(self._control.asked_again)
+        if isinstance(self._course, LineCourse):
+            return ()
+        return self._course.progress.views(() if self._course.closing else self._control.asked_again)  # too late to be done in this scan
 
     def cancel(self) -> None:
         """Laser off at once and end; what was measured is kept.  From any thread, also twice."""

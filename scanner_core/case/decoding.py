@@ -107,6 +107,8 @@ def plan(value: object, kind: str = "") -> dict[str, Any]:
             _within(view, "sweep_speed_deg_s", 1e-9, _FASTEST_DEG_S)
         if view.get("quota") is not None:
             _whole(view, "quota", -MOST_PLANNED, MOST_PLANNED)
+        if view.get("repeats") is not None:
+            _whole(view, "repeats", 0, number - 1)
         for row in view["rows"]:
             first, count = _whole(row, "first_id", 0, MOST_ID), _whole(row, "count", 0, MOST_PLANNED)
             if "view" in row and _whole(row, "view", 0, MOST_VIEWS - 1) != number and kind in ("locate", "scan"):

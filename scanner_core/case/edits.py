@@ -14,6 +14,7 @@ the audit trail.
 ``discarded_scans``  ids of scans that a person does not want
 ``accepted_places``  places that a person accepts as they are (:mod:`scanner_core.coverage.accepted`)
 ``measurements``    what a person has measured, a list
+``delivery``        the newest delivery of the case's surface (:class:`~scanner_core.delivery.delivering.Delivery`)
 ==================  ================================================================
 """
 

@@ -34,6 +34,7 @@ from scanner_core.case.removed_points import REMOVED, RemovedPoints, parted
 from scanner_core.case.scan_parts import ScanPart, merged, placed_motions, refine_parts
 from scanner_core.case.store import CaseStore
 from scanner_core.case.stripes import StripeTable
+from scanner_core.case.superseded import superseded_views
 from scanner_core.devices.rig import RigConfig, dump_rig
 from scanner_core.errors import CaseError, CaseFormatError, UsageError
 from scanner_core.geometry.point_cloud import PointCloud
@@ -342,6 +343,8 @@ def _gated(
     if missing := [view for view in processing.without_views if view not in seen_views]:
         raise UsageError("E-USE-01", what=f"Scan {scan.id} of the case has no view {missing[0]}", do=f"choose from {sorted(seen_views)}")
     verdict[(verdict == MEASURED) & np.isin(pairs.observations.view, processing.without_views)] = "left_out"
+    over = superseded_views(scan.plan, pairs.observations.view[pairs.verdict == MEASURED], processing.without_views)
+    verdict[(verdict == MEASURED) & np.isin(pairs.observations.view, over)] = "superseded"
     verdicts.update(verdict.tolist())
     return pairs.observations.select(verdict == MEASURED), Counter({name: count for name, count in verdicts.items() if count > 0})
 

@@ -49,9 +49,21 @@ def _moved(path: Path, to: Path) -> Path:
             while place.exists() or left_behind(place) is not None:
                 number += 1
                 place = folder / f"{to.stem}-{number}{to.suffix}"
-            for sidecar in (*LOGS, ""):
-                if os.path.exists(f"{path}{sidecar}"):
-                    os.rename(f"{path}{sidecar}", f"{place}{sidecar}")
+            _rename_all([(f"{path}{part}", f"{place}{part}") for part in (*LOGS, "") if os.path.exists(f"{path}{part}")])
     except OSError as fault:
         raise storage_error(path, fault) from fault
     return place
+
+
+def _rename_all(ways: list[tuple[str, str]]) -> None:
+    """All of them or none: a case without its log would lack its newest part."""
+    done: list[tuple[str, str]] = []
+    try:
+        for before, after in ways:
+            os.rename(before, after)
+            done.append((before, after))
+    except OSError:
+        for before, after in reversed(done):
+            with suppress(OSError):
+                os.rename(after, before)
+        raise

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Sequence
 from sqlite3 import Connection
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -111,6 +112,12 @@ class ScanTables(CaseDatabase):
                 ScanEnd(int(number), text(kind), None if reason is None else text(reason), None if counts is None else decoding.table(counts))
                 for number, kind, reason, counts in self._rows("SELECT id, kind, finish_reason, counts_json FROM scan ORDER BY id")
             ]
+
+    def plan(self, scan_id: int) -> dict[str, Any]:
+        """The plan of a scan, as :attr:`~scanner_core.case.records.ScanRecord.plan`."""
+        rows = self._rows("SELECT plan_json, kind FROM scan WHERE id = ?", (scan_id,))
+        with damaged(self.path, "list of scans"):
+            return decoding.plan(*rows[0]) if rows else {}
 
     def rig_toml(self, scan_id: int) -> str:
         """The rig as it was used, a rig file's text."""

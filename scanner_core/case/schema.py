@@ -7,7 +7,8 @@ info                 who wrote the file, and when
 order_entry          the order: number, patient code, side, type, remarks
 calibration          every calibration that was used, whole, by its identity
 scan                 one run of the runner: the rig as it was used, the calibration's identity, the plan (it grows while an
-                     error-driven scan follows it: views after its own, before the first of their exposures), the end, and the
+                     error-driven scan follows it and where views are measured once more: views after its own, before the first of
+                     their exposures), the end, and the
                      mount: how the object stood on the table (0, 1, ...: a person has turned or tilted it in between)
 mount_pose           where the object frame of a mount lies in that of mount 0, with the report of the registration
 view                 a position of the table, and the correction that the registration gave it

@@ -27,28 +27,13 @@ _NOTHING_SHARE = 0.10
 def region_doubts(frame: Frame, stable_share: float, stable_mm2: float, overlap: float) -> list[Doubt]:
     """About the size of what carries the alignment."""
     doubts = []
+    percent = f"{100 * stable_share:.0f}"
     if frame in (Frame.AUTO, Frame.GIVEN) and stable_share < _NOTHING_SHARE:
-        doubts.append(
-            Doubt(
-                "everything-moved",
-                f"Hardly anything ({100 * stable_share:.0f} % of the surface) kept its place, so geometry does not say "
-                "what is fixed: paint what you know to be stable.",
-                True,
-            )
-        )
+        doubts.append(Doubt.told("everything-moved", True, percent=percent))
     elif stable_share < _SMALL_SHARE or stable_mm2 < _SMALL_MM2:
-        doubts.append(
-            Doubt(
-                "stable-region-small",
-                f"The alignment rests on {stable_mm2:.0f} mm2, {100 * stable_share:.0f} % of the surface that both files show: "
-                "look whether the region drawn as stable is, or paint it.",
-                True,
-            )
-        )
+        doubts.append(Doubt.told("stable-region-small", True, mm2=f"{stable_mm2:.0f}", percent=percent))
     if overlap < _LOW_OVERLAP:
-        doubts.append(
-            Doubt("overlap-low", f"Only {100 * overlap:.0f} % of the after surface has a counterpart before: scan the same region both times.", True)
-        )
+        doubts.append(Doubt.told("overlap-low", True, percent=f"{100 * overlap:.0f}"))
     return doubts
 
 
@@ -57,50 +42,24 @@ def noise_doubts(noise_um: float) -> list[Doubt]:
     level_um = 1.96 * noise_um
     if level_um <= _LOUD_UM:
         return []
-    return [
-        Doubt(
-            "stable-region-loud",
-            f"What is taken for unchanged differs by up to {_length(level_um)} (95 %): either the scans are that noisy, or it changed "
-            "everywhere and nothing is fixed. Smaller changes cannot be told.",
-            True,
-        )
-    ]
+    return [Doubt.told("stable-region-loud", True, length=_length(level_um))]
 
 
 def pose_doubts(uncertainty: AlignmentUncertainty, surface: Array, ambiguous: bool) -> list[Doubt]:
     """About how well six freedoms are held; `surface` (n, 3) are the after surface's points in the frame of BEFORE."""
     doubts = []
     if ambiguous:
-        doubts.append(
-            Doubt(
-                "pose-ambiguous",
-                "Another pose fits about as well, because the shape resembles itself: pick three points to say which one is meant.",
-                True,
-            )
-        )
+        doubts.append(Doubt.told("pose-ambiguous", True))
     places = place_covariances(uncertainty.covariance, uncertainty.centre, surface)
     worst = 1e3 * float(np.sqrt(np.linalg.eigvalsh(places)[:, -1].max(initial=0.0)))
     if worst > _FAR_END_UM:
-        doubts.append(
-            Doubt(
-                "stable-region-one-lump",
-                f"The stable region lies too much in one lump to hold the far end of the surface, which may be off by {_length(worst)}: "
-                "take in stable places that are farther apart.",
-                True,
-            )
-        )
+        doubts.append(Doubt.told("stable-region-one-lump", True, length=_length(worst)))
     deviation, sd = uncertainty.scale_ratio - 1.0, uncertainty.scale_ratio_uncertainty
     reach_um = 1e3 * float(np.sqrt(((surface - uncertainty.centre) ** 2).sum(axis=1).max(initial=0.0)))
     if abs(deviation) * reach_um > _SCALE_UM and abs(deviation) > 3 * sd:
-        word = "larger" if deviation > 0 else "smaller"
-        doubts.append(
-            Doubt(
-                "scale-differs",
-                f"The after surface is {100 * abs(deviation):.2f} % (+- {100 * sd:.2f} %) {word} than the before surface where nothing should have "
-                f"changed, {_length(abs(deviation) * reach_um)} at its rim: check units and the calibration of both scanners; nothing was rescaled.",
-                True,
-            )
-        )
+        rim = _length(abs(deviation) * reach_um)
+        name = "scale-differs/larger" if deviation > 0 else "scale-differs/smaller"
+        doubts.append(Doubt.told(name, True, percent=f"{100 * abs(deviation):.2f}", uncertainty=f"{100 * sd:.2f}", length=rim))
     return doubts
 
 
@@ -109,15 +68,7 @@ def frame_doubts(frame: Frame, shifts: tuple[FrameShift, ...]) -> list[Doubt]:
     if frame is not Frame.WHOLE:
         return []
     hidden = [shift for shift in shifts if shift.frame is Frame.AUTO and shift.max_um > _HIDDEN_UM]
-    return [
-        Doubt(
-            "whole-hides-motion",
-            f"A best fit of the whole spreads what moved over everything: against the region that did not move it shifts the surface by up to "
-            f"{_length(shift.max_um)}. Use the automatic or a painted frame.",
-            True,
-        )
-        for shift in hidden
-    ]
+    return [Doubt.told("whole-hides-motion", True, length=_length(shift.max_um)) for shift in hidden]
 
 
 def _length(micrometres: float) -> str:

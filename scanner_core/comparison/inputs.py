@@ -80,11 +80,10 @@ def _of_file(path: Path, asked: str | None) -> ComparedSurface:
     else:
         unit, reason = guess, why
         if unit != "mm":
-            words = f"Its numbers were taken as {_NAMES[unit]} ({why}), so it is {largest * MM[unit]:.1f} mm long; say the unit if that is wrong."
-            doubts.append(Doubt("unit-guessed", words, serious=True))  # another unit multiplies every number
+            # serious, because another unit multiplies every number
+            doubts.append(Doubt.told("unit-guessed", True, unit=_NAMES[unit], why=why, mm=f"{largest * MM[unit]:.1f}"))
     if asked is None and stated is not None and stated != guess:
-        words = f"The file says {_NAMES[stated]}, so it is {largest * MM[stated]:.4g} mm long; by its size it would be in {_NAMES[guess]}."
-        doubts.append(Doubt("unit-odd", words, serious=False))
+        doubts.append(Doubt.told("unit-odd", False, unit=_NAMES[stated], mm=f"{largest * MM[stated]:.4g}", guess=_NAMES[guess]))
     mesh = _scaled(mesh, MM[unit])
     origin: dict[str, object] = {"kind": "file", "path": str(path), "format": suffix[1:]}
     return _surface(path, mesh, hashlib.sha256(content).hexdigest(), unit, reason, doubts, origin)
@@ -163,13 +162,12 @@ def _joined(mesh: TriangleMesh) -> tuple[TriangleMesh, list[Doubt]]:
     kept = first[used]
     doubts = []
     if apart:
-        doubts.append(Doubt("points-joined", f"Points with exactly the place of another one were joined: {apart}.", serious=False))
+        doubts.append(Doubt.told("points-joined", False, count=str(apart)))
     if loose:
-        doubts.append(Doubt("points-loose", f"Points that belong to no triangle were left out: {loose}.", serious=False))
+        doubts.append(Doubt.told("points-loose", False, count=str(loose)))
     a, b, c = triangles.T
     whole = (a != b) & (b != c) & (c != a)
     if not whole.all():
-        words = f"Triangles without an extent but a line or point were left out: {int((~whole).sum())}."
-        doubts.append(Doubt("triangles-collapsed", words, serious=False))
+        doubts.append(Doubt.told("triangles-collapsed", False, count=str(int((~whole).sum()))))
     attributes = {name: values[kept] for name, values in mesh.vertex_attributes.items()}
     return TriangleMesh(vertices[used], number[triangles[whole]], attributes), doubts

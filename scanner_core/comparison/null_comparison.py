@@ -98,19 +98,14 @@ def with_null_level(
     level = named[0] if named else max(levels, key=lambda one: one.level_um)
     doubts = []
     if material is not None and not named:
-        words = f"This rig has no null comparison of '{material}'; the level shown is of another material, '{level.material}'. Measure one twice."
-        doubts.append(Doubt("null-other-material", words, serious=False))
+        doubts.append(Doubt.told("null-other-material", False, material=material, other=level.material))
     elif material is None and len(levels) > 1:
-        words = f"The material was not named; of the rig's null comparisons the largest level is shown ('{level.material}')."
-        doubts.append(Doubt("null-material-unknown", words, serious=False))
+        doubts.append(Doubt.told("null-material-unknown", False, other=level.material))
     if calibration_date is not None and datetime.fromisoformat(level.date).astimezone() < datetime.fromisoformat(calibration_date).astimezone():
-        words = (
-            f"The null comparison of '{level.material}' ({level.date[:10]}) is older than the rig's calibration ({calibration_date[:10]}); repeat it."
-        )
-        doubts.append(Doubt("null-older-than-calibration", words, serious=False))
+        dates = {"date": level.date[:10], "calibrated": calibration_date[:10]}
+        doubts.append(Doubt.told("null-older-than-calibration", False, material=level.material, **dates))
     if rig is not None and (others := _other_rigs(comparison, rig)):
-        words = f"The null comparison is of the rig '{rig}', but the surfaces were measured with '{others}'."
-        doubts.append(Doubt("null-other-rig", words, serious=False))
+        doubts.append(Doubt.told("null-other-rig", False, rig=rig, others=others))
     return replace(comparison, null_level_um=level.level_um, null_area_mm2=level.false_area_200_mm2, pair=(*comparison.pair, *doubts))
 
 

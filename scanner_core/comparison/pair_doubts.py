@@ -33,25 +33,20 @@ def pair_doubts(before: ComparedSurface, after: ComparedSurface) -> tuple[Doubt,
 def _identical(before: ComparedSurface, after: ComparedSurface) -> Iterator[Doubt]:
     same_mesh = before.mesh.vertices.shape == after.mesh.vertices.shape and np.array_equal(before.mesh.vertices, after.mesh.vertices)
     if before.sha256 == after.sha256:
-        words = f"{before.name} and {after.name} are identical files: nothing was measured twice; choose the other state."
-        yield Doubt("identical-files", words, serious=True)
+        yield Doubt.told("identical-files", True, before=before.name, after=after.name)
     elif same_mesh and np.array_equal(before.mesh.triangles, after.mesh.triangles):
-        words = f"{before.name} and {after.name} hold the identical surface: nothing was measured twice; choose the other state."
-        yield Doubt("identical-surfaces", words, serious=True)
+        yield Doubt.told("identical-surfaces", True, before=before.name, after=after.name)
 
 
 def _orders(before: ComparedSurface, after: ComparedSurface) -> Iterator[Doubt]:
     """A field that only one of the two fills in says nothing."""
-    for key, code, what in (("type", "types-differ", "is"), ("side", "sides-differ", "is of the side")):
+    for key, code in (("type", "types-differ"), ("side", "sides-differ")):
         first, second = (str(surface.origin.get(key) or "").strip() for surface in (before, after))
         if _contradict(first, second):
-            words = f"By its order {before.name} {what} '{one_line(first)}', but {after.name} '{one_line(second)}'; choose two that belong together."
-            yield Doubt(code, words, serious=True)
+            yield Doubt.told(code, True, before=before.name, first=one_line(first), after=after.name, second=one_line(second))
     patients = [surface.origin.get("patient_code") for surface in (before, after)]
     if all(patients) and patients[0] != patients[1]:
-        yield Doubt(
-            "patients-differ", f"The orders of {before.name} and {after.name} name different patients; choose two of one patient.", serious=True
-        )
+        yield Doubt.told("patients-differ", True, before=before.name, after=after.name)
 
 
 def _contradict(first: str, second: str) -> bool:
@@ -66,9 +61,8 @@ def _sizes(before: TriangleMesh, after: TriangleMesh) -> Iterator[Doubt]:
     if 1 / LARGEST_RATIO <= ratio <= LARGEST_RATIO:
         return
     more = max(ratio, 1 / ratio)
-    known = next((f" ({names} differ by {factor:g})" for factor, names in _UNIT_RATIOS if abs(more / factor - 1) < 0.15), "")
-    words = f"The later surface is {ratio:.3g} times as large as the earlier one; check the units{known}, or whether the two belong together."
-    yield Doubt("sizes-differ", words, serious=True)
+    known = next(({"units": names, "factor": f"{factor:g}"} for factor, names in _UNIT_RATIOS if abs(more / factor - 1) < 0.15), {})
+    yield Doubt.told("sizes-differ/units" if known else "sizes-differ", True, ratio=f"{ratio:.3g}", **known)
 
 
 def _spread_mm(mesh: TriangleMesh) -> float:
@@ -85,5 +79,5 @@ def _dates(before: ComparedSurface, after: ComparedSurface) -> Iterator[Doubt]:
     except (KeyError, TypeError, ValueError):
         return
     if late:
-        words = f"{before.name} was measured after {after.name} ({first:%Y-%m-%d %H:%M} and {second:%Y-%m-%d %H:%M}): are the two exchanged?"
-        yield Doubt("dates-exchanged", words, serious=False)
+        times = {"first": f"{first:%Y-%m-%d %H:%M}", "second": f"{second:%Y-%m-%d %H:%M}"}
+        yield Doubt.told("dates-exchanged", False, before=before.name, after=after.name, **times)

@@ -149,8 +149,7 @@ def measure_series(
             held = replace(parameters, frame=Frame.MASK)
         elif len(later) > 1:
             common = None
-            words = "No region was stable throughout the series; each surface was aligned by a region of its own, so small motions may not add up."
-            doubts.append(Doubt("series-no-common-region", words, serious=True))
+            doubts.append(Doubt.told("series-no-common-region", True))
     to_first = [
         _with_search(
             compare(first, after, held, mask=mask, start=None if search is None else search.transform, progress=part(), cancelled=cancelled), search
@@ -162,11 +161,8 @@ def measure_series(
     names = tuple(surface.name for surface in surfaces)
     for number, (closure_um, uncertainty_um) in enumerate(closures, 2):
         if closure_um > max(CLOSURE_SIGMAS * uncertainty_um, CLOSURE_SHARE * parameters.tolerance_um):
-            words = (
-                f"{names[number]} lands {closure_um:.0f} um beside its place when it goes over {names[number - 1]} "
-                f"(+- {2 * uncertainty_um:.0f} um, k = 2): what is taken as stable may have moved."
-            )
-            doubts.append(Doubt("series-does-not-close", words, serious=True))
+            by = {"closure": f"{closure_um:.0f}", "uncertainty": f"{2 * uncertainty_um:.0f}"}
+            doubts.append(Doubt.told("series-does-not-close", True, name=names[number], previous=names[number - 1], **by))
     return Series(
         names=names,
         dates=tuple(str(surface.origin.get("date") or "") for surface in surfaces),

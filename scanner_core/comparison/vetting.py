@@ -51,15 +51,10 @@ def count_crossing(mesh: TriangleMesh) -> tuple[int, bool]:
 
 def _facing(shells: Shells, mesh: TriangleMesh) -> list[Doubt]:
     if shells.turned_share > MOST_TURNED:
-        words = (
-            f"{_percent(shells.turned_share)} of its area faces the other way than its neighbours, so + and - cannot be told apart; "
-            "let the program that wrote it orient it."
-        )
-        return [Doubt("winding-inconsistent", words, serious=True)]
+        return [Doubt.told("winding-inconsistent", True, share=_percent(shells.turned_share))]
     faults = []
     if shells.turned_share > _ROUNDING:
-        words = f"Some triangles ({_percent(shells.turned_share)} of its area) face the other way than their neighbours; + and - are exchanged there."
-        faults.append(Doubt("winding-faults", words, serious=False))
+        faults.append(Doubt.told("winding-faults", False, share=_percent(shells.turned_share)))
     return faults + _inverted(shells, mesh)
 
 
@@ -67,21 +62,12 @@ def _inverted(shells: Shells, mesh: TriangleMesh) -> list[Doubt]:
     if shells.closed:
         if shells.fullness >= 0:
             return []
-        words = "Its normals point inwards: + and - would be exchanged; turn them round in the program that wrote it."
-        return [Doubt("normals-inverted", words, serious=True)]
+        return [Doubt.told("normals-inverted", True)]
     facing = _arch_facing(mesh)
     if facing < -LEAST_FACING:
-        words = (
-            "Its normals point inwards: they look to the side of the gum, not of the teeth. If it is no impression (a negative), "
-            "+ and - are exchanged; turn them round in the program that wrote it."
-        )
-        return [Doubt("normals-inverted", words, serious=True)]
+        return [Doubt.told("normals-inverted/arch", True)]
     if facing <= LEAST_FACING and shells.fullness < -LEAST_FULLNESS:
-        words = (
-            "Its normals seem to point inwards: it is open, but what it encloses lies on their side. If it is no impression (a negative), "
-            "+ and - are exchanged; turn them round in the program that wrote it."
-        )
-        return [Doubt("normals-seem-inverted", words, serious=True)]
+        return [Doubt.told("normals-seem-inverted", True)]
     return []
 
 
@@ -94,14 +80,10 @@ def _arch_facing(mesh: TriangleMesh) -> float:
 def _parts(shells: Shells, mesh: TriangleMesh) -> list[Doubt]:
     found = []
     if shells.border_edges:
-        lines = "one line" if shells.borders == 1 else f"{shells.borders} lines"
-        words = f"It is open: its border has {shells.border_mm:.0f} mm in {lines}. What lies beyond a border has no counterpart and is left out."
-        found.append(Doubt("open", words, serious=False))
+        lines = {} if shells.borders == 1 else {"count": str(shells.borders)}
+        found.append(Doubt.told("open" if lines else "open/one", False, mm=f"{shells.border_mm:.0f}", **lines))
     if shells.count > 1:
-        words = (
-            f"It consists of {shells.count} separate shells; the largest has {_percent(shells.largest_share)} of the area. All of them are compared."
-        )
-        found.append(Doubt("several-shells", words, serious=False))
+        found.append(Doubt.told("several-shells", False, count=str(shells.count), share=_percent(shells.largest_share)))
     return found
 
 
@@ -109,28 +91,16 @@ def _percent(share: float) -> str:
     return "more than 99.9 %" if share >= 0.9995 else "less than 0.1 %" if share < 0.0005 else f"{100 * share:.1f} %"
 
 
-def _count(number: int, thing: str) -> str:
-    return f"{number} {thing}{'' if number == 1 else 's'}"
-
-
 def _faults(checks: MeshChecks, counted: bool) -> list[Doubt]:
     found = []
     if checks.nonmanifold_edges or checks.nonmanifold_vertices:
-        edges, corners = checks.nonmanifold_edges, checks.nonmanifold_vertices
-        told = [f"{_count(edges, 'edge')} {'belongs' if edges == 1 else 'belong'} to more than two triangles"] if edges else []
-        told += [f"{_count(corners, 'corner')} {'joins' if corners == 1 else 'join'} separate parts"] if corners else []
-        words = f"{' and '.join(told)}; inside and outside are not defined there."
-        found.append(Doubt("non-manifold", words, serious=False))
-    if checks.degenerate:
-        if checks.degenerate == 1:
-            words = "1 triangle has no area; it has no normal and is measured only by its neighbours."
-        else:
-            words = f"{checks.degenerate} triangles have no area; they have no normal and are measured only by their neighbours."
-        found.append(Doubt("degenerate-triangles", words, serious=False))
+        found.append(Doubt.told("non-manifold", False, edges=str(checks.nonmanifold_edges), corners=str(checks.nonmanifold_vertices)))
+    if checks.degenerate == 1:
+        found.append(Doubt.told("degenerate-triangles/one", False))
+    elif checks.degenerate:
+        found.append(Doubt.told("degenerate-triangles", False, count=str(checks.degenerate)))
     if checks.self_intersections:
-        crossing = f"{'' if counted else 'more than '}{checks.self_intersections} triangles"
-        words = f"It touches or crosses itself: {crossing} cut others. Distances near them may go to the wrong layer."
-        found.append(Doubt("self-touching", words, serious=False))
+        found.append(Doubt.told("self-touching" if counted else "self-touching/more", False, count=str(checks.self_intersections)))
     return found
 
 
@@ -139,5 +109,4 @@ def _size(mesh: TriangleMesh) -> list[Doubt]:
     largest = float((high - low).max())
     if SMALLEST_MM <= largest <= LARGEST_MM:
         return []
-    words = f"It is {largest:.4g} mm long, which neither an arch nor an ear is; check the unit of the file."
-    return [Doubt("size-odd", words, serious=False)]
+    return [Doubt.told("size-odd", False, mm=f"{largest:.4g}")]

@@ -66,7 +66,8 @@ def check_calibration(facts: CaseFacts) -> Check:
     """Whether the calibration was valid when the object was scanned, and what its scale rests on."""
     known = facts.calibration
     if known is None or known.age is None:
-        return Check("calibration", OPEN if known is None else WARN, "calibration.open", unit="um", limit=REMARK_UM)
+        verdict = OPEN if known is None and not facts.scans else WARN  # of a surface from elsewhere there is nothing to check
+        return Check("calibration", verdict, "calibration.open", unit="um", limit=REMARK_UM)
     days = f"{abs(known.age.days_left):.0f}"
     fields = {"id": known.id, "date": known.date[:10], "error_um": _um(known.held_out_um), "limit_um": f"{REMARK_UM:.0f}", "days": days}
     if known.age.state is AgeState.EXPIRED:

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
+import secrets
+import shutil
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
@@ -23,6 +26,7 @@ from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.jobs.progress import Cancelled, IsCancelled, OnProgress, Progress
 from scanner_core.mesh_io import write_mesh, write_points
+from scanner_core.mesh_io.stated_unit import MM
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +92,7 @@ def deliver(
     ----------
     stem : of the files' names
     made : the time that the certificate tells
-    cloud : registered points in the frame of the surface, mm; for a profile that asks for them
+    cloud : registered points in the frame of the surface, mm; for a profile that asks for them, and written in its unit
     replace : files of these names may be replaced
     anyway : also when it is not ready; the certificate says so
 
@@ -125,7 +129,7 @@ def deliver(
                 write_mesh(path, mesh, force=True, remark="" if marks is None else marks.brief(), unit=profile.unit)
                 certificate = _with(certificate, DeliveredFile.of(path, names[suffix], "mesh"))
             elif suffix == ".xyz" and cloud is not None:
-                write_points(path, PointCloud(certificate.laid.transform.apply(cloud.points)), force=True)
+                write_points(path, PointCloud(certificate.laid.transform.apply(cloud.points) / MM[profile.unit]), force=True)
                 certificate = _with(certificate, DeliveredFile.of(path, names[suffix], "points"))
             elif suffix == ".pdf":
                 write_page(certificate, path)
@@ -148,11 +152,12 @@ def deliver(
 def all_or_none(folder: Path, names: list[str], replace: bool) -> Iterator[dict[str, Path]]:
     """Files to write beside their places, by their names; they appear when all are whole.
 
-    When one of them cannot be put into its place, those that were put there before it and were not there before are taken away again.
+    When one of them cannot be put into its place (a page that another program has open, say), those that were put there before it
+    are taken away again, and what they had replaced is brought back.
     """
     beside: dict[str, Path] = {}
     waiting: list[tuple[Path, bool, ExitStack]] = []
-    put: list[Path] = []
+    put: list[tuple[Path, Path | None]] = []
     with ExitStack() as unfinished:  # what is still in it at an error goes
         for name in names:
             own = unfinished.enter_context(ExitStack())
@@ -161,13 +166,26 @@ def all_or_none(folder: Path, names: list[str], replace: bool) -> Iterator[dict[
         yield beside
         try:
             for place, was_there, own in waiting:
+                before = _kept(place, unfinished) if was_there else None
                 own.close()
-                put += [] if was_there else [place]
+                put.append((place, before))
         except BaseException:
-            for place in put:
+            for place, before in put:
                 with suppress(OSError):
-                    place.unlink(missing_ok=True)
+                    place.unlink(missing_ok=True) if before is None else os.replace(before, os.path.realpath(place))
             raise
+
+
+def _kept(place: Path, until: ExitStack) -> Path:
+    """A copy beside a file that is to be replaced; it goes with `until`."""
+    place = Path(os.path.realpath(place))
+    copy = place.with_name(f".{place.stem[:100]}.{secrets.token_hex(4)}.before{place.suffix}")
+    until.callback(copy.unlink, missing_ok=True)
+    try:
+        shutil.copy2(place, copy)
+    except OSError as fault:
+        raise storage_error(place, fault) from fault
+    return copy
 
 
 def _prepared(examination: Examination, profile: Profile, made: str, *, anyway: bool) -> tuple[TriangleMesh, Certificate]:

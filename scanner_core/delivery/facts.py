@@ -134,7 +134,7 @@ def _measured_with(store: CaseStore, scans: tuple[ScanRecord, ...], provenance: 
         if isinstance(named, str) and named != scans[-1].calibration_id:
             calibration = case_calibration(store, named)
     except ImprontaError:
-        return "", False, None  # a rig that is damaged is a check that fails, no reason to tell nothing
+        return "", False, None  # a rig that is damaged is a check with a remark, no reason to tell nothing
     try:
         age = calibration_age(calibration, datetime.fromisoformat(scans[-1].started).astimezone())
     except ValueError:
@@ -150,7 +150,8 @@ def _is_current(store: CaseStore, provenance: dict[str, object]) -> bool | None:
     if not isinstance(used, list):
         return None
     try:
-        chosen = chosen_processing(store).as_dict()
+        processing = chosen_processing(store)
+        chosen = processing.as_dict()
         discarded = store.value("discarded_scans", [])
         scans = chosen.pop("scans") or store.counting_scans(discarded if isinstance(discarded, list) else [])
     except ImprontaError:
@@ -158,8 +159,8 @@ def _is_current(store: CaseStore, provenance: dict[str, object]) -> bool | None:
     before = _table(provenance.get("processing"))
     made = {name: before.get(name, blank) for name, blank in (("calibration", None), ("gates", {}), ("without_views", []))}
     now = {name: chosen.get(name) for name in made}
-    removed = _table(chosen.get("removed")).get("count", 0), _table(before.get("removed")).get("count", 0)
-    return scans == used and made == now and removed[0] == removed[1]
+    removed = processing.removed.told() if processing.removed else {}
+    return scans == used and made == now and removed == _table(before.get("removed"))
 
 
 def _newest(reports: list[dict[str, object]], name: str) -> float | None:

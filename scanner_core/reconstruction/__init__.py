@@ -49,8 +49,8 @@ the density of the points on the surface against the density that they have amon
 A warm start of the feet was tried and given up: in slits it keeps points at the wrong wall.
 
 *Who is content early gets a whole surface.*  Phase two ends with the first of its levels that reaches all points, then come the same
-repairs and checks; the uncertainty is that of the coarser fit.  On four shapes with 1,200 to 24,000 triangles the error was predicted
-1.05 to 2.1 times too large, never too small.  Phase one is not cut short: a balloon amid the points is no surface of theirs.
+repairs and checks; the uncertainty is that of the coarser fit.  On three shapes with 1,200 to 24,000 triangles the error was predicted
+1.05 to 2.15 times too large, never too small.  Phase one is not cut short: a balloon amid the points is no surface of theirs.
 
 *Never a wrong mesh.*  The balloon must fill the region; folds, crossings and bad triangles are mended where they are
 (``repair``); the result must be closed, manifold, outward, free of crossings, and must reach the points: otherwise one

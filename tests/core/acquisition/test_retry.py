@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scanner_core.acquisition.engine import DROPPED_FRAME
 from scanner_core.acquisition.finding import Finding
 from scanner_core.acquisition.plan import PlanRequest, Row, ScanPlan, ViewPlan
-from scanner_core.acquisition.retry import SHARE, repetitions, weak_views
+from scanner_core.acquisition.retry import SHARE, Weak, repetitions, weak_views
 from scanner_core.acquisition.rig_session import open_rig
 from scanner_core.acquisition.runner import ScanRunner
 from scanner_core.acquisition.scan_result import ScanResult
@@ -23,6 +23,7 @@ from scanner_core.case.observation import MEASURED
 from scanner_core.case.recovery import interruption
 from scanner_core.case.reopening import reopen_view
 from scanner_core.case.store import CaseStore
+from scanner_core.case.superseded import superseded_views
 from scanner_core.devices.rig import load_preset
 from scanner_core.virtual.bench_faults import BenchFault, FramesDropped
 from scanner_core.virtual.specimens import load_specimen
@@ -71,6 +72,21 @@ def test_a_view_in_which_a_camera_was_bumped_is_measured_once_more_as_a_whole() 
     finding = Finding("H-EPI-01", "warning", {}, 4, 180.0)
     weak, _ = weak_views(counted(plan_of(8), [100] * 8), (finding,))
     assert [(one.view, one.lacks, len(one.rows)) for one in weak] == [(4, 100, 4)]
+    whole, part = (repetitions(counted(plan_of(8), [100] * 8), weak, (), 960, 9, share=share) for share in (0.25, 0.1))
+    assert [(view.repeats, view.instead, len(view.rows)) for view in (*whole, *part)] == [(4, True, 4), (4, False, 3)]
+
+
+def test_a_bumped_view_makes_room_for_its_repetition_once_that_has_as_many_points() -> None:
+    weak = [Weak(1, 100, plan_of(4).views[1].rows, bumped=True)]
+    plan = plan_of(4)
+    grown = plan.extended(repetitions(counted(plan, [100] * 4), weak, (), plan.planned, 9))
+    assert ScanPlan.from_dict(grown.as_dict()) == grown
+    views = np.repeat(np.arange(5, dtype=np.int32), [100, 100, 100, 100, 95])
+    assert superseded_views(grown.as_dict(), views) == [1]
+    assert superseded_views(grown.as_dict(), views[:-20]) == []  # broken off
+    assert superseded_views(grown.as_dict(), views, without=(4,)) == []
+    asked = plan.extended(repetitions(counted(plan, [100] * 4), (), (1,), plan.planned, 9))
+    assert superseded_views(asked.as_dict(), views) == []  # a person wants more of it, not another
 
 
 @settings(max_examples=30)

@@ -13,6 +13,7 @@ from scipy.spatial.transform import Rotation
 from scanner_core.case.store import CaseStore, Order
 from scanner_core.comparison.aligning import align
 from scanner_core.comparison.comparison_values import surface_values
+from scanner_core.comparison.doubt import Doubt
 from scanner_core.comparison.inputs import mesh_hash, read_surface
 from scanner_core.comparison.parameters import ComparisonParameters, Frame
 from scanner_core.comparison.surface import LEAST_TRIANGLES, ComparedSurface
@@ -129,7 +130,7 @@ def test_faults_are_counted_in_words() -> None:
     triangles = np.concatenate([whole.triangles, [[*whole.triangles[0, :2], len(whole.vertices)]]])
     fin = TriangleMesh(np.concatenate([whole.vertices, [[0.0, 0.0, 70.0]]]), triangles)
     words = next(doubt.words for doubt in vet(fin) if doubt.code == "non-manifold")
-    assert words.startswith("1 edge belongs to more than two triangles; inside")
+    assert words.startswith("Edges that belong to more than two triangles: 1; corners that join separate parts: 0. Inside")
 
 
 def test_shells_are_counted_and_weighed(tmp_path: Path) -> None:
@@ -266,3 +267,10 @@ def test_the_hash_is_of_places_and_triangles() -> None:
     nudged[0, 0] += 1e-12
     assert mesh_hash(mesh) == mesh_hash(replace(mesh, vertex_attributes={"a": np.zeros(len(mesh.vertices))}))
     assert mesh_hash(mesh) != mesh_hash(TriangleMesh(nudged, mesh.triangles))
+
+
+def test_a_doubt_keeps_what_a_window_translates_it_by() -> None:
+    doubt = Doubt.told("open/one", False, mm="12")
+    assert (doubt.code, doubt.serious) == ("open", False)
+    assert doubt.words == doubt.template.format(**dict(doubt.fields))
+    assert "12 mm in one line" in doubt.words

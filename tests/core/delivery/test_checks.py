@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from scanner_core.acquisition.mark_visits import MarksReport
-from scanner_core.case.records import MountPose
+from scanner_core.case.processing import Processing
+from scanner_core.case.records import MountPose, ScanRecord
+from scanner_core.case.removed_points import RemovedPoints
+from scanner_core.case.store import CaseStore
 from scanner_core.delivery import checks
 from scanner_core.delivery.base import coverage, find_base, without_base
 from scanner_core.delivery.check import Check, CheckVerdict, Readiness, readiness
 from scanner_core.delivery.check_sentences import NAMES, SENTENCES
-from scanner_core.delivery.facts import CaseFacts
+from scanner_core.delivery.facts import CaseFacts, read_facts
 from scanner_core.delivery.other_ear import check_side, judged_sides
 from scanner_core.delivery.shape_checks import check_size, shape_checks
 from scanner_core.delivery.side import SideFit, SideMatch
@@ -26,6 +31,7 @@ from tests.core.delivery.cases import ORDER, VALID, drop, facts
 from tests.core.geometry.solids import box, joined, sphere
 
 PASS, WARN, FAIL, OPEN = CheckVerdict.PASS, CheckVerdict.WARN, CheckVerdict.FAIL, CheckVerdict.OPEN
+SCAN = ScanRecord(1, "scan", "", {}, "", None, None, None)
 EXPIRED = replace(VALID, age=CalibrationAge(40.0, -10.0, AgeState.EXPIRED))
 
 
@@ -64,7 +70,8 @@ CASES: list[tuple[str, CaseFacts, CheckVerdict]] = [
     ("calibration", facts(calibration=replace(VALID, age=None)), WARN),
     ("calibration", facts(calibration=EXPIRED), FAIL),
     ("calibration", facts(calibration=replace(VALID, held_out_um=170.0)), FAIL),
-    ("calibration", facts(calibration=None), OPEN),
+    ("calibration", facts(calibration=None, scans=()), OPEN),
+    ("calibration", facts(calibration=None, scans=(SCAN,)), WARN),
     ("mounts", facts(), OPEN),
     ("mounts", facts(mounts=(mount(12.0),), mount_count=2), PASS),
     ("mounts", facts(mounts=(mount(70.0),), mount_count=2), WARN),
@@ -185,3 +192,14 @@ def test_the_base_is_no_hole() -> None:
     assert found.components == 1
     assert opened.area() == pytest.approx(mesh.area() - mesh.areas()[base.triangles].sum())
     assert len(opened.vertex_attributes["supported"]) == len(opened.vertices)
+
+
+def test_a_surface_of_other_points_is_not_current_though_as_many_were_taken_out(tmp_path: Path) -> None:
+    one, other = (RemovedPoints.of(np.array([number])) for number in (7, 8))
+    with CaseStore.create(tmp_path / "a.impronta") as store:
+        store.put_order(ORDER)
+        store.edit("processing", Processing(removed=one).as_dict(), "Take out")
+        store.put_mesh(sphere(9.0), {"scans": [], "processing": {"removed": one.told()}})
+        assert read_facts(store).current
+        store.edit("processing", Processing(removed=other).as_dict(), "Take out others")
+        assert read_facts(store).current is False

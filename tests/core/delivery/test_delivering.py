@@ -100,6 +100,8 @@ def test_points_lie_on_the_surface(tmp_path: Path) -> None:
     points, mesh = read_points(tmp_path / "a.xyz").points, read_mesh(tmp_path / "a.ply")
     assert points == pytest.approx(mesh.vertices[::3], abs=1e-5)
     assert set(mesh.vertex_attributes) == {"supported"}
+    deliver(examination(), replace(profile, unit="cm"), tmp_path, "b", made=MADE, cloud=PointCloud(drop().vertices[::3]))
+    assert read_points(tmp_path / "b.xyz").points == pytest.approx(0.1 * points, abs=1e-5)
 
 
 def test_what_is_not_ready_is_delivered_only_when_a_person_says_so(tmp_path: Path) -> None:
@@ -180,6 +182,23 @@ def test_files_that_were_put_are_taken_back_when_another_cannot_be(tmp_path: Pat
     with pytest.raises(StorageError):
         write()
     assert {path.name: path.read_text() for path in tmp_path.iterdir()} == {"b": "another program's"}
+
+
+def test_what_was_replaced_comes_back_when_another_file_cannot_be_put(tmp_path: Path) -> None:
+    (tmp_path / "a").write_text("first")
+    (tmp_path / "b").write_text("first")
+
+    def write() -> None:
+        with all_or_none(tmp_path, ["a", "b"], replace=True) as beside:
+            for path in beside.values():
+                path.write_text("second")
+            (tmp_path / "b").unlink()
+            (tmp_path / "b").mkdir()  # as a page that another program has open, it cannot be replaced
+
+    with pytest.raises(StorageError):
+        write()
+    assert sorted(os.listdir(tmp_path)) == ["a", "b"]
+    assert (tmp_path / "a").read_text() == "first"
 
 
 def test_the_command_checks_delivers_and_remembers(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
