@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, Signal
 
 from app.background import Background
 from app.controllers.case_content import CaseContent, read_content, read_values
-from app.controllers.case_files import DEMO, create_cases
+from app.controllers.case_files import DEMO, create_cases, is_new
 from app.controllers.case_thread import CaseThread
 from app.controllers.computing import CutPoints, compute_anew, cut_points, recut_points
 from app.controllers.order_typing import OrderTyping
@@ -159,12 +159,6 @@ class CaseController(QObject):
         self._typing.finish()
         store = self.store
 
-        def new() -> bool:
-            from scanner_core.case.case_glance import OrderState
-            from scanner_core.case.glance import glance_of
-
-            return store is not None and glance_of(store).state is OrderState.NEW
-
         def go(into_it: bool) -> None:
             if into_it and store is not None and store is self.store:
                 then(store)
@@ -175,7 +169,7 @@ class CaseController(QObject):
         if store is None:
             go(False)
         else:
-            self._thread.do(new, go, failed)
+            self._thread.do(partial(is_new, store), go, failed)
 
     def close(self) -> None:
         """Close the file; it is whole at any time, closing only tidies it up."""

@@ -50,6 +50,14 @@ def create_cases(folder: Path, values: DraftValues) -> CaseStore:
     return made[0]
 
 
+def is_new(store: CaseStore) -> bool:
+    """Nothing was scanned into it yet."""
+    from scanner_core.case.case_glance import OrderState
+    from scanner_core.case.glance import glance_of
+
+    return glance_of(store).state is OrderState.NEW
+
+
 def free_case_path(folder: Path, values: DraftValues, today: date) -> Path:
     """``2026-0142_left_ear_2026-11-23.impronta``, with -2, -3 ... when that is taken, be it by the log of a case that is gone."""
     from scanner_core.case.logs import left_behind

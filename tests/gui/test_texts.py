@@ -125,3 +125,4 @@ def test_no_text_stands_outside_of_the_translation(bracketed: Program, monkeypat
 
     bracketed.window.banner.tell_fault(CaseLockedError("E-CASE-02", path="a.impronta"))
     assert bracketed.window.banner.text.startswith("«a.impronta is open")
+    assert bracketed.services.assistant.shutdown(20)  # its thread stays as long as the program
