@@ -124,7 +124,8 @@ def test_the_focus_is_seen(shared_program: Program) -> None:
         window.show_page(page)
         window.activateWindow()
         until(window.isActiveWindow, 10, "the window is active")
-        buttons = [made for made in window.pages[page].findChildren(QAbstractButton) if made.isVisible() and made.isEnabled()]
+        there = [part for name, part in _parts(shared_program) if name == page and isinstance(part, QAbstractButton)]
+        buttons = [part for part in there if part.isVisible() and part.isEnabled()]
         for button in buttons[:6]:
             button.clearFocus()
             before = pixels_of(button)

@@ -42,7 +42,8 @@ def test_the_one_that_was_asked_for_first_is_taken_first(application: QApplicati
     assert draft.choice.after is None
     assert set(reading.reading) == {"before", "after"}
     later.done["read-before"]("a")
-    assert (draft.choice.before, draft.choice.after) == ("a", "b")
+    taken = draft.choice
+    assert (taken.before, taken.after) == ("a", "b")
     assert not reading.reading
 
 
