@@ -12,6 +12,7 @@ from types import TracebackType
 from PySide6.QtCore import QCoreApplication
 
 from app.draft import SIDES
+from app.views.format import own_mark
 from scanner_core.acquisition.finding import Finding
 from scanner_core.errors import ImprontaError
 from scanner_core.remedies import REMEDIES
@@ -76,12 +77,12 @@ def finding_words(finding: Finding) -> str:
 
 
 def _spoken(fields: Mapping[str, object]) -> dict[str, object]:
-    """The fields of a sentence; which camera or ear it is, in the window's language."""
+    """The fields of a sentence; which camera or ear it is in the window's language, numbers with its decimal mark."""
     translate = QCoreApplication.translate
     cameras: dict[object, str] = {"left": translate("faults", "left"), "right": translate("faults", "right")}
     ears: dict[object, str] = {side: translate("draft", SIDES[side]).lower() for side in ("left", "right")}
     words = {"camera": cameras, "other": cameras, "late": cameras, "side": ears}
-    return {name: words[name].get(value, value) if name in words else value for name, value in fields.items()}
+    return {name: words[name].get(value, value) if name in words else value for name, value in own_mark(fields).items()}
 
 
 def details_of(fault: BaseException) -> str:

@@ -34,6 +34,7 @@ from app.controllers.reconstruction import ReconstructionController
 from app.controllers.recovery import RecoveryController
 from app.controllers.rig import RigController
 from app.controllers.shading import Shading
+from app.controllers.verification import VerificationController
 from app.controllers.worklist import WorklistController
 from app.draft import Draft, DraftValues, first_order
 from app.event_log import EventLog
@@ -144,6 +145,7 @@ class Program(QObject):
             aiming,
             editing,
             Measurements(self.background, cases, self.tell, self),
+            VerificationController(self.background, rig, self.tell, self),
         )
         draft.load(first_order(self.settings.last_order) if after is None else after.order)
         live.allow(self.settings.live_surface)
@@ -247,6 +249,7 @@ class Program(QObject):
             ("recovery", services.recovery.shutdown),
             ("worklist", services.worklist.shutdown),
             ("scan", lambda: services.acquisition.shutdown(_DEADLINE_S)),
+            ("reference sphere", lambda: services.verification.shutdown(_DEADLINE_S)),
             ("assistant", lambda: services.assistant.shutdown(_DEADLINE_S)),
             ("rig", lambda: services.rig.shutdown(_DEADLINE_S)),
             ("live surface", services.live_surface.shutdown),

@@ -23,6 +23,7 @@ from app.controllers.readiness import ReadinessController
 from app.controllers.reconstruction import ReconstructionController
 from app.controllers.recovery import RecoveryController
 from app.controllers.rig import RigController
+from app.controllers.verification import VerificationController
 from app.controllers.worklist import WorklistController
 from app.draft import Draft
 from app.settings import Settings
@@ -56,3 +57,4 @@ class Services:
     aiming: AimController
     editing: EditingController
     measurements: Measurements
+    verification: VerificationController

@@ -43,6 +43,9 @@ class Settings:
     print_width_mm: float = 225.0
     board_thickness_mm: float = 0.0
     """Of the last calibration by hand: ``bar``, ``print`` or ``none``, and what was measured."""
+    sphere_diameter_mm: float = 0.0
+    sphere_uncertainty_um: float = 4.0
+    """Of the reference sphere, as its certificate says (k = 2); no diameter before one was entered."""
     specimen: str = "ear"
     speed: str = "max"
     case_folder: str = field(default_factory=_documents)

@@ -5,7 +5,7 @@
     python packaging/translations.py --take it done.json      put such a file's translations in, then the .qm files
 
 The .ts files may be edited in Qt Linguist as well.  Texts that the core speaks in English and the window translates by code
-(errors, remedies, checks before a delivery, faults of the virtual rig) are handed to lupdate as a source file of their own.
+(errors, remedies, checks before a delivery, remarks, faults of the virtual rig) are handed to lupdate as a source file of their own.
 """
 
 from __future__ import annotations
@@ -74,6 +74,7 @@ def core_texts() -> Iterator[tuple[str, str]]:
     from scanner_core.delivery.check_sentences import NAMES
     from scanner_core.delivery.check_sentences import SENTENCES as CHECKS
     from scanner_core.optics.calibration_result import FindingKind
+    from scanner_core.reconstruction.remarks import RemarkKind
     from scanner_core.remedies import REMEDIES
     from scanner_core.sentences import SENTENCES
     from scanner_core.virtual.faults import FAULTS
@@ -83,6 +84,7 @@ def core_texts() -> Iterator[tuple[str, str]]:
     yield from (("remedies", text) for text in REMEDIES.values())
     yield from (("calibration", kind.value) for kind in FindingKind)
     yield from (("delivery", text) for text in (*NAMES.values(), *CHECKS.values()))
+    yield from (("remarks", kind.value) for kind in RemarkKind)
     yield from (("doubts", text) for text in DOUBTS.values())
     for fault in FAULTS.values():
         yield from (("rig-faults", text) for text in (fault.title, fault.happens, fault.expected))

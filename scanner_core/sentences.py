@@ -214,7 +214,7 @@ SENTENCES: dict[str, Sentence] = {
     ),
     "E-MET-03": Sentence(
         "No sphere of {radius_mm} mm radius was found: {points} points were measured, {share} % of them lie on the best candidate.",
-        "The laser is off; put the reference sphere alone into the middle of the table, and check --reference-mm.",
+        "The laser is off; put the reference sphere alone into the middle of the table, and check the size that was given.",
     ),
     "E-MET-04": Sentence(
         "Two spheres stand on the table: {first} points lie on the one, {second} on the other.",

@@ -64,8 +64,11 @@ class AcquisitionController(QObject):
         self._calibration = ""  # its identity
         self.result: ScanResult | None = None
         self._taken = 0
+        self._scanned: Path | None = None
+        """The case that status, views and result belong to."""
         self._point_sinks: list[Callable[[LivePoints], None]] = []
         self._preview_sinks: list[Callable[[str, Preview], None]] = []
+        case.opened.connect(self._forget_other)
 
     # -------------------------------------------------------------------------------- who wants to see it
     def add_point_sink(self, sink: Callable[[LivePoints], None]) -> None:
@@ -85,7 +88,8 @@ class AcquisitionController(QObject):
     @property
     def _free(self) -> bool:
         """The rig is open, and nobody measures with it."""
-        return self._rig.snapshot.connected and self._rig.snapshot.calibrating is None
+        rig = self._rig.snapshot
+        return rig.connected and not rig.busy and rig.calibrating is None
 
     @property
     def paused(self) -> bool:
@@ -101,6 +105,9 @@ class AcquisitionController(QObject):
             return
         if not self._rig.snapshot.connected:
             self._tell(UsageError("E-USE-01", what="The rig is not open yet", do="wait until the status line shows it, or choose it on the Rig page"))
+            return
+        if self._rig.snapshot.busy:  # the reference sphere is being measured
+            self._tell(UsageError("E-USE-01", what="The rig is measuring", do="wait until that is done, or stop it first (Esc)"))
             return
         self._prepare()
         self._case.for_scan(lambda store: self._begin(store, partial(_new_scan, request)), self._no_case)
@@ -207,6 +214,12 @@ class AcquisitionController(QObject):
             sink(points)
 
     # -------------------------------------------------------------------------------- inside
+    def _forget_other(self) -> None:
+        """Of another order neither figures nor views may be told, nor a view measured again."""
+        if not self.running and self._case.path != self._scanned:
+            self.status, self.result, self.views, self._scanned = None, None, (), None
+            self.changed.emit()
+
     def _begin(self, store: CaseStore, make: MakeRunner) -> None:
         """`make` the scan, off the GUI thread, and follow it."""
         if self._stopped:  # while the case was made
@@ -217,7 +230,7 @@ class AcquisitionController(QObject):
             self._no_case()
             self._tell(UsageError("E-USE-01", what="The rig is not open yet", do="wait until the status line shows it"))
             return
-        self._borrowed = True
+        self._borrowed, self._scanned = True, store.path
         self._calibration = "" if rig.calibration is None else rig.calibration.identity()
         self._starting = self._background.run("scan-start", lambda: self._started(make, rig, store), self._follow, self._not_started)
 

@@ -14,7 +14,6 @@ from PySide6.QtCore import QObject, Signal
 from app.background import Background
 from app.controllers.device_failure import RIG_FILE, DeviceFailure
 from app.controllers.rig import RigController
-from app.controllers.rig_snapshot import RigSnapshot
 from app.settings import Settings
 from scanner_core.devices.motion import MotionState
 
@@ -42,7 +41,7 @@ class Remedy(Enum):
     LASER_OFF = "laser_off"
     CALIBRATE = "calibrate"
     AGAIN = "again"
-    LATER = "later"
+    VERIFY = "verify"
 
 
 _REMEDIES = {
@@ -55,8 +54,8 @@ _REMEDIES = {
     "uncalibrated": Remedy.CALIBRATE,
     "other_rig": Remedy.CALIBRATE,
     "expired": Remedy.CALIBRATE,
-    "never_verified": Remedy.LATER,
-    "verified_long_ago": Remedy.LATER,
+    "never_verified": Remedy.VERIFY,
+    "verified_long_ago": Remedy.VERIFY,
 }
 """By obstacle; of all others a person mends something and has it looked at again."""
 
@@ -101,7 +100,7 @@ class ReadinessController(QObject):
     def check(self) -> None:
         """Look again; nothing while the rig is lent, aimed or calibrated."""
         snapshot = self._rig.snapshot
-        if not _at_rest(snapshot):
+        if not snapshot.at_rest:
             return
         self._number += 1
         self._tell(replace(self.snapshot, checking=True))
@@ -127,17 +126,20 @@ class ReadinessController(QObject):
         elif remedy is Remedy.LASER_OFF:
             rig.laser_off()
             self.check()
-        elif remedy is Remedy.LATER and self.snapshot.finding is not None:
-            self._put_off.add(self.snapshot.finding.obstacle.value)
-            self.check()
         elif remedy is Remedy.AGAIN:
+            self.check()
+
+    def put_off(self) -> None:
+        """Do not speak of the sphere any more until the program is started again."""
+        if self.snapshot.remedy is Remedy.VERIFY and self.snapshot.finding is not None:
+            self._put_off.add(self.snapshot.finding.obstacle.value)
             self.check()
 
     # -------------------------------------------------------------------------------- inside
     def _hear(self) -> None:
         """Something is new of the rig: look again where that may change the answer."""
         rig = self._rig.snapshot
-        at_rest = _at_rest(rig)
+        at_rest = rig.at_rest
         state = None if rig.motion is None else rig.motion.state
         # moving is no news: who asked for it is heard of when it is over
         resting = state if state in (MotionState.DOOR, MotionState.ALARM, MotionState.HOLD) else None
@@ -170,11 +172,6 @@ class ReadinessController(QObject):
     def _tell(self, snapshot: ReadySnapshot) -> None:
         self.snapshot = snapshot
         self.changed.emit()
-
-
-def _at_rest(rig: RigSnapshot) -> bool:
-    """Open, and nobody does anything with it."""
-    return rig.connected and not rig.busy and not rig.aiming and not rig.acting and rig.calibrating is None
 
 
 def _look(folder: Path, verified: datetime | None, computed: bool, rig: OpenRig) -> tuple[ReadyFinding, ...]:

@@ -24,13 +24,13 @@ from app.controllers.device_thread import DeviceThread
 from app.controllers.emission import MAY_BE_LIT, Emission, emission_of
 from app.controllers.rig_devices import Answers, RigDevices, WantedRig
 from app.controllers.rig_files import RigFiles
-from app.controllers.rig_snapshot import PRESETS, RigSnapshot
+from app.controllers.rig_snapshot import PRESETS, RigSnapshot, shown_of
 from app.controllers.target import TargetController
 from app.controllers.transcript import Line
 from scanner_core.acquisition.handover import LatestSlot
 from scanner_core.devices.camera import Frame
 from scanner_core.devices.motion import MotionStatus
-from scanner_core.errors import CalibrationError, ControllerAlarmError, DeviceError, ImprontaError, MotionStoppedError
+from scanner_core.errors import CalibrationError, ControllerAlarmError, DeviceError, ImprontaError, MotionStoppedError, UsageError
 from scanner_core.jobs.progress import Cancelled, Progress
 
 if TYPE_CHECKING:
@@ -89,7 +89,10 @@ class RigController(QObject):
 
     # -------------------------------------------------------------------------------- what a person chooses
     def choose(self, *, preset: str | None = None, specimen: str | None = None, speed: str | None = None, pose: str | None = None) -> None:
-        """Read the rig file again and open the rig anew with this; what is not given stays.  `preset` may be the path of a rig file."""
+        """Read the rig file again and open the rig anew with this; what is not given stays.  Not while it is lent: whoever measures would lose it."""
+        if self._loaned.is_set():
+            self._tell(UsageError("E-USE-01", what="The rig is measuring", do="wait until that is done, or stop it first (Esc)"))
+            return
         before = self.snapshot
         wanted = replace(before, preset=preset or before.preset, specimen=specimen or before.specimen, speed=speed or before.speed, connected=False)
         wanted = replace(wanted, pose=pose or (before.pose if specimen is None else None))
@@ -108,6 +111,8 @@ class RigController(QObject):
 
     def calibrate(self, by_hand: ByHand | None = None) -> None:
         """Measure in the device thread; a person shows the board as `by_hand` says, or the virtual bench does when it is None."""
+        if self._loaned.is_set():
+            return
         self.calibration.begin()
         self._begin_calibration(by_hand is not None)
         self._device.call(partial(self._calibrate, by_hand))
@@ -193,6 +198,11 @@ class RigController(QObject):
     def give_back(self) -> None:
         self._loaned.clear()
         self._news(replace(self.snapshot, busy=False))
+
+    def take_sphere(self, preset: str, sphere: SphereTrend | None) -> None:
+        """The reference sphere was measured with this rig."""
+        if self.snapshot.preset == preset:
+            self._news(replace(self.snapshot, sphere=sphere))
 
     def release(self, released: Callable[[], None]) -> None:
         """Close the devices, so that others may open them; then `released` in the GUI thread.  :meth:`choose` opens them again."""
@@ -396,7 +406,7 @@ class RigController(QObject):
     def _heard(self, status: MotionStatus, needs_homing: bool) -> None:
         if not self.snapshot.connected:  # the device thread asked before it heard that the rig was let go
             return
-        if _shown_of(self.snapshot.motion) != _shown_of(status) or self.snapshot.needs_homing != needs_homing:
+        if shown_of(self.snapshot.motion) != shown_of(status) or self.snapshot.needs_homing != needs_homing:
             self._news(replace(self.snapshot, motion=status, needs_homing=needs_homing))
 
     def _alarmed(self, failure: DeviceFailure) -> None:
@@ -442,8 +452,3 @@ class RigController(QObject):
     def _news(self, snapshot: RigSnapshot) -> None:
         self.snapshot = snapshot
         self.changed.emit()
-
-
-def _shown_of(status: MotionStatus | None) -> tuple[object, ...]:
-    """What the window shows of a report."""
-    return () if status is None else (status.state, status.table_deg, status.laser_power > 0.0)

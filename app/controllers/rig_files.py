@@ -134,6 +134,13 @@ class RigFiles:
         with replaced_when_whole(path, force=True) as partial:
             partial.write_text(text, encoding="utf-8")
 
+    def history(self, name: str) -> Path:
+        """Where the tests of a rig as it is used here are kept: beside its file, of a preset beside what was calibrated of it here, if anything."""
+        from scanner_core.metrology.history import history_path
+
+        own = self._folder / f"{name}.toml"
+        return history_path(str(own) if name in PRESETS and own.exists() else name)
+
     def last_sphere(self, name: str) -> SphereTrend | None:
         """The last test with the reference sphere; of a preset the newer one of as it was shipped and as it was calibrated here."""
         from scanner_core.metrology.history import history_path, last_reference_sphere

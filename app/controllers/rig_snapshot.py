@@ -34,7 +34,7 @@ class RigSnapshot:
     connected : cameras and controller are open
     failure : what keeps it from being open, and at which device
     opening : somebody is opening it just now
-    busy : a scan owns it
+    busy : a scan owns it, or the measurement of the reference sphere
     aiming : a person aims by the live pictures, and has lit the laser
     motion : the controller's newest report
     needs_homing : the controller does not know its position, and can find it
@@ -45,7 +45,7 @@ class RigSnapshot:
     by_hand : a person shows the board
     cancelling : the running calibration was asked to end
     found, refused : what the last calibration of this rig has found, or why it was not accepted; None before there is one
-    sphere : the last test with the reference sphere, as of when the rig was opened; None when there is none
+    sphere : the last test with the reference sphere, as of when the rig was opened or it was measured here; None when there is none
     specimen_radius_mm, specimen_height_mm : of what stands on the virtual table
     """
 
@@ -79,6 +79,11 @@ class RigSnapshot:
         return None if self.config is None else self.config.calibration
 
     @property
+    def at_rest(self) -> bool:
+        """Open, and nobody does anything with it."""
+        return self.connected and not self.busy and not self.aiming and not self.acting and self.calibrating is None
+
+    @property
     def unreadable(self) -> bool:
         """There is no rig, only a file that cannot be used: nothing is known of devices and calibration."""
         return self.config is None and self.failure is not None
@@ -97,3 +102,8 @@ class RigSnapshot:
     def simulated(self) -> bool:
         """Its controller is computed, too: it has a speed of its own, and faults can be rehearsed."""
         return self.virtual and (self.config is None or is_simulated(self.config))
+
+
+def shown_of(status: MotionStatus | None) -> tuple[object, ...]:
+    """What the window shows of a controller's report."""
+    return () if status is None else (status.state, status.table_deg, status.laser_power > 0.0)

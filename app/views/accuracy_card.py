@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QVBoxLayout, QWidget
@@ -9,7 +11,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from app.controllers.rig_snapshot import RigSnapshot
 from app.theme import look
 from app.views import format as fmt
-from app.views.parts import BigNumber, give_role, label, row
+from app.views.parts import BigNumber, button, give_role, label, row
 from scanner_core import wall_clock
 
 OLD_DAYS = 30
@@ -19,8 +21,11 @@ OLD_DAYS = 30
 class AccuracyCard(QWidget):
     """Size deviation and D95 as large numbers, when, the trend, and one sentence."""
 
-    def __init__(self) -> None:
+    def __init__(self, measure: Callable[[], object] | None = None) -> None:
+        """`measure` leads to where the sphere is measured; without it nothing is offered."""
         super().__init__()
+        self._asks = measure is not None
+        self.measure = button(self.tr("Measure the sphere…"), "", measure or (lambda: None))
         self.deviation = BigNumber(self.tr("µm size deviation"))
         self.dispersion = BigNumber(self.tr("µm D95"))
         self.deviation.setToolTip(self.tr("Diameter of the reference sphere as measured, less what its certificate says"))
@@ -39,6 +44,8 @@ class AccuracyCard(QWidget):
         box.addWidget(self.when)
         box.addWidget(self.advice)
         box.addWidget(self.calibration)
+        box.addSpacing(4)
+        box.addLayout(row(self.measure, 1))
 
     def show_rig(self, rig: RigSnapshot) -> None:
         """What the rig's history and its calibration tell."""
@@ -50,15 +57,14 @@ class AccuracyCard(QWidget):
         if calibration is not None:
             told = self.tr("Calibrated on {date}; {rms} µm rms at corners of the board that were left out.")
             self.calibration.setText(told.format(date=fmt.day(calibration.date), rms=fmt.micrometres(calibration.held_out_rms_um)))
-        command = f"impronta verify sphere --rig {rig.preset}"
-        again = self.tr("Put the sphere on the table and run:\n{command}").format(command=command)
+        self.measure.setVisible(self._asks and rig.calibration is not None)
         advice, role = "", ""
         if rig.unreadable:
             advice = self.tr("The Rig page says what is wrong with the rig file.")
         elif rig.config is not None and calibration is None:
             advice, role = self.tr("This rig is not calibrated. The Rig page does that in a few minutes."), "bad"
         elif sphere is None:
-            advice = " ".join((self.tr("No reference sphere was measured with this rig yet."), again))
+            advice = self.tr("No reference sphere was measured with this rig yet.")
         else:
             self.deviation.show_number(fmt.decimal(2 * sphere.size_um, 1, signed=True))
             self.dispersion.show_number(fmt.micrometres(sphere.dispersion_um))
@@ -68,9 +74,9 @@ class AccuracyCard(QWidget):
             if sphere.drifted:
                 advice, role = self.tr("It measures otherwise than in the tests before: calibrate, and test it again."), "bad"
             elif calibration is not None and sphere.last.calibration_id != calibration.identity():
-                advice, role = " ".join((self.tr("The rig was calibrated since."), again)), "bad"
+                advice, role = self.tr("The rig was calibrated since: measure the sphere again."), "bad"
             elif days > OLD_DAYS:
-                advice, role = " ".join((self.tr("The test is {n} days old.").format(n=days), again)), "bad"
+                advice, role = self.tr("The test is {n} days old: measure the sphere again.").format(n=days), "bad"
         self.advice.setText(advice)
         self.advice.setVisible(bool(advice))
         give_role(self.advice, role or "muted")

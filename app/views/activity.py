@@ -12,6 +12,8 @@ def activity_words(services: Services) -> str:
     translate = QCoreApplication.translate
     if services.acquisition.running:
         return translate("activity", "Scanning")
+    if services.verification.running:
+        return translate("activity", "Measuring the reference sphere")
     if services.coverage.running:
         return translate("activity", "Looking for what is missing")
     if services.mounts.running:

@@ -102,7 +102,7 @@ def _scale_text(scale: ScaleReference | None) -> tuple[str, str]:
 
 def finding_text(finding: Finding) -> str:
     """One sentence."""
-    return _tr(finding.kind.value).format(**finding.fields)
+    return _tr(finding.kind.value).format(**fmt.own_mark(finding.fields))
 
 
 def change_text(change: CalibrationChange) -> str:

@@ -70,7 +70,7 @@ def check_name(check: Check) -> str:
 
 
 def check_sentence(check: Check) -> str:
-    fields = dict(check.fields)
+    fields = fmt.own_mark(check.fields)
     if "kind" in fields:
         fields["kind"] = QCoreApplication.translate("delivery", _KINDS[str(fields["kind"])])
     if "side" in fields:

@@ -42,6 +42,7 @@ class EditPage(Page):
         self._measure_aside: MeasureAside | None = None
         self._drawn: tuple[Surface, DrawnSurface] | None = None
         self._drawing: Surface | None = None
+        self._told_facts = ""
         box = self.inspector(self.tr("Edit"))
         self.points_tab = button(self.tr("Points"), "choice", self._turn)
         self.measure_tab = button(self.tr("Measure"), "choice", self._turn)
@@ -69,6 +70,7 @@ class EditPage(Page):
         self.points.looks_changed.connect(self._show_points)
         self.measure.looks_changed.connect(self._show_lines)
         self._editing.changed.connect(self._show_points)
+        self._editing.changed.connect(self._show_count)
         self._editing.loaded.connect(self._renew)
         services.case.opened.connect(self._renew_measure)
         services.case.meshed.connect(self._renew_measure)
@@ -263,6 +265,12 @@ class EditPage(Page):
         if tools is not None:
             tools.scene.moved.disconnect(self._thin)
             tools.let_go()
+
+    def _show_count(self) -> None:
+        """The title over the view tells how many points are left: after an undo these are known later than the case's."""
+        if self.isVisible() and self.facts() != self._told_facts:
+            self._told_facts = self.facts()
+            self.aside_changed.emit()
 
     def _renew(self) -> None:
         self._measure_aside = None

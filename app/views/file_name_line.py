@@ -19,6 +19,7 @@ class FileNameLine(QWidget):
         self._preferences, settings = preferences, preferences.settings
         self._values = DraftValues()
         self.names = label("", "", wrap=True, selectable=True)
+        self.names.setMinimumWidth(1)  # a name is one long word, which would push the form out of the window
         self.remark = label("", "muted", wrap=True)
         self._change = button(self.tr("Change the file names…"), "quiet-link", lambda: self.unfold(not self.template.isVisible()))
         self.template = QLineEdit(settings.name_template)
@@ -48,6 +49,7 @@ class FileNameLine(QWidget):
         template, allowed = self.template.text(), self._preferences.settings.code_in_names
         names = [file_name(template, order, 1, ".stl", wall_clock.today(), with_code=allowed) for order in orders_of(values)]
         self.names.setText("\n".join(names))
+        self.names.setToolTip("\n".join(names))
         unknown = unknown_fields(template)
         remark, role = "", "muted"
         if unknown:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import re
+from collections.abc import Mapping
 from datetime import date, datetime
 from pathlib import Path
 
@@ -13,6 +15,7 @@ from scanner_core import wall_clock
 NARROW = "\u202f"
 NO_VALUE = "–"
 MINUS = "\u2212"
+_DECIMAL = re.compile(r"[-+]?\d+\.\d+")
 
 
 def count(number: int) -> str:
@@ -35,6 +38,12 @@ def decimal(number: float, places: int, *, signed: bool = False) -> str:
     digits = f"{abs(number):.{places}f}"
     sign = "" if not digits.strip("0.") else MINUS if number < 0 else "+" if signed else ""
     return sign + digits.replace(".", QLocale().decimalPoint())
+
+
+def own_mark(fields: Mapping[str, object]) -> dict[str, object]:
+    """Fields of a sentence of the core, its numbers with the person's decimal mark; what is no number stays."""
+    mark = QLocale().decimalPoint()
+    return {name: str(value).replace(".", mark) if _DECIMAL.fullmatch(str(value)) else value for name, value in fields.items()}
 
 
 def micrometres(length_um: float | None) -> str:

@@ -113,6 +113,19 @@ HELP: Final[dict[str, PageHelp]] = {
         ),
         QT_TRANSLATE_NOOP("help", "Directions and steps are measured by what the cameras see, and corrected in the file where they differ."),
     ),
+    "verify": PageHelp(
+        QT_TRANSLATE_NOOP("help", "A sphere of certified size is measured: it tells whether the rig still measures right."),
+        QT_TRANSLATE_NOOP(
+            "help",
+            "Put the sphere into the middle of the table, enter the diameter from its certificate, and start. "
+            "Do it once a month, and after every calibration.",
+        ),
+        QT_TRANSLATE_NOOP(
+            "help",
+            "The size deviation is the measured diameter less the certified one; U is its uncertainty, k = 2. PF is the distance between the "
+            "outermost and the innermost point, D95 the width that holds 95 % of the points, σ their standard deviation.",
+        ),
+    ),
     "coverage": PageHelp(
         QT_TRANSLATE_NOOP("help", "Where the surface is not measured, or only thinly: a list of places, the largest first."),
         QT_TRANSLATE_NOOP(

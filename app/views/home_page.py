@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QKeyEvent
@@ -31,7 +32,8 @@ class HomePage(Page):
     def __init__(self, services: Services) -> None:
         super().__init__(services)
         self.strip = InterruptedStrip(services)
-        self.start = HomeStart(services, self.new_order, self.demo, self.edit_order, lambda: self.wanted.emit("rig"))
+        to_rig, to_sphere = (partial(self.wanted.emit, page) for page in ("rig", "verify"))
+        self.start = HomeStart(services, self.new_order, self.demo, self.edit_order, to_rig, to_sphere)
         self.form = OrderForm(services.new_order, services.preferences, new=True)
         self.open_form = OrderForm(services.draft, services.preferences, new=False)
         self._aside = QStackedWidget()

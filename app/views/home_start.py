@@ -19,7 +19,7 @@ from app.views.rig_choice import specimen_words
 
 
 class HomeStart(QWidget):
-    """Calls what was asked for: `new(kind, side)`, `demo()`, `edit()`, `rig()`."""
+    """Calls what was asked for: `new(kind, side)`, `demo()`, `edit()`, `rig()`, `measure()`."""
 
     def __init__(
         self,
@@ -28,6 +28,7 @@ class HomeStart(QWidget):
         demo: Callable[[], None],
         edit: Callable[[], None],
         rig: Callable[[], None],
+        measure: Callable[[], None],
     ) -> None:
         super().__init__()
         self._services = services
@@ -53,7 +54,7 @@ class HomeStart(QWidget):
         case.addLayout(row(self._badge, self._kind, 1))
         case.addSpacing(8)
         case.addWidget(seam())
-        self.accuracy = AccuracyCard()
+        self.accuracy = AccuracyCard(measure)
         self._ready_sign, self.ready = Sign(18), label("", "", wrap=True)
         self._on_table = label("", "muted", wrap=True)
         self._change = button(self.tr("Change"), "link", rig)
@@ -95,7 +96,7 @@ class HomeStart(QWidget):
     def show_rig(self) -> None:
         """Rig, open order, and what keeps a demo from being tried."""
         rig, running = self._services.rig.snapshot, self._services.acquisition.running
-        self.demo.setEnabled(not running and rig.calibrating is None)
+        self.demo.setEnabled(not running and not rig.busy and rig.calibrating is None)
         there = self._services.case.store is not None
         self._case.setVisible(there)
         if there:

@@ -318,6 +318,7 @@ class MainWindow(QMainWindow):
         services.comparing.answers.changed.connect(self._show_activity)
         services.comparing.draft.changed.connect(self._show_whose)
         services.assistant.changed.connect(self._show_activity)
+        services.verification.changed.connect(self._show_activity)
         for controller in (services.coverage, services.mounts):
             controller.changed.connect(self._show_activity)
         services.mounts.began.connect(self.show_mounts)

@@ -48,4 +48,4 @@ def mount_line(outcome: MountOutcome, first_mount: int) -> str:
 
 def refusal(outcome: MountOutcome) -> str:
     """Why it was not joined, in the window's language."""
-    return QCoreApplication.translate("sentences", SENTENCES[outcome.code].what).format(**outcome.fields)
+    return QCoreApplication.translate("sentences", SENTENCES[outcome.code].what).format(**fmt.own_mark(outcome.fields))

@@ -43,6 +43,7 @@ class OrderList(QListView):
         self.customContextMenuRequested.connect(self._show_menu)
         self.doubleClicked.connect(lambda index: self.chosen.emit(index.data(ORDER)))
         self.selectionModel().currentChanged.connect(lambda *_: self.selected.emit())
+        self.selectionModel().selectionChanged.connect(lambda *_: self.selected.emit())  # a click selects after it has become the current one
 
     @property
     def current(self) -> CaseGlance | None:

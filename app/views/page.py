@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Protocol
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QVBoxLayout, QWidget
 
 from app.views.parts import label
 
@@ -63,6 +63,17 @@ class Page(QWidget):
     def look(self, view: str) -> bool:
         """Turn a 3D view of its own: ``fit``, ``front`` or ``top``; False when there is none."""
         return False
+
+    def focusNextPrevChild(self, forwards: bool) -> bool:  # noqa: N802 - Qt's name
+        """Where the keys go on Tab, or when the part that has them is hidden or disabled: then they stay on the page, with none of its parts.
+
+        Qt would give them to the next part in the order, which may be a step in the rail: it would look chosen, and the next Space would go there.
+        """
+        lost = QApplication.focusWidget()
+        if lost is not None and self.isAncestorOf(lost) and (lost.isHidden() or not lost.isEnabled()) and self.isVisible():
+            self.setFocus(Qt.FocusReason.OtherFocusReason)
+            return True
+        return super().focusNextPrevChild(forwards)
 
     def inspector(self, title: str) -> QVBoxLayout:
         """The layout of a page that stands beside the 3D view."""

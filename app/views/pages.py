@@ -19,6 +19,7 @@ from app.views.reconstruct_page import ReconstructPage
 from app.views.rig_page import RigPage
 from app.views.scan_page import ScanPage
 from app.views.settings_page import SettingsPage
+from app.views.verify_page import VerifyPage
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,6 +55,7 @@ FOOT: tuple[PageInfo, ...] = (PageInfo("settings", QT_TRANSLATE_NOOP("pages", "S
 """At the foot of the rail: no step of the work."""
 ASIDE: tuple[PageInfo, ...] = (
     PageInfo("assistant", QT_TRANSLATE_NOOP("pages", "Set up a rig"), "rig", AssistantPage, of="rig"),
+    PageInfo("verify", QT_TRANSLATE_NOOP("pages", "Reference sphere"), "rig", VerifyPage, of="rig"),
     PageInfo("coverage", QT_TRANSLATE_NOOP("pages", "Complete"), "scan", CoveragePage, stage=QT_TRANSLATE_NOOP("pages", "Missing places"), of="scan"),
     PageInfo("mounts", QT_TRANSLATE_NOOP("pages", "Another mount"), "scan", MountsPage, stage=QT_TRANSLATE_NOOP("pages", "Mounts"), of="scan"),
     PageInfo("pick", QT_TRANSLATE_NOOP("pages", "Pick three points"), "scan", PickPage, of="scan"),

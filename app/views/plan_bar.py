@@ -32,6 +32,7 @@ class PlanBar(QWidget):
         self._chosen = -1
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setCursor(Qt.CursorShape.PointingHandCursor)
         self._tell()
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name

@@ -26,7 +26,8 @@ class ReadyLine(QWidget):
         self._sentence = label("", wrap=True)
         self._sentence.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self.remedy = button("", "", self._act)
-        box = row(self._lamp, self._sentence, self.remedy, spacing=14)
+        self.later = button(self.tr("Not now"), "link", ready.put_off)
+        box = row(self._lamp, self._sentence, self.later, self.remedy, spacing=14)
         box.setContentsMargins(0, 0, 0, 0)
         box.setAlignment(self._lamp, Qt.AlignmentFlag.AlignVCenter)
         box.setStretch(1, 1)
@@ -57,6 +58,7 @@ class ReadyLine(QWidget):
         self.remedy.setText(remedy_words(snapshot.remedy))
         self.remedy.setVisible(snapshot.remedy is not Remedy.NONE)
         self.remedy.setEnabled(not snapshot.checking)
+        self.later.setVisible(snapshot.remedy is Remedy.VERIFY)
         if self._leads:
             make_primary(self.remedy, snapshot.remedy is not Remedy.NONE)
 
@@ -64,6 +66,8 @@ class ReadyLine(QWidget):
         remedy = self._ready.snapshot.remedy
         if remedy is Remedy.SET_UP:
             self._go("assistant")
+        elif remedy is Remedy.VERIFY:
+            self._go("verify")
         elif remedy is not Remedy.CALIBRATE:
             self._ready.remedy()
         elif self._calibrate is not None:

@@ -34,7 +34,7 @@ _REMEDIES = {
     Remedy.LASER_OFF: QT_TRANSLATE_NOOP("ready", "Laser off"),
     Remedy.CALIBRATE: QT_TRANSLATE_NOOP("ready", "Calibrate…"),
     Remedy.AGAIN: QT_TRANSLATE_NOOP("ready", "Check again"),
-    Remedy.LATER: QT_TRANSLATE_NOOP("ready", "Not now"),
+    Remedy.VERIFY: QT_TRANSLATE_NOOP("ready", "Measure the sphere…"),
 }
 _READY = QT_TRANSLATE_NOOP("ready", "Ready to measure.")
 _CHECKING = QT_TRANSLATE_NOOP("ready", "Checking the rig…")

@@ -65,7 +65,7 @@ def other_remarks(report: dict[str, object]) -> str:
     for remark in remarks if isinstance(remarks, list) else ():
         kind, fields = remark.get("kind"), remark.get("fields")
         if kind in RemarkKind.__members__ and kind not in _TOLD_HERE and isinstance(fields, dict):
-            lines.append(QCoreApplication.translate("remarks", RemarkKind[kind].value).format(**fields))
+            lines.append(QCoreApplication.translate("remarks", RemarkKind[kind].value).format(**fmt.own_mark(fields)))
     return "\n".join(lines)
 
 

@@ -49,6 +49,8 @@ class RigPage(Page):
         self.set_up = button(self.tr("Set up a rig…"), "link", lambda: self.wanted.emit("assistant"))
         self.set_up.setToolTip(self.tr("Finds ports and cameras, checks them by what the cameras see, and writes a rig file"))
         self.choice.more.addWidget(self.set_up)
+        self.choice.more.addSpacing(18)
+        self.choice.more.addWidget(button(self.tr("Measure the sphere…"), "link", lambda: self.wanted.emit("verify")))
         self.choice.more.addStretch(1)
         self.devices = DeviceList(services.rig, self.show_transcript)
         self.calibration = CalibrationPanel(services.rig, self._calibrate)

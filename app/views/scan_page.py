@@ -109,7 +109,7 @@ class ScanPage(Page):
 
     # -------------------------------------------------------------------------------- showing
     def _show_surface(self) -> None:
-        words = live_surface_words(self.services.live_surface)
+        words = "" if self.services.acquisition.status is None else live_surface_words(self.services.live_surface)
         self._surface.setText(words)
         self._surface.setVisible(bool(words))
 
@@ -161,6 +161,7 @@ class ScanPage(Page):
         lines = [] if result is None or acquisition.running else summary_lines(result)
         self.summary.setText("\n".join(lines))
         self.summary.setVisible(bool(lines))
+        self._show_surface()
         self._show_health(status)
         self._show_coverage()
         self.rejects.setVisible(status is not None)

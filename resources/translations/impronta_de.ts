@@ -68,21 +68,19 @@
     </message>
     <message>
         <source>How accurate is it?</source>
-        <translation>Wie genau ist er?</translation>
+        <translation>Wie genau misst der Messplatz?</translation>
     </message>
     <message>
         <source>It measures otherwise than in the tests before: calibrate, and test it again.</source>
         <translation>Er misst anders als in den Prüfungen zuvor: kalibrieren und neu prüfen.</translation>
     </message>
     <message>
-        <source>No reference sphere was measured with this rig yet.</source>
-        <translation>Mit diesem Messplatz wurde noch keine Referenzkugel gemessen.</translation>
+        <source>Measure the sphere…</source>
+        <translation>Kugel messen…</translation>
     </message>
     <message>
-        <source>Put the sphere on the table and run:
-{command}</source>
-        <translation>Die Kugel auf den Teller stellen und ausführen:
-{command}</translation>
+        <source>No reference sphere was measured with this rig yet.</source>
+        <translation>Mit diesem Messplatz wurde noch keine Referenzkugel gemessen.</translation>
     </message>
     <message>
         <source>Reference sphere, {date} ({age})</source>
@@ -93,12 +91,12 @@
         <translation>Die Seite Messplatz sagt, was an der Messplatzdatei falsch ist.</translation>
     </message>
     <message>
-        <source>The rig was calibrated since.</source>
-        <translation>Der Messplatz wurde seither kalibriert.</translation>
+        <source>The rig was calibrated since: measure the sphere again.</source>
+        <translation>Der Messplatz wurde seither kalibriert: Kugel neu messen.</translation>
     </message>
     <message>
-        <source>The test is {n} days old.</source>
-        <translation>Die Prüfung ist {n} Tage alt.</translation>
+        <source>The test is {n} days old: measure the sphere again.</source>
+        <translation>Die Prüfung ist {n} Tage alt: Kugel neu messen.</translation>
     </message>
     <message>
         <source>This rig is not calibrated. The Rig page does that in a few minutes.</source>
@@ -3116,6 +3114,10 @@ Nachher: {after}</translation>
         <translation>Prüfung</translation>
     </message>
     <message>
+        <source>Not now</source>
+        <translation>Nicht jetzt</translation>
+    </message>
+    <message>
         <source>Ready</source>
         <translation>Bereit</translation>
     </message>
@@ -3349,7 +3351,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Own rig…</source>
-        <translation>Eigener Messplatz…</translation>
+        <translation>Eigener…</translation>
     </message>
     <message>
         <source>Rig</source>
@@ -3377,6 +3379,10 @@ Nachher: {after}</translation>
     <message>
         <source>Finds ports and cameras, checks them by what the cameras see, and writes a rig file</source>
         <translation>Findet Anschlüsse und Kameras, prüft sie an dem, was die Kameras sehen, und schreibt eine Messplatzdatei</translation>
+    </message>
+    <message>
+        <source>Measure the sphere…</source>
+        <translation>Kugel messen…</translation>
     </message>
     <message>
         <source>Set up a rig…</source>
@@ -3631,7 +3637,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>µm closure</source>
-        <translation>µm Schlussfehler</translation>
+        <translation>µm Ringschluss</translation>
     </message>
 </context>
 <context>
@@ -3853,7 +3859,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Live shows how large spots are</source>
-        <translation>Live zeigt, wie groß die Lichtpunkte sind</translation>
+        <translation>Live zeigt die Größen</translation>
     </message>
     <message>
         <source>Size of a spot: {low} to {high} pixels, {chosen}</source>
@@ -3873,6 +3879,29 @@ Nachher: {after}</translation>
     <message>
         <source>Size deviation of the last tests in µm: {values}</source>
         <translation>Maßabweichung der letzten Prüfungen in µm: {values}</translation>
+    </message>
+</context>
+<context>
+    <name>SphereResultPanel</name>
+    <message>
+        <source>Save certificate…</source>
+        <translation>Prüfbericht speichern…</translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation>Gespeichert: {path}</translation>
+    </message>
+    <message>
+        <source>To the calibration</source>
+        <translation>Zur Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Writing the certificate…</source>
+        <translation>Prüfbericht wird geschrieben…</translation>
+    </message>
+    <message>
+        <source>µm size deviation, U = {uncertainty} µm (k = 2)</source>
+        <translation>µm Maßabweichung, U = {uncertainty} µm (k = 2)</translation>
     </message>
 </context>
 <context>
@@ -4219,6 +4248,121 @@ Nachher: {after}</translation>
     <message>
         <source>What is shown was computed before the last change.</source>
         <translation>Das Gezeigte wurde vor der letzten Änderung berechnet.</translation>
+    </message>
+</context>
+<context>
+    <name>VerifyPage</name>
+    <message>
+        <source>% done</source>
+        <translation>% fertig</translation>
+    </message>
+    <message>
+        <source>1.  Take away what stands on the table.</source>
+        <translation>1.  Wegnehmen, was auf dem Teller steht.</translation>
+    </message>
+    <message>
+        <source>2.  Put the reference sphere into the middle of the table, clean and alone.</source>
+        <translation>2.  Die Referenzkugel sauber und allein in die Tellermitte stellen.</translation>
+    </message>
+    <message>
+        <source>3.  Close the lid.</source>
+        <translation>3.  Deckel schließen.</translation>
+    </message>
+    <message>
+        <source>A scan is running: wait for its end or stop it first (Esc).</source>
+        <translation>Ein Scan läuft: das Ende abwarten oder zuerst stoppen (Esc).</translation>
+    </message>
+    <message>
+        <source>A sphere of certified size tells whether the rig still measures right. It takes about a minute; nothing is scanned meanwhile.</source>
+        <translation>Eine Kugel mit zertifiziertem Maß zeigt, ob der Messplatz noch richtig misst. Das dauert etwa eine Minute; solange wird nichts gescannt.</translation>
+    </message>
+    <message>
+        <source>Back to the rig</source>
+        <translation>Zurück zum Messplatz</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was kept, and the laser is off.</source>
+        <translation>Abgebrochen: Nichts wurde gesichert, und der Laser ist aus.</translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Wird abgebrochen…</translation>
+    </message>
+    <message>
+        <source>Certified diameter</source>
+        <translation>Zertifizierter Durchmesser</translation>
+    </message>
+    <message>
+        <source>Diameter {diameter} mm, U = {uncertainty} µm: the sphere of the virtual rig.</source>
+        <translation>Durchmesser {diameter} mm, U = {uncertainty} µm: die Kugel des virtuellen Messplatzes.</translation>
+    </message>
+    <message>
+        <source>Enter the diameter from the sphere&apos;s certificate.</source>
+        <translation>Den Durchmesser aus dem Zertifikat der Kugel eingeben.</translation>
+    </message>
+    <message>
+        <source>From its certificate</source>
+        <translation>Aus ihrem Zertifikat</translation>
+    </message>
+    <message>
+        <source>Its uncertainty U (k = 2)</source>
+        <translation>Seine Unsicherheit U (k = 2)</translation>
+    </message>
+    <message>
+        <source>Keep your hands off and the lid closed. Esc switches the laser off at once.</source>
+        <translation>Hände weg, Deckel geschlossen lassen. Esc schaltet den Laser sofort aus.</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Neu messen</translation>
+    </message>
+    <message>
+        <source>Measure the sphere</source>
+        <translation>Kugel messen</translation>
+    </message>
+    <message>
+        <source>Measuring the reference sphere</source>
+        <translation>Referenzkugel wird gemessen</translation>
+    </message>
+    <message>
+        <source>Progress of the measurement</source>
+        <translation>Fortschritt der Messung</translation>
+    </message>
+    <message>
+        <source>Reference sphere</source>
+        <translation>Referenzkugel</translation>
+    </message>
+    <message>
+        <source>Save the certificate</source>
+        <translation>Prüfbericht speichern</translation>
+    </message>
+    <message>
+        <source>The rig is not open: the Rig page says why.</source>
+        <translation>Der Messplatz ist nicht offen: Die Seite Messplatz sagt, warum.</translation>
+    </message>
+    <message>
+        <source>The virtual rig puts its sphere on the table by itself, and afterwards puts back what stood there. Nothing has to be done.</source>
+        <translation>Der virtuelle Messplatz stellt seine Kugel von selbst auf den Teller und danach zurück, was dort stand. Es ist nichts zu tun.</translation>
+    </message>
+    <message>
+        <source>The whole test measures the sphere ten times and belongs to an acceptance: impronta verify sphere</source>
+        <translation>Die ganze Prüfung misst die Kugel zehnmal und gehört zu einer Abnahme: impronta verify sphere</translation>
+    </message>
+    <message>
+        <source>This rig is not calibrated: calibrate it first.</source>
+        <translation>Dieser Messplatz ist nicht kalibriert: zuerst kalibrieren.</translation>
+    </message>
+    <message>
+        <source>not entered</source>
+        <translation>nicht eingegeben</translation>
+    </message>
+    <message>
+        <source>{left} left</source>
+        <translation>noch {left}</translation>
     </message>
 </context>
 <context>
@@ -4647,6 +4791,10 @@ Nachher: {after}</translation>
         <translation>Fehlendes wird gesucht</translation>
     </message>
     <message>
+        <source>Measuring the reference sphere</source>
+        <translation>Referenzkugel wird gemessen</translation>
+    </message>
+    <message>
         <source>Opening the case…</source>
         <translation>Fall wird geöffnet…</translation>
     </message>
@@ -4778,7 +4926,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Expose both cameras for {ms} ms (left {left} dB, right {right} dB): it suits what stands there.</source>
-        <translation>Beide Kameras {ms} ms belichten (links {left} dB, rechts {right} dB): Das passt zu dem, was dort steht.</translation>
+        <translation>Passende Belichtung setzen: {ms} ms (links {left} dB, rechts {right} dB).</translation>
     </message>
     <message>
         <source>Free: each by its own clock</source>
@@ -5164,23 +5312,23 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Scale by a length measured on the print alone, to {ppm} ppm: no second length has verified it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstab nur nach einer am Druck gemessenen Länge, auf {ppm} ppm: Keine zweite Länge hat ihn bestätigt.</translation>
     </message>
     <message>
         <source>Scale not verified: no known length was shown, and the board&apos;s nominal size was believed ({ppm} ppm, k = 1).</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstab nicht bestätigt: Keine bekannte Länge wurde gezeigt, das Nennmaß der Tafel wurde geglaubt ({ppm} ppm, k = 1).</translation>
     </message>
     <message>
         <source>The board is bent: its corners lie within {bend_mm} mm of height; this is taken into account.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tafel ist verbogen: Ihre Ecken liegen innerhalb von {bend_mm} mm Höhe; das ist berücksichtigt.</translation>
     </message>
     <message>
         <source>The print is {percent} % larger than its nominal size; this is corrected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Druck ist {percent} % größer als sein Nennmaß; das ist berichtigt.</translation>
     </message>
     <message>
         <source>The print is {percent} % smaller than its nominal size; this is corrected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Druck ist {percent} % kleiner als sein Nennmaß; das ist berichtigt.</translation>
     </message>
     <message>
         <source>The reference sphere measured {change} µm otherwise than in the tests before: calibrate and test it again.</source>
@@ -5188,7 +5336,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>The table stood {error_deg} degrees off its reported angle at {table_deg} degrees: backlash or lost steps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Teller stand bei {table_deg} Grad um {error_deg} Grad neben dem gemeldeten Winkel: Spiel oder verlorene Schritte.</translation>
     </message>
     <message>
         <source>This calibration is {n} days old and has expired: cameras creep. Calibrate before you measure.</source>
@@ -5648,7 +5796,7 @@ Nachher: {after}</translation>
     <name>delivery</name>
     <message>
         <source>2-manifold</source>
-        <translation>2-mannigfaltig</translation>
+        <translation>2-Mannigfaltigkeit</translation>
     </message>
     <message>
         <source>3MF, carries its unit</source>
@@ -5724,7 +5872,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Closure of the turn</source>
-        <translation>Schluss der Drehung</translation>
+        <translation>Ringschluss</translation>
     </message>
     <message>
         <source>Coverage</source>
@@ -6035,171 +6183,171 @@ Nachher: {after}</translation>
     <name>doubts</name>
     <message>
         <source>1 triangle has no area; it has no normal and is measured only by its neighbours.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Dreieck hat keine Fläche; es hat keine Normale und wird nur über seine Nachbarn gemessen.</translation>
     </message>
     <message>
         <source>A best fit of the whole spreads what moved over everything: against the region that did not move it shifts the surface by up to {length}. Use the automatic or a painted frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine beste Anpassung des Ganzen verteilt die Bewegung auf alles: Gegen den unbewegten Bereich verschiebt sie die Oberfläche um bis zu {length}. Den automatischen oder einen gemalten Bezug nehmen.</translation>
     </message>
     <message>
         <source>Another pose fits about as well, because the shape resembles itself: pick three points to say which one is meant.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine andere Lage passt etwa ebenso gut, weil die Form sich selbst ähnelt: drei Punkte wählen, um zu sagen, welche gemeint ist.</translation>
     </message>
     <message>
         <source>By its order {before} is &apos;{first}&apos;, but {after} &apos;{second}&apos;; choose two that belong together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Laut Auftrag ist {before} „{first}“, {after} aber „{second}“; zwei wählen, die zusammengehören.</translation>
     </message>
     <message>
         <source>By its order {before} is of the side &apos;{first}&apos;, but {after} &apos;{second}&apos;; choose two that belong together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Laut Auftrag ist {before} von der Seite „{first}“, {after} aber „{second}“; zwei wählen, die zusammengehören.</translation>
     </message>
     <message>
         <source>Edges that belong to more than two triangles: {edges}; corners that join separate parts: {corners}. Inside and outside are not defined there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanten mit mehr als zwei Dreiecken: {edges}; Ecken, die getrennte Teile verbinden: {corners}. Innen und außen sind dort nicht bestimmt.</translation>
     </message>
     <message>
         <source>Hardly anything ({percent} % of the surface) kept its place, so geometry does not say what is fixed: paint what you know to be stable.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaum etwas ({percent} % der Oberfläche) behielt seinen Platz, die Form sagt also nicht, was fest ist: malen, was sicher stabil ist.</translation>
     </message>
     <message>
         <source>It consists of {count} separate shells; the largest has {share} of the area. All of them are compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie besteht aus {count} getrennten Schalen; die größte hat {share} der Fläche. Alle werden verglichen.</translation>
     </message>
     <message>
         <source>It is open: its border has {mm} mm in one line. What lies beyond a border has no counterpart and is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie ist offen: Ihr Rand misst {mm} mm in einer Linie. Was jenseits eines Rands liegt, hat kein Gegenstück und bleibt weg.</translation>
     </message>
     <message>
         <source>It is open: its border has {mm} mm in {count} lines. What lies beyond a border has no counterpart and is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie ist offen: Ihr Rand misst {mm} mm in {count} Linien. Was jenseits eines Rands liegt, hat kein Gegenstück und bleibt weg.</translation>
     </message>
     <message>
         <source>It is {mm} mm long, which neither an arch nor an ear is; check the unit of the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie ist {mm} mm lang, was weder Zahnbogen noch Ohr ist; die Einheit der Datei prüfen.</translation>
     </message>
     <message>
         <source>It touches or crosses itself: more than {count} triangles cut others. Distances near them may go to the wrong layer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie berührt oder durchdringt sich: Mehr als {count} Dreiecke schneiden andere. Abstände in ihrer Nähe können zur falschen Schicht führen.</translation>
     </message>
     <message>
         <source>It touches or crosses itself: {count} triangles cut others. Distances near them may go to the wrong layer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie berührt oder durchdringt sich: {count} Dreiecke schneiden andere. Abstände in ihrer Nähe können zur falschen Schicht führen.</translation>
     </message>
     <message>
         <source>Its normals point inwards: + and - would be exchanged; turn them round in the program that wrote it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Normalen zeigen nach innen: + und - wären vertauscht; im Programm, das sie schrieb, umkehren.</translation>
     </message>
     <message>
         <source>Its normals point inwards: they look to the side of the gum, not of the teeth. If it is no impression (a negative), + and - are exchanged; turn them round in the program that wrote it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Normalen zeigen nach innen: zur Seite des Zahnfleischs, nicht der Zähne. Ist es keine Abformung (ein Negativ), sind + und - vertauscht; im Programm, das sie schrieb, umkehren.</translation>
     </message>
     <message>
         <source>Its normals seem to point inwards: it is open, but what it encloses lies on their side. If it is no impression (a negative), + and - are exchanged; turn them round in the program that wrote it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Normalen scheinen nach innen zu zeigen: Sie ist offen, aber was sie umschließt, liegt auf deren Seite. Ist es keine Abformung (ein Negativ), sind + und - vertauscht; im Programm, das sie schrieb, umkehren.</translation>
     </message>
     <message>
         <source>Its numbers were taken as {unit} ({why}), so it is {mm} mm long; say the unit if that is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Zahlen wurden als {unit} genommen ({why}), sie ist also {mm} mm lang; ist das falsch, die Einheit angeben.</translation>
     </message>
     <message>
         <source>No region was stable throughout the series; each surface was aligned by a region of its own, so small motions may not add up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Bereich war durch die ganze Serie stabil; jede Oberfläche wurde an einem eigenen Bereich ausgerichtet, kleine Bewegungen summieren sich also womöglich nicht.</translation>
     </message>
     <message>
         <source>Only {percent} % of the after surface has a counterpart before: scan the same region both times.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur {percent} % der Oberfläche nachher haben vorher ein Gegenstück: beide Male denselben Bereich scannen.</translation>
     </message>
     <message>
         <source>Points that belong to no triangle were left out: {count}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte ohne Dreieck blieben weg: {count}.</translation>
     </message>
     <message>
         <source>Points with exactly the place of another one were joined: {count}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte an genau derselben Stelle wurden zusammengefasst: {count}.</translation>
     </message>
     <message>
         <source>Some triangles ({share} of its area) face the other way than their neighbours; + and - are exchanged there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einige Dreiecke ({share} der Fläche) zeigen anders als ihre Nachbarn; dort sind + und - vertauscht.</translation>
     </message>
     <message>
         <source>The after surface is {percent} % (+- {uncertainty} %) larger than the before surface where nothing should have changed, {length} at its rim: check units and the calibration of both scanners; nothing was rescaled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche nachher ist {percent} % (+- {uncertainty} %) größer als die vorher, wo sich nichts geändert haben sollte, am Rand {length}: Einheiten und Kalibrierung beider Scanner prüfen; nichts wurde skaliert.</translation>
     </message>
     <message>
         <source>The after surface is {percent} % (+- {uncertainty} %) smaller than the before surface where nothing should have changed, {length} at its rim: check units and the calibration of both scanners; nothing was rescaled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche nachher ist {percent} % (+- {uncertainty} %) kleiner als die vorher, wo sich nichts geändert haben sollte, am Rand {length}: Einheiten und Kalibrierung beider Scanner prüfen; nichts wurde skaliert.</translation>
     </message>
     <message>
         <source>The alignment rests on {mm2} mm2, {percent} % of the surface that both files show: look whether the region drawn as stable is, or paint it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ausrichtung ruht auf {mm2} mm², {percent} % der in beiden Dateien gezeigten Oberfläche: prüfen, ob der als stabil gezeichnete Bereich es ist, oder ihn malen.</translation>
     </message>
     <message>
         <source>The file says {unit}, so it is {mm} mm long; by its size it would be in {guess}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei sagt {unit}, sie ist also {mm} mm lang; nach ihrer Größe wäre sie in {guess}.</translation>
     </message>
     <message>
         <source>The later surface is {ratio} times as large as the earlier one; check the units ({units} differ by {factor}), or whether the two belong together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die spätere Oberfläche ist {ratio}-mal so groß wie die frühere; die Einheiten prüfen ({units} unterscheiden sich um {factor}), oder ob beide zusammengehören.</translation>
     </message>
     <message>
         <source>The later surface is {ratio} times as large as the earlier one; check the units, or whether the two belong together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die spätere Oberfläche ist {ratio}-mal so groß wie die frühere; die Einheiten prüfen, oder ob beide zusammengehören.</translation>
     </message>
     <message>
         <source>The material was not named; of the rig&apos;s null comparisons the largest level is shown (&apos;{other}&apos;).</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Material wurde nicht genannt; gezeigt ist die größte Grenze der Nullvergleiche des Messplatzes („{other}“).</translation>
     </message>
     <message>
         <source>The null comparison is of the rig &apos;{rig}&apos;, but the surfaces were measured with &apos;{others}&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Nullvergleich ist vom Messplatz „{rig}“, die Oberflächen wurden aber mit „{others}“ gemessen.</translation>
     </message>
     <message>
         <source>The null comparison of &apos;{material}&apos; ({date}) is older than the rig&apos;s calibration ({calibrated}); repeat it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Nullvergleich von „{material}“ ({date}) ist älter als die Kalibrierung des Messplatzes ({calibrated}); wiederholen.</translation>
     </message>
     <message>
         <source>The orders of {before} and {after} name different patients; choose two of one patient.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufträge von {before} und {after} nennen verschiedene Patienten; zwei von einem Patienten wählen.</translation>
     </message>
     <message>
         <source>The stable region lies too much in one lump to hold the far end of the surface, which may be off by {length}: take in stable places that are farther apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der stabile Bereich liegt zu sehr an einem Fleck, um das ferne Ende der Oberfläche zu halten, das um {length} daneben liegen kann: weiter auseinander liegende stabile Stellen hinzunehmen.</translation>
     </message>
     <message>
         <source>This rig has no null comparison of &apos;{material}&apos;; the level shown is of another material, &apos;{other}&apos;. Measure one twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Messplatz hat keinen Nullvergleich von „{material}“; die gezeigte Grenze ist von einem anderen Material, „{other}“. Eines zweimal messen.</translation>
     </message>
     <message>
         <source>Triangles without an extent but a line or point were left out: {count}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreiecke, die nur Linie oder Punkt sind, blieben weg: {count}.</translation>
     </message>
     <message>
         <source>What is taken for unchanged differs by up to {length} (95 %): either the scans are that noisy, or it changed everywhere and nothing is fixed. Smaller changes cannot be told.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was als unverändert gilt, weicht um bis zu {length} ab (95 %): Entweder rauschen die Scans so stark, oder es änderte sich überall und nichts ist fest. Kleinere Änderungen sind nicht erkennbar.</translation>
     </message>
     <message>
         <source>{before} and {after} are identical files: nothing was measured twice; choose the other state.</source>
-        <translation type="unfinished"></translation>
+        <translation>{before} und {after} sind gleiche Dateien: Nichts wurde zweimal gemessen; den anderen Zustand wählen.</translation>
     </message>
     <message>
         <source>{before} and {after} hold the identical surface: nothing was measured twice; choose the other state.</source>
-        <translation type="unfinished"></translation>
+        <translation>{before} und {after} enthalten dieselbe Oberfläche: Nichts wurde zweimal gemessen; den anderen Zustand wählen.</translation>
     </message>
     <message>
         <source>{before} was measured after {after} ({first} and {second}): are the two exchanged?</source>
-        <translation type="unfinished"></translation>
+        <translation>{before} wurde nach {after} gemessen ({first} und {second}): Sind die beiden vertauscht?</translation>
     </message>
     <message>
         <source>{count} triangles have no area; they have no normal and are measured only by their neighbours.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} Dreiecke haben keine Fläche; sie haben keine Normale und werden nur über ihre Nachbarn gemessen.</translation>
     </message>
     <message>
         <source>{name} lands {closure} um beside its place when it goes over {previous} (+- {uncertainty} um, k = 2): what is taken as stable may have moved.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} landet {closure} um neben seinem Platz, wenn es über {previous} geht (+- {uncertainty} um, k = 2): Was als stabil gilt, hat sich womöglich bewegt.</translation>
     </message>
     <message>
         <source>{share} of its area faces the other way than its neighbours, so + and - cannot be told apart; let the program that wrote it orient it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{share} der Fläche zeigen anders als die Nachbarn, + und - sind also nicht zu unterscheiden; im Programm, das sie schrieb, ausrichten lassen.</translation>
     </message>
 </context>
 <context>
@@ -6368,11 +6516,11 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>left</source>
-        <translation type="unfinished">linke</translation>
+        <translation>links</translation>
     </message>
     <message>
         <source>right</source>
-        <translation type="unfinished">rechte</translation>
+        <translation>rechts</translation>
     </message>
 </context>
 <context>
@@ -6427,6 +6575,10 @@ Nachher: {after}</translation>
     <message>
         <source>A rig of your own is set up here: its board and cameras are found, checked, and written into a file.</source>
         <translation>Hier wird ein eigener Messplatz eingerichtet: Steuerung und Kameras werden gefunden, geprüft und in eine Datei geschrieben.</translation>
+    </message>
+    <message>
+        <source>A sphere of certified size is measured: it tells whether the rig still measures right.</source>
+        <translation>Eine Kugel mit zertifiziertem Maß wird gemessen: Sie zeigt, ob der Messplatz noch richtig misst.</translation>
     </message>
     <message>
         <source>An area is that of the missing surface in square millimetres. The sign at each place says why it is missing.</source>
@@ -6485,6 +6637,10 @@ Nachher: {after}</translation>
         <translation>Punkte, die nicht zum Objekt gehören, werden hier herausgenommen, und Abstände werden gemessen.</translation>
     </message>
     <message>
+        <source>Put the sphere into the middle of the table, enter the diameter from its certificate, and start. Do it once a month, and after every calibration.</source>
+        <translation>Die Kugel in die Tellermitte stellen, den Durchmesser aus ihrem Zertifikat eingeben und starten. Einmal im Monat und nach jeder Kalibrierung.</translation>
+    </message>
+    <message>
         <source>Read the checks: what is amber says in one sentence what it means. Choose the profile of the receiver and deliver.</source>
         <translation>Die Prüfungen lesen: Was gelb ist, sagt in einem Satz, was es bedeutet. Das Profil des Empfängers wählen und ausliefern.</translation>
     </message>
@@ -6539,6 +6695,10 @@ Nachher: {after}</translation>
     <message>
         <source>The points count what is in the case already. Rejected points were seen by one camera only, or not sharply enough: a few of them are normal. The time left is computed from the views that are done.</source>
         <translation>Die Punkte zählen, was schon im Fall ist. Verworfene Punkte sah nur eine Kamera, oder nicht scharf genug: Einige wenige sind normal. Die Restzeit wird aus den fertigen Ansichten berechnet.</translation>
+    </message>
+    <message>
+        <source>The size deviation is the measured diameter less the certified one; U is its uncertainty, k = 2. PF is the distance between the outermost and the innermost point, D95 the width that holds 95 % of the points, σ their standard deviation.</source>
+        <translation>Die Maßabweichung ist der gemessene Durchmesser minus der zertifizierte; U ist ihre Unsicherheit, k = 2. PF ist der Abstand zwischen äußerstem und innerstem Punkt, D95 die Breite, die 95 % der Punkte fasst, σ ihre Standardabweichung.</translation>
     </message>
     <message>
         <source>The size is that of everything in the window: 150 % makes texts and buttons half as large again.</source>
@@ -6892,6 +7052,10 @@ Nachher: {after}</translation>
         <translation>Rekonstruieren</translation>
     </message>
     <message>
+        <source>Reference sphere</source>
+        <translation>Referenzkugel</translation>
+    </message>
+    <message>
         <source>Rig</source>
         <translation>Messplatz</translation>
     </message>
@@ -6913,7 +7077,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>What is delivered</source>
-        <translation>Was ausgeliefert wird</translation>
+        <translation>Lieferung</translation>
     </message>
 </context>
 <context>
@@ -7009,8 +7173,8 @@ Nachher: {after}</translation>
         <translation>Laser aus</translation>
     </message>
     <message>
-        <source>Not now</source>
-        <translation>Nicht jetzt</translation>
+        <source>Measure the sphere…</source>
+        <translation>Kugel messen…</translation>
     </message>
     <message>
         <source>Only {free_gib} GB are free where the cases are kept: free some space.</source>
@@ -7307,6 +7471,49 @@ Nachher: {after}</translation>
     </message>
 </context>
 <context>
+    <name>remarks</name>
+    <message>
+        <source>The body that stands on the table could not be filled; the base was closed by what the points alone enclose.</source>
+        <translation>Der auf dem Teller stehende Körper ließ sich nicht füllen; die Basis wurde durch das geschlossen, was die Punkte allein umschließen.</translation>
+    </message>
+    <message>
+        <source>The coordinates are rounded to steps of {step_mm} mm, single precision far from the origin; export the points in double precision, or nearer to the origin.</source>
+        <translation>Die Koordinaten sind auf Schritte von {step_mm} mm gerundet, einfache Genauigkeit fern vom Ursprung; die Punkte in doppelter Genauigkeit oder näher am Ursprung exportieren.</translation>
+    </message>
+    <message>
+        <source>The object is only {extent_mm} mm large, less than an anatomical part: if the coordinates are {unit}, use --units {option}.</source>
+        <translation>Das Objekt ist nur {extent_mm} mm groß, weniger als ein Körperteil: Sind die Koordinaten in {unit}, --units {option} verwenden.</translation>
+    </message>
+    <message>
+        <source>The object is {extent_mm} mm large, more than any anatomical part: if the coordinates are micrometres, divide them by 1000; if they are millimetres, use --units mm.</source>
+        <translation>Das Objekt ist {extent_mm} mm groß, mehr als jeder Körperteil: Sind die Koordinaten Mikrometer, durch 1000 teilen; sind sie Millimeter, --units mm verwenden.</translation>
+    </message>
+    <message>
+        <source>The object lies {away_mm} mm from the origin; it was computed about its centre, so that no precision was lost.</source>
+        <translation>Das Objekt liegt {away_mm} mm vom Ursprung; es wurde um seine Mitte berechnet, sodass keine Genauigkeit verloren ging.</translation>
+    </message>
+    <message>
+        <source>{count} points ({share}) lie more than {link_mm} mm from the object; they were left out as strays.</source>
+        <translation>{count} Punkte ({share}) liegen mehr als {link_mm} mm vom Objekt; sie blieben als Streupunkte weg.</translation>
+    </message>
+    <message>
+        <source>{share} % of the closed surface was not scanned; it is capped and marked as unsupported.</source>
+        <translation>{share} % der geschlossenen Oberfläche wurden nicht gescannt; sie sind überbrückt und als nicht belegt markiert.</translation>
+    </message>
+    <message>
+        <source>{share} % of the closed surface was not scanned; it is left open.</source>
+        <translation>{share} % der geschlossenen Oberfläche wurden nicht gescannt; dort bleibt sie offen.</translation>
+    </message>
+    <message>
+        <source>{share} % of the points do not belong to the surface and were rejected.</source>
+        <translation>{share} % der Punkte gehören nicht zur Oberfläche und wurden verworfen.</translation>
+    </message>
+    <message>
+        <source>{share} of the points repeat others exactly; each place was counted once.</source>
+        <translation>{share} der Punkte wiederholen andere genau; jede Stelle zählte einmal.</translation>
+    </message>
+</context>
+<context>
     <name>remedies</name>
     <message>
         <source>A reset was sent to switch the laser off; see that it is dark, check cable and power, then try again.</source>
@@ -7401,7 +7608,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Bench: 604 × 294 px at 435 mm</source>
-        <translation>Werkbank: 604 × 294 px auf 435 mm</translation>
+        <translation>Werkbank: 604 × 294, 435 mm</translation>
     </message>
     <message>
         <source>Both ears on a pair tray</source>
@@ -7421,7 +7628,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Paper 2003: the published rig at 770 mm</source>
-        <translation>Paper 2003: der veröffentlichte Messplatz auf 770 mm</translation>
+        <translation>Artikel 2003: Messplatz, 770 mm</translation>
     </message>
     <message>
         <source>Real time</source>
@@ -7433,7 +7640,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>Workshop: 1440 × 1080 px at 600 mm</source>
-        <translation>Werkstatt: 1440 × 1080 px auf 600 mm</translation>
+        <translation>Werkstatt: 1440 × 1080, 600 mm</translation>
     </message>
     <message>
         <source>{rig}  (the file is missing)</source>
@@ -8542,8 +8749,8 @@ Nachher: {after}</translation>
         <translation>Der Laser ist aus; das Objekt auf den Teller stellen und Laser und Objektivdeckel prüfen.</translation>
     </message>
     <message>
-        <source>The laser is off; put the reference sphere alone into the middle of the table, and check --reference-mm.</source>
-        <translation>Der Laser ist aus; die Referenzkugel allein in die Mitte des Tellers stellen und --reference-mm prüfen.</translation>
+        <source>The laser is off; put the reference sphere alone into the middle of the table, and check the size that was given.</source>
+        <translation>Der Laser ist aus; die Referenzkugel allein in die Tellermitte stellen und das angegebene Maß prüfen.</translation>
     </message>
     <message>
         <source>The laser is off; take all but one away and start the test again.</source>
@@ -8972,6 +9179,113 @@ Nachher: {after}</translation>
     <message>
         <source>{what}.</source>
         <translation>{what}.</translation>
+    </message>
+</context>
+<context>
+    <name>sphere</name>
+    <message>
+        <source>A value is so near its limit that its uncertainty leaves it open: nothing is proved. Measure again.</source>
+        <translation>Ein Wert liegt so nah an seiner Grenze, dass seine Unsicherheit es offen lässt: Nichts ist bewiesen. Neu messen.</translation>
+    </message>
+    <message>
+        <source>Certified diameter</source>
+        <translation>Zertifizierter Durchmesser</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Abdeckung</translation>
+    </message>
+    <message>
+        <source>Dispersion D95</source>
+        <translation>Streuung D95</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Form PF without the worst 0.3 %</source>
+        <translation>Form PF ohne die schlechtesten 0,3 %</translation>
+    </message>
+    <message>
+        <source>Form PF, all points</source>
+        <translation>Form PF, alle Punkte</translation>
+    </message>
+    <message>
+        <source>Kept in the history of this rig.</source>
+        <translation>Im Verlauf dieses Messplatzes gesichert.</translation>
+    </message>
+    <message>
+        <source>Measured diameter</source>
+        <translation>Gemessener Durchmesser</translation>
+    </message>
+    <message>
+        <source>Measured on every side, from the top down to</source>
+        <translation>Auf jeder Seite gemessen, von oben hinab bis</translation>
+    </message>
+    <message>
+        <source>Not kept in the history: a fault was rehearsed on this rig, or it shows a recording.</source>
+        <translation>Nicht im Verlauf gesichert: An diesem Messplatz wurde eine Störung geprobt, oder er zeigt eine Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Not kept in the history: its file could not be written.</source>
+        <translation>Nicht im Verlauf gesichert: Seine Datei ließ sich nicht schreiben.</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Points on the sphere</source>
+        <translation>Punkte auf der Kugel</translation>
+    </message>
+    <message>
+        <source>Size and D95 are within the rig&apos;s limits, even with their uncertainty added.</source>
+        <translation>Maß und D95 liegen innerhalb der Grenzen des Messplatzes, auch mit ihrer Unsicherheit.</translation>
+    </message>
+    <message>
+        <source>Size deviation</source>
+        <translation>Maßabweichung</translation>
+    </message>
+    <message>
+        <source>Standard deviation σ of the points</source>
+        <translation>Standardabweichung σ der Punkte</translation>
+    </message>
+    <message>
+        <source>The points do not reach down to the sphere&apos;s equator on every side: nothing is proved. See that nothing stands in the way, and measure again.</source>
+        <translation>Die Punkte reichen nicht auf jeder Seite bis zum Äquator der Kugel: Nichts ist bewiesen. Prüfen, dass nichts im Weg steht, und neu messen.</translation>
+    </message>
+    <message>
+        <source>The rig measures outside of its limits. Calibrate it, then measure the sphere again.</source>
+        <translation>Der Messplatz misst außerhalb seiner Grenzen. Kalibrieren, dann die Kugel neu messen.</translation>
+    </message>
+    <message>
+        <source>Undecided</source>
+        <translation>Offen</translation>
+    </message>
+    <message>
+        <source>{count}, and {rejected} left out</source>
+        <translation>{count}, {rejected} weggelassen</translation>
+    </message>
+    <message>
+        <source>{reach}° (at least {needed}°)</source>
+        <translation>{reach}° (mindestens {needed}°)</translation>
+    </message>
+    <message>
+        <source>{share} % of the surface</source>
+        <translation>{share} % der Oberfläche</translation>
+    </message>
+    <message>
+        <source>{value} mm</source>
+        <translation>{value} mm</translation>
+    </message>
+    <message>
+        <source>{value} µm</source>
+        <translation>{value} µm</translation>
+    </message>
+    <message>
+        <source>{value} µm, U = {uncertainty} µm, limit {limit} µm</source>
+        <translation>{value} µm, U = {uncertainty} µm, Grenze {limit} µm</translation>
     </message>
 </context>
 <context>

@@ -6035,171 +6035,171 @@ Dopo: {after}</translation>
     <name>doubts</name>
     <message>
         <source>1 triangle has no area; it has no normal and is measured only by its neighbours.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 triangolo non ha area; non ha normale ed è misurato solo tramite i vicini.</translation>
     </message>
     <message>
         <source>A best fit of the whole spreads what moved over everything: against the region that did not move it shifts the surface by up to {length}. Use the automatic or a painted frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il miglior adattamento dell&apos;insieme spalma su tutto ciò che si è mosso: rispetto alla regione ferma sposta la superficie fino a {length}. Usare il riferimento automatico o uno dipinto.</translation>
     </message>
     <message>
         <source>Another pose fits about as well, because the shape resembles itself: pick three points to say which one is meant.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un&apos;altra posa combacia quasi altrettanto, perché la forma somiglia a sé stessa: scegliere tre punti per dire quale vale.</translation>
     </message>
     <message>
         <source>By its order {before} is &apos;{first}&apos;, but {after} &apos;{second}&apos;; choose two that belong together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Secondo il suo ordine {before} è &apos;{first}&apos;, ma {after} &apos;{second}&apos;; sceglierne due che vanno insieme.</translation>
     </message>
     <message>
         <source>By its order {before} is of the side &apos;{first}&apos;, but {after} &apos;{second}&apos;; choose two that belong together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Secondo il suo ordine {before} è del lato &apos;{first}&apos;, ma {after} &apos;{second}&apos;; sceglierne due che vanno insieme.</translation>
     </message>
     <message>
         <source>Edges that belong to more than two triangles: {edges}; corners that join separate parts: {corners}. Inside and outside are not defined there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Spigoli di più di due triangoli: {edges}; vertici che uniscono parti separate: {corners}. Lì dentro e fuori non sono definiti.</translation>
     </message>
     <message>
         <source>Hardly anything ({percent} % of the surface) kept its place, so geometry does not say what is fixed: paint what you know to be stable.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quasi niente ({percent} % della superficie) è rimasto al suo posto, e la geometria non dice che cosa è fermo: dipingere ciò che si sa stabile.</translation>
     </message>
     <message>
         <source>It consists of {count} separate shells; the largest has {share} of the area. All of them are compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>È fatta di {count} gusci separati; il più grande ha il {share} dell&apos;area. Si confrontano tutti.</translation>
     </message>
     <message>
         <source>It is open: its border has {mm} mm in one line. What lies beyond a border has no counterpart and is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>È aperta: il suo bordo è di {mm} mm in una sola linea. Ciò che sta oltre un bordo non ha corrispondente ed è escluso.</translation>
     </message>
     <message>
         <source>It is open: its border has {mm} mm in {count} lines. What lies beyond a border has no counterpart and is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>È aperta: il suo bordo è di {mm} mm in {count} linee. Ciò che sta oltre un bordo non ha corrispondente ed è escluso.</translation>
     </message>
     <message>
         <source>It is {mm} mm long, which neither an arch nor an ear is; check the unit of the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>È lunga {mm} mm, quanto né un&apos;arcata né un orecchio; controllare l&apos;unità del file.</translation>
     </message>
     <message>
         <source>It touches or crosses itself: more than {count} triangles cut others. Distances near them may go to the wrong layer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si tocca o si attraversa: più di {count} triangoli ne tagliano altri. Lì vicino le distanze possono riferirsi allo strato sbagliato.</translation>
     </message>
     <message>
         <source>It touches or crosses itself: {count} triangles cut others. Distances near them may go to the wrong layer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si tocca o si attraversa: {count} triangoli ne tagliano altri. Lì vicino le distanze possono riferirsi allo strato sbagliato.</translation>
     </message>
     <message>
         <source>Its normals point inwards: + and - would be exchanged; turn them round in the program that wrote it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le sue normali guardano in dentro: + e - sarebbero scambiati; invertirle nel programma che l&apos;ha scritta.</translation>
     </message>
     <message>
         <source>Its normals point inwards: they look to the side of the gum, not of the teeth. If it is no impression (a negative), + and - are exchanged; turn them round in the program that wrote it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le sue normali guardano in dentro: verso la gengiva, non verso i denti. Se non è un&apos;impronta (un negativo), + e - sono scambiati; invertirle nel programma che l&apos;ha scritta.</translation>
     </message>
     <message>
         <source>Its normals seem to point inwards: it is open, but what it encloses lies on their side. If it is no impression (a negative), + and - are exchanged; turn them round in the program that wrote it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le sue normali sembrano guardare in dentro: è aperta, ma ciò che racchiude sta dalla loro parte. Se non è un&apos;impronta (un negativo), + e - sono scambiati; invertirle nel programma che l&apos;ha scritta.</translation>
     </message>
     <message>
         <source>Its numbers were taken as {unit} ({why}), so it is {mm} mm long; say the unit if that is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>I suoi numeri sono presi come {unit} ({why}), quindi è lunga {mm} mm; se è sbagliato, indicare l&apos;unità.</translation>
     </message>
     <message>
         <source>No region was stable throughout the series; each surface was aligned by a region of its own, so small motions may not add up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nessuna regione è stata stabile in tutta la serie; ogni superficie è allineata su una regione propria, e piccoli moti possono non sommarsi.</translation>
     </message>
     <message>
         <source>Only {percent} % of the after surface has a counterpart before: scan the same region both times.</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo il {percent} % della superficie dopo ha un corrispondente prima: scansionare la stessa regione entrambe le volte.</translation>
     </message>
     <message>
         <source>Points that belong to no triangle were left out: {count}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punti che non sono di alcun triangolo, esclusi: {count}.</translation>
     </message>
     <message>
         <source>Points with exactly the place of another one were joined: {count}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punti con esattamente la posizione di un altro, uniti: {count}.</translation>
     </message>
     <message>
         <source>Some triangles ({share} of its area) face the other way than their neighbours; + and - are exchanged there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alcuni triangoli ({share} della sua area) guardano al contrario dei vicini; lì + e - sono scambiati.</translation>
     </message>
     <message>
         <source>The after surface is {percent} % (+- {uncertainty} %) larger than the before surface where nothing should have changed, {length} at its rim: check units and the calibration of both scanners; nothing was rescaled.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie dopo è più grande del {percent} % (+- {uncertainty} %) di quella prima dove niente doveva cambiare, {length} al bordo: controllare le unità e la calibrazione dei due scanner; niente è stato riscalato.</translation>
     </message>
     <message>
         <source>The after surface is {percent} % (+- {uncertainty} %) smaller than the before surface where nothing should have changed, {length} at its rim: check units and the calibration of both scanners; nothing was rescaled.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie dopo è più piccola del {percent} % (+- {uncertainty} %) di quella prima dove niente doveva cambiare, {length} al bordo: controllare le unità e la calibrazione dei due scanner; niente è stato riscalato.</translation>
     </message>
     <message>
         <source>The alignment rests on {mm2} mm2, {percent} % of the surface that both files show: look whether the region drawn as stable is, or paint it.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;allineamento poggia su {mm2} mm2, il {percent} % della superficie comune ai due file: controllare che la regione disegnata come stabile lo sia, o dipingerla.</translation>
     </message>
     <message>
         <source>The file says {unit}, so it is {mm} mm long; by its size it would be in {guess}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il file dice {unit}, quindi è lunga {mm} mm; a giudicare dalla dimensione sarebbe in {guess}.</translation>
     </message>
     <message>
         <source>The later surface is {ratio} times as large as the earlier one; check the units ({units} differ by {factor}), or whether the two belong together.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie successiva è {ratio} volte la precedente; controllare le unità ({units} differiscono di {factor}), o se le due vanno insieme.</translation>
     </message>
     <message>
         <source>The later surface is {ratio} times as large as the earlier one; check the units, or whether the two belong together.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie successiva è {ratio} volte la precedente; controllare le unità, o se le due vanno insieme.</translation>
     </message>
     <message>
         <source>The material was not named; of the rig&apos;s null comparisons the largest level is shown (&apos;{other}&apos;).</source>
-        <translation type="unfinished"></translation>
+        <translation>Il materiale non è stato indicato; dei confronti nulli del banco si mostra la soglia maggiore (&apos;{other}&apos;).</translation>
     </message>
     <message>
         <source>The null comparison is of the rig &apos;{rig}&apos;, but the surfaces were measured with &apos;{others}&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il confronto nullo è del banco &apos;{rig}&apos;, ma le superfici sono state misurate con &apos;{others}&apos;.</translation>
     </message>
     <message>
         <source>The null comparison of &apos;{material}&apos; ({date}) is older than the rig&apos;s calibration ({calibrated}); repeat it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il confronto nullo di &apos;{material}&apos; ({date}) è precedente alla calibrazione del banco ({calibrated}); ripeterlo.</translation>
     </message>
     <message>
         <source>The orders of {before} and {after} name different patients; choose two of one patient.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gli ordini di {before} e {after} indicano pazienti diversi; sceglierne due di un solo paziente.</translation>
     </message>
     <message>
         <source>The stable region lies too much in one lump to hold the far end of the surface, which may be off by {length}: take in stable places that are farther apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>La regione stabile è troppo raccolta per tenere il capo lontano della superficie, che può errare di {length}: aggiungere zone stabili più distanti fra loro.</translation>
     </message>
     <message>
         <source>This rig has no null comparison of &apos;{material}&apos;; the level shown is of another material, &apos;{other}&apos;. Measure one twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>Questo banco non ha un confronto nullo di &apos;{material}&apos;; la soglia mostrata è di un altro materiale, &apos;{other}&apos;. Misurarne uno due volte.</translation>
     </message>
     <message>
         <source>Triangles without an extent but a line or point were left out: {count}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Triangoli ridotti a una linea o un punto, esclusi: {count}.</translation>
     </message>
     <message>
         <source>What is taken for unchanged differs by up to {length} (95 %): either the scans are that noisy, or it changed everywhere and nothing is fixed. Smaller changes cannot be told.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ciò che si prende per invariato differisce fino a {length} (95 %): o le scansioni sono così rumorose, o è cambiato ovunque e niente è fermo. Cambiamenti minori non si distinguono.</translation>
     </message>
     <message>
         <source>{before} and {after} are identical files: nothing was measured twice; choose the other state.</source>
-        <translation type="unfinished"></translation>
+        <translation>{before} e {after} sono file identici: niente è stato misurato due volte; scegliere l&apos;altro stato.</translation>
     </message>
     <message>
         <source>{before} and {after} hold the identical surface: nothing was measured twice; choose the other state.</source>
-        <translation type="unfinished"></translation>
+        <translation>{before} e {after} contengono la stessa superficie: niente è stato misurato due volte; scegliere l&apos;altro stato.</translation>
     </message>
     <message>
         <source>{before} was measured after {after} ({first} and {second}): are the two exchanged?</source>
-        <translation type="unfinished"></translation>
+        <translation>{before} è stata misurata dopo {after} ({first} e {second}): sono scambiate?</translation>
     </message>
     <message>
         <source>{count} triangles have no area; they have no normal and are measured only by their neighbours.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} triangoli non hanno area; non hanno normale e sono misurati solo tramite i vicini.</translation>
     </message>
     <message>
         <source>{name} lands {closure} um beside its place when it goes over {previous} (+- {uncertainty} um, k = 2): what is taken as stable may have moved.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} finisce a {closure} um dal suo posto passando per {previous} (+- {uncertainty} um, k = 2): ciò che è preso per stabile può essersi mosso.</translation>
     </message>
     <message>
         <source>{share} of its area faces the other way than its neighbours, so + and - cannot be told apart; let the program that wrote it orient it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il {share} della sua area guarda al contrario dei vicini, e + e - non si distinguono; farla orientare dal programma che l&apos;ha scritta.</translation>
     </message>
 </context>
 <context>

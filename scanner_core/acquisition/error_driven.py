@@ -29,6 +29,7 @@ from scanner_core.acquisition.planning import even_views, may_stand, renumbered,
 from scanner_core.acquisition.rig_session import OpenRig
 from scanner_core.case.decoding import MOST_VIEWS
 from scanner_core.case.store import CaseStore
+from scanner_core.case.superseded import counting_spots
 from scanner_core.errors import ImprontaError, UsageError
 from scanner_core.jobs.progress import Cancelled
 from scanner_core.optics.calibration import StereoCalibration
@@ -190,7 +191,7 @@ class ErrorDriven:
         self._follower.keep()
         begin_s = time.monotonic()
         request = AssessmentRequest(
-            table=self._store.observations(whole.scan_id),
+            table=counting_spots(self._store, whole.scan_id),
             plan=whole.plan,
             exposed=self._store.exposures(whole.scan_id),
             rig=self._rig.config,

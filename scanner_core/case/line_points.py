@@ -11,7 +11,7 @@ from scanner_core.case.observation import ObservationTable
 from scanner_core.case.points import MeasuredCloud, TablePoints, placed_cloud, triangulate_observations
 from scanner_core.case.store import CaseStore
 from scanner_core.case.stripes import StripeTable
-from scanner_core.case.superseded import superseded_views
+from scanner_core.case.superseded import counting_spots
 from scanner_core.devices.rig import RigConfig
 from scanner_core.geometry.rigid import RigidTransform
 from scanner_core.optics.calibration import StereoCalibration
@@ -24,12 +24,8 @@ ScanTable = ObservationTable | StripeTable
 
 
 def scan_table(store: CaseStore, scan_id: int) -> ScanTable:
-    """What counts of a scan: spots without those of superseded views (:mod:`~scanner_core.case.superseded`), or places of a line."""
-    if store.by_line(scan_id):
-        return store.stripe_points(scan_id)
-    table = store.observations(scan_id)
-    over = superseded_views(store.plan(scan_id), table.view)
-    return table.select(~np.isin(table.view, over)) if over else table
+    """What counts of a scan: spots (:func:`~scanner_core.case.superseded.counting_spots`), or places of a line."""
+    return store.stripe_points(scan_id) if store.by_line(scan_id) else counting_spots(store, scan_id)
 
 
 def measured_cloud(

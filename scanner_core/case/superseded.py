@@ -12,6 +12,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from scanner_core.case.observation import ObservationTable
+from scanner_core.case.store import CaseStore
+
 _AS_MANY = 0.9
 """Of the points of a view, that its repetition must have to take its place: one that was broken off does not."""
 
@@ -32,3 +35,10 @@ def superseded_views(plan: Mapping[str, Any], views: NDArray[np.int32], without:
             if again and again >= _AS_MANY * before:
                 over.append(int(view["repeats"]))
     return over
+
+
+def counting_spots(store: CaseStore, scan_id: int) -> ObservationTable:
+    """The measured spots of a scan in the order of their trigger ids, without those of superseded views."""
+    table = store.observations(scan_id)
+    over = superseded_views(store.plan(scan_id), table.view)
+    return table.select(~np.isin(table.view, over)) if over else table

@@ -22,6 +22,7 @@ from scanner_core.commands.overwriting import check_case_free, overwriting
 from scanner_core.commands.register import run_registration
 from scanner_core.commands.scanning import (
     age_warnings,
+    aimed_elsewhere,
     begins,
     calibrated_rig,
     case_as_found,
@@ -50,6 +51,8 @@ def run(given: argparse.Namespace, console: Console) -> int:
     if given.add_mount and (given.resume or given.force):
         raise UsageError("E-USE-01", what="Another mount is a new scan in a case that is there", do="leave --resume and --force away")
     config, calibration = calibrated_rig(given)
+    if (aimed := aimed_elsewhere(given)) is not None:
+        console.say(aimed)
     config = lit_by(config, given.line)
     if config.laser.is_line and given.record is not None:
         raise UsageError("E-USE-01", what="A scan by a laser line is not recorded", do="leave --record away")

@@ -18,6 +18,8 @@ from scanner_core.acquisition.status import ScanState
 from scanner_core.case.recovery import Interruption
 from scanner_core.case.store import CaseStore
 from scanner_core.commands.console import Console
+from scanner_core.devices.aim_settings import aim_path
+from scanner_core.devices.rig import PRESETS as SHIPPED_RIGS
 from scanner_core.devices.rig import RigConfig, load_rig_or_preset
 from scanner_core.errors import CalibrationError, UsageError
 from scanner_core.optics.calibration import StereoCalibration
@@ -45,6 +47,13 @@ def rig_given(given: argparse.Namespace) -> RigConfig:
 def rig_path(given: argparse.Namespace) -> str:
     """The file that describes the rig, or a preset's name."""
     return str(given.rig) if given.replay is None else str(Path(given.replay) / RIG)
+
+
+def aimed_elsewhere(given: argparse.Namespace) -> str | None:
+    """What is to be said where the window keeps other settings beside the rig file: commands measure with what the file itself says."""
+    if given.replay is not None or given.rig in SHIPPED_RIGS or not (path := aim_path(Path(given.rig))).exists():
+        return None
+    return f"Note: what was set on the window's Aim page ({path}) is not used by commands; the rig file's own exposure and spot limits are."
 
 
 def is_rendered(config: RigConfig) -> bool:

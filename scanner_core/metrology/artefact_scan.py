@@ -21,6 +21,7 @@ from scanner_core.acquisition.runner import ScanRunner
 from scanner_core.acquisition.status import FinishReason, ScanState
 from scanner_core.case.points import triangulate_observations
 from scanner_core.case.store import CaseStore
+from scanner_core.case.superseded import counting_spots
 from scanner_core.errors import AcquisitionError
 from scanner_core.geometry.point_cloud import PointCloud
 
@@ -76,7 +77,7 @@ def scan_artefact(rig: OpenRig, request: PlanRequest, told: OnFraction) -> Artef
             reasons = ", ".join(f"{name} {count}" for name, count in result.counts.rejected.items()) or "none"
             raise AcquisitionError("E-SCAN-01", planned=result.counts.planned, reasons=reasons)
         plan = next(scan.plan for scan in store.scans() if scan.id == result.scan_id)
-        table = store.observations(result.scan_id)
+        table = counting_spots(store, result.scan_id)
     cloud = triangulate_observations(table, rig.config, runner.calibration).cloud
     return ArtefactScan(cloud, table.table_deg, float(str(plan["sweep_speed_deg_s"])), result.views.registration.residual_before_um)
 

@@ -131,6 +131,7 @@ def sphere_page(result: SphereResult, on: Occasion) -> Page:
             ("Calibrated radius", f"{result.reference.value_mm:.4f} mm, u = {1e3 * result.reference.uncertainty_mm:.1f} µm"),
             ("Mean radius", f"{result.mean_radius_mm:.4f} mm, u = {1e3 * result.mean_radius_uncertainty_mm:.1f} µm"),
             ("Residual, rms", f"{result.residual_rms_um:.1f} µm"),
+            ("Form PF", f"{result.form_um:.1f} µm; {result.usual_form_um:.1f} µm without the worst 0.3 %"),
             ("Radius, s", "one acquisition" if sd is None else f"{1e3 * sd:.1f} µm between acquisitions"),
             ("Coverage", f"to {result.coverage_deg:.0f}° from the top; {REQUIRED_COVERAGE_DEG:.0f}° required"),
             ("Points", f"{min(a.points for a in each)} to {max(a.points for a in each)} per acquisition"),

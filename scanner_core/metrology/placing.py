@@ -66,8 +66,8 @@ class BenchArtefacts:
         self._bench.change_specimen(ball_bar(centres, radius_mm))
 
 
-class RecordedArtefacts:
-    """What a recording shows stands there already."""
+class StandingArtefacts:
+    """What is to be measured stands there already: somebody has put it down, or a recording shows it."""
 
     def put_plate(self, centre: Array, normal: Array) -> None:
         pass
@@ -90,7 +90,7 @@ def operator_for(rig: OpenRig, operator: ArtefactOperator | None, specimen: Spec
     if operator is not None:
         return operator
     if rig.replayed:
-        return RecordedArtefacts()
+        return StandingArtefacts()
     if rig.bench is None:
         raise AcquisitionError("E-MET-01")
     return BenchArtefacts(rig.bench, specimen, rig.bench.seed)

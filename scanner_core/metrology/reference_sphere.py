@@ -54,6 +54,8 @@ SpotBias = Callable[[Array, float], Array]
 """From a sphere's centre (3,) mm and radius mm to the expected radial errors (n,) mm of a cloud's points on it."""
 STEM_CONE_DEG = 40.0
 """Points so close to straight below the centre may be the stem's and are left out."""
+DISCARDED = 0.003
+"""Share of the points that a form may leave out."""
 _ALONE = 0.8
 """Less of the points on the sphere: what stands there is no sphere, or not alone."""
 _SECOND = 0.3
@@ -156,6 +158,21 @@ class SphereResult:
         return float(np.mean([a.dispersion_um for a in self.acquisitions]))
 
     @property
+    def form_um(self) -> float:
+        """Probing error form PF: range of the radial deviations, the largest of the acquisitions."""
+        return max(float(np.ptp(a.residuals_um)) for a in self.acquisitions)
+
+    @property
+    def usual_form_um(self) -> float:
+        """PF without the worst 0.3 % of the points, the largest of the acquisitions."""
+        return max(shell_width(a.residuals_um, 1 - DISCARDED) for a in self.acquisitions)
+
+    @property
+    def surface_fraction(self) -> float:
+        """Share of the sphere's surface that points stand on, the least of the acquisitions."""
+        return min(a.coverage.surface_fraction for a in self.acquisitions)
+
+    @property
     def spot_correction_um(self) -> float:
         """Mean over the acquisitions."""
         return float(np.mean([a.spot_correction_um for a in self.acquisitions]))
@@ -182,6 +199,11 @@ class SphereResult:
         )
 
     @property
+    def required_coverage_deg(self) -> float:
+        """Below which nothing is proved."""
+        return REQUIRED_COVERAGE_DEG
+
+    @property
     def covered(self) -> bool:
         return self.coverage_deg >= REQUIRED_COVERAGE_DEG
 
@@ -200,6 +222,8 @@ class SphereResult:
             "radius_sd_mm": None if sd is None else round(sd, 6),
             "residual_rms_um": round(self.residual_rms_um, 3),
             "d95_um": round(self.dispersion_um, 3),
+            "form_um": round(self.form_um, 3),
+            "form_without_worst_um": round(self.usual_form_um, 3),
             "spot_correction_um": round(self.spot_correction_um, 3),
             "reference_radius_mm": self.reference.value_mm,
             "reference_uncertainty_mm": self.reference.uncertainty_mm,

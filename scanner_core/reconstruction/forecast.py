@@ -2,7 +2,9 @@
 
 What the facets add to the expected error was measured on four clouds with a fourth to twice the triangles that they carry: 0.54
 times the sag that 95 of 100 facets keep, and the sag goes with the area of a facet.  Before a first surface is there the error is a
-rule of thumb: of n points with a noise of s, 26 s / sqrt(n) is left on bodies with the detail of an impression, within a factor of 1.5.
+rule of thumb, good for the order of magnitude: of n points with a noise of s, 26 s / sqrt(n).  On a body with the detail of an impression
+that was 26 um where a surface was expected to be 27 um off (2,500 points, 50 um), and 6.1 for 7.1 um (8,000 points, 20 um); on a plain
+ball, where much more is averaged, it is five times too much (3,000 points, 50 um: 24 for 4.7 um).
 """
 
 from __future__ import annotations

@@ -113,9 +113,10 @@ class Journey:
         assert case.surface is not None, self.program.window.banner.text
 
     def _delivered(self) -> None:
-        until(
-            lambda: [path for path in self.files.rglob("*.stl") if not path.name.startswith(".")], 120, f"the file {self.program.window.banner.text}"
-        )
+        def there() -> bool:
+            return any(not path.name.startswith(".") for path in self.files.rglob("*.stl"))  # a name with a dot is not whole yet
+
+        until(there, 120, f"the file {self.program.window.banner.text}")
 
     def _rig_begins(self) -> None:
         self._lit_s = time.monotonic()

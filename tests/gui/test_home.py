@@ -15,6 +15,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from app.draft import DraftValues
 from app.program import Program
 from app.views import format as fmt
 from app.views.accuracy_card import AccuracyCard
@@ -281,10 +282,13 @@ def test_ages_in_words() -> None:
 def test_how_accurate_the_rig_is(application: QApplication, shared_program: Program) -> None:
     from dataclasses import replace
 
-    card, rig = AccuracyCard(), shared_program.services.rig
+    asked: list[bool] = []
+    card, rig = AccuracyCard(lambda: asked.append(True)), shared_program.services.rig
     until(lambda: rig.snapshot.connected, 120, "the rig")
     card.show_rig(replace(rig.snapshot, sphere=None))
-    assert "impronta verify sphere --rig bench" in card.advice.text()
+    assert "No reference sphere" in card.advice.text()
+    card.measure.click()
+    assert asked
     entries = [
         HistoryEntry(f"2026-11-{day:02d}T10:00:00+00:00", "sphere", {"size": size, "dispersion": 40.0}, {}, {}, "pass", "c", "", "")
         for day, size in ((1, -1.5), (8, -2.0))
@@ -302,3 +306,30 @@ def test_how_accurate_the_rig_is(application: QApplication, shared_program: Prog
 def test_a_settings_file_of_ones_own_has_its_cache_beside_it(shared_program: Program, shared_settings: Path) -> None:
     assert (shared_settings.parent / "cache" / "orders.sqlite").exists()
     assert json.loads(shared_settings.read_text())
+
+
+def test_a_click_on_an_order_lets_the_buttons_below_do_something_with_it(home: HomePage) -> None:
+    placed: list[Path] = []
+    home.services.case.place(DraftValues(order="A-1", side="left", kind="ear"), placed.append)
+    until(lambda: placed, 20, "the order's file")
+    _listed(home, 1)
+    assert not home._remove_button.isEnabled()
+    QTest.mouseClick(home.list.viewport(), Qt.MouseButton.LeftButton, pos=home.list.visualRect(home.list.orders.index(0)).center())
+    assert home._open.isEnabled()
+    assert home._remove_button.isEnabled()
+
+
+def test_a_very_long_number_does_not_push_the_form_out_of_the_window(home: HomePage) -> None:
+    before = home.minimumSizeHint().width()
+    home.new_order(number="1234567890" * 8)
+    assert home.minimumSizeHint().width() <= before
+
+
+def test_keys_stay_on_the_page_when_the_part_that_has_them_goes(home: HomePage) -> None:
+    """Or the next Space goes to whatever step of the rail comes next in the order."""
+    home.new_order(side="left", number="K-1")
+    home.form.wait.setFocus()
+    until(home.form.wait.hasFocus, 5, "the keys")
+    home.form.wait.hide()
+    assert QApplication.focusWidget() is home
+    home.form.wait.show()

@@ -20,6 +20,7 @@ from app.views.scan_words import step_words
 from scanner_core.acquisition.status import FinishReason, ScanCounts, ScanState, ScanStatus
 from scanner_core.acquisition.view_state import ViewProgress, ViewState
 from scanner_core.geometry.point_cloud import PointCloud
+from tests.gui.waiting import until
 
 VIEWS = (
     ViewProgress(0, 0.0, ViewState.DONE, 100, 100, {"no_spot": 20}, repeated=True),
@@ -124,3 +125,19 @@ def test_what_to_do_about_the_largest_part_of_the_rejects(application: QApplicat
     words = reject_advice(measured, rejected)
     assert words.startswith(begins)
     assert bool(words) == bool(begins)
+
+
+def test_of_another_order_nothing_of_the_scan_before_is_told(page: ScanPage, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Neither its figures, nor a view that would be measured again into the wrong case."""
+    acquisition, case = page.services.acquisition, page.services.case
+    monkeypatch.setattr(acquisition, "_wanted", False)
+    case.create(lambda store: monkeypatch.setattr(acquisition, "_scanned", store.path))
+    until(lambda: case.store is not None, 20, "a case")
+    acquisition.views = VIEWS
+    tell(page, ScanState.IDLE, finish_reason=FinishReason.COMPLETED)
+    case.opened.emit()  # an undo, say
+    assert acquisition.status is not None
+    case.close()
+    assert (acquisition.status, acquisition.result, acquisition.views) == (None, None, ())
+    assert page.plan.isHidden()
+    assert page.rejects.isHidden()

@@ -218,7 +218,8 @@ def test_while_views_are_registered_a_stop_is_the_rig_controllers(application: Q
     rig = SimpleNamespace(give_back=lambda: told.append("given back"), laser_off=lambda: told.append("laser off"))
     runner = SimpleNamespace(status=lambda: SimpleNamespace(state=state, finish_reason=None), cancel=lambda: told.append("cancelled"))
     background = Background()
-    acquisition = AcquisitionController(background, cast(Any, rig), cast(Any, None), lambda fault: told.append(str(fault)))
+    case = SimpleNamespace(opened=SimpleNamespace(connect=lambda call: None))
+    acquisition = AcquisitionController(background, cast(Any, rig), cast(Any, case), lambda fault: told.append(str(fault)))
     acquisition._runner, acquisition._borrowed = cast(Any, runner), True
     acquisition.stop()
     assert background.join(10.0) == []

@@ -53,7 +53,7 @@ def facts(mesh: TriangleMesh | None = None, **others: object) -> CaseFacts:
         accepted=0,
         delivered={},
     )
-    return replace(good, **others)  # type: ignore[arg-type]
+    return replace(good, **others)
 
 
 def examination(verdict: CheckVerdict = CheckVerdict.PASS, **others: object) -> Examination:

@@ -54,12 +54,12 @@ def test_the_certificate_says_what_the_file_is(tmp_path: Path) -> None:
     told = valid(tmp_path / "new" / "a.json")
     digest = hashlib.sha256((tmp_path / "new" / "a.stl").read_bytes()).hexdigest()
     assert delivery.sha256 == digest
-    assert [(file["name"], file["role"]) for file in told["files"]] == [("a.stl", "mesh"), ("a.pdf", "certificate")]  # type: ignore[attr-defined]
-    assert told["files"][0]["sha256"] == digest  # type: ignore[index]
+    assert [(file["name"], file["role"]) for file in told["files"]] == [("a.stl", "mesh"), ("a.pdf", "certificate")]
+    assert told["files"][0]["sha256"] == digest
     assert (told["verdict"], told["delivered_anyway"], told["remark"]) == ("ready", False, "")
     assert "SECRET" not in (tmp_path / "new" / "a.json").read_text(encoding="utf-8")
     mesh = read_mesh(tmp_path / "new" / "a.stl")
-    laid = np.array(told["surface"]["case_to_file"])  # type: ignore[index]
+    laid = np.array(told["surface"]["case_to_file"])
     vertices = drop().vertices @ laid[:3, :3].T + laid[:3, 3]
     assert mesh.vertices.max(axis=0) == pytest.approx(vertices.max(axis=0), abs=1e-5)
     assert mesh.vertices[:, 2].min() == pytest.approx(0.0, abs=1e-6)
