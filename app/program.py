@@ -188,7 +188,7 @@ class Program(QObject):
     def _take_preference(self, name: str) -> None:
         """What was set is in force from now on."""
         if name == "theme":
-            set_theme(self._application, self.settings.theme)
+            self._restyle(self.settings.theme)
         elif name == "live_surface":
             self.services.live_surface.allow(self.settings.live_surface)
         elif name == "language" and not activity_words(self.services):
@@ -199,7 +199,15 @@ class Program(QObject):
     def _follow_system(self) -> None:
         """The desktop has changed between dark and light."""
         if self.settings.theme == "system" and not self._closed:
-            set_theme(self._application, "system")
+            self._restyle("system")
+
+    def _restyle(self, theme: str) -> None:
+        """Every widget is told some twenty things, none of which is a key: a filter that sees them all would make it take much longer."""
+        self._application.removeEventFilter(self._stop_key)
+        try:
+            set_theme(self._application, theme)
+        finally:
+            self._application.installEventFilter(self._stop_key)
 
     # -------------------------------------------------------------------------------- start
     def _painted(self, case: Path | None, after: Again | None) -> None:

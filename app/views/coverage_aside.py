@@ -21,6 +21,8 @@ from scanner_core.coverage.report import CoverageReport
 class CoverageAside:
     """One answer."""
 
+    slices = None
+
     def __init__(self, surface: Surface, report: CoverageReport) -> None:
         self.surface, self._report = surface, report
         self._mesh = MeshActor()
