@@ -41,14 +41,14 @@ from app.event_log import EventLog
 from app.faults import install_hooks, remove_hooks
 from app.graphics_import import import_graphics
 from app.heartbeat import Heartbeat
-from app.language import Translation
+from app.language import Translation, spoken
 from app.pump import Pump
 from app.services import Services
 from app.settings import load_settings, settings_path
 from app.stop_key import StopKey
 from app.theme import icon, set_theme
 from app.undo import UndoHistory
-from app.views.activity import activity_words
+from app.views.activity import is_busy
 from app.views.main_window import MainWindow
 from scanner_core.log_file import log_fault, log_versions
 from scanner_core.user_folders import cache_folder
@@ -188,10 +188,10 @@ class Program(QObject):
     def _take_preference(self, name: str) -> None:
         """What was set is in force from now on."""
         if name == "theme":
-            set_theme(self._application, self.settings.theme)
+            self._restyle(self.settings.theme)
         elif name == "live_surface":
             self.services.live_surface.allow(self.settings.live_surface)
-        elif name == "language" and not activity_words(self.services):
+        elif name == "language" and spoken(self.settings.language) != self._translation.language and not is_busy(self.services):
             window = self.window
             self.again = Again(self.services.case.path, window.page_id, self.services.draft.values, window.saveGeometry())
             QTimer.singleShot(0, window.close)
@@ -199,7 +199,15 @@ class Program(QObject):
     def _follow_system(self) -> None:
         """The desktop has changed between dark and light."""
         if self.settings.theme == "system" and not self._closed:
-            set_theme(self._application, "system")
+            self._restyle("system")
+
+    def _restyle(self, theme: str) -> None:
+        """Every widget is told some twenty things, none of which is a key: a filter that sees them all would make it take much longer."""
+        self._application.removeEventFilter(self._stop_key)
+        try:
+            set_theme(self._application, theme)
+        finally:
+            self._application.installEventFilter(self._stop_key)
 
     # -------------------------------------------------------------------------------- start
     def _painted(self, case: Path | None, after: Again | None) -> None:

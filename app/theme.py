@@ -57,10 +57,12 @@ def set_theme(application: QApplication, theme: str) -> None:
     if palette is _present.palette and application.styleSheet():
         return  # a style sheet costs every widget a polish: a second for the whole window
     _present.palette = palette
-    if application.style().name() != "fusion":
+    if not application.styleSheet() and application.style().name() != "fusion":  # a style sheet's style has no name
         application.setStyle("Fusion")
     application.setPalette(_qt_palette(palette))
-    application.setFont(_font(application))
+    font = _font(application)
+    if font != application.font():
+        application.setFont(font)
     icons = str(resources.files("resources") / "icons").replace("\\", "/")
     kind = "" if palette is DARK else "-light"
     application.setStyleSheet(style_sheet(palette, chevron=f"{icons}/chevron{kind}.svg", ticked=f"{icons}/ticked{kind}.svg"))
@@ -127,6 +129,12 @@ class _Drawn(QIconEngine):
 
     def isNull(self) -> bool:  # noqa: N802 - Qt's name
         return False
+
+
+def forget_drawings(application: QApplication) -> None:
+    """Before the interpreter ends: what draws itself in Python, and pictures, must not outlive it and the application."""
+    application.setWindowIcon(QIcon())
+    _picture.cache_clear()
 
 
 class Sign(QLabel):

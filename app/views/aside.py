@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from app.views.point_slices import PointSlices
 
 Array = NDArray[np.float64]
 
@@ -25,6 +28,10 @@ class Aside(Protocol):
     @property
     def range_um(self) -> tuple[float, float] | None:
         """What the ends of the uncertainty's colours mean; None when it is not shown."""
+
+    @property
+    def slices(self) -> PointSlices | None:
+        """Points that are drawn after the others, when nothing moves."""
 
     def fit_pixels(self, ratio: float) -> None:
         """Points and lines as large as they shall look, with so many pixels of the screen to one of the window."""

@@ -11,14 +11,15 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 from app.controllers.editing import EditedPoints
 from app.theme import is_dark
-from app.views.height_colours import rgb
 from app.views.line_actor import LineActor, segments
-from app.views.vtk_arrays import copied, copied_ids, shared
+from app.views.point_slices import PointSlices, show_rows
+from app.views.surface_colours import rgb
+from app.views.vtk_arrays import copied, shared
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -28,7 +29,8 @@ MARKED: Final = "#f06bd0"
 _LEFT: Final = {True: "#cfc9ba", False: "#8f979f"}
 _OUT: Final = {True: "#596470", False: "#c3c9cf"}
 """By whether the ground is dark."""
-_MOST_STILL, _MOST_MOVING = 200_000, 30_000
+_MOST, _MOST_AT_ONCE = 500_000, 30_000
+"""Points that are drawn, and that are drawn in one go: the others follow in slices once nothing moves."""
 _SIZES = ((8_000, 5.0), (60_000, 4.0), (10**9, 3.0))
 _BOX_EDGES = np.array([(0, 1), (2, 3), (4, 5), (6, 7), (0, 2), (1, 3), (4, 6), (5, 7), (0, 4), (1, 5), (2, 6), (3, 7)])
 
@@ -61,12 +63,13 @@ class EditAside:
         look.SetRepresentationToPoints()
         look.SetAmbient(0.35)
         look.SetDiffuse(0.75)
+        self.slices = PointSlices(self._poly, look)
         self._shape = (LineActor("#10151a", 3.2, behind=True), LineActor(MARKED, 1.5))
         self.show(np.zeros(len(points), np.bool_), None, out_too=False)
 
     @property
     def actors(self) -> Sequence[Any]:
-        return [self._actor, *(line.actor for line in self._shape)]
+        return [self._actor, self.slices.actor, *(line.actor for line in self._shape)]
 
     @property
     def bounds_mm(self) -> Array | None:
@@ -115,11 +118,10 @@ class EditAside:
             line.show_poly(poly)
 
     def _draw(self) -> None:
-        stride = max(1, -(-len(self._shown) // (_MOST_MOVING if self._moving else _MOST_STILL)))
-        drawn = self._shown[::stride]
-        self._drawn = len(drawn)
-        cells = vtkCellArray()
-        if len(drawn):
-            cells.SetData(copied_ids(np.array([0, len(drawn)], np.int64)), copied_ids(drawn))
-        self._poly.SetVerts(cells)
-        self._poly.Modified()
+        rows = self._shown[:: max(1, -(-len(self._shown) // _MOST))]
+        stride = max(1, -(-len(rows) // _MOST_AT_ONCE))
+        first = rows[::stride]
+        show_rows(self._poly, first)
+        rest = [] if self._moving else [rows[begin::stride] for begin in range(1, stride)]
+        self.slices.put(np.concatenate(rest) if rest else np.empty(0, np.int64))
+        self._drawn = len(first) if self._moving else len(rows)

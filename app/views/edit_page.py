@@ -129,7 +129,7 @@ class EditPage(Page):
             self._tools = EditTools(scene, np.zeros(3))
             self._tools.begun.connect(self._begin)
             self._tools.drawn.connect(self._editing.draw)
-            self._tools.ended.connect(self._editing.end_stroke)
+            self._tools.ended.connect(self._end)
             self._tools.pointed.connect(self._point)
             scene.moved.connect(self._thin)
         if (bounds := scene.aside.bounds_mm) is not None:
@@ -164,7 +164,12 @@ class EditPage(Page):
 
         view = self._tools.scene.whole_view()
         sight = Sight(view.matrix, view.width, view.height, view.direction)
+        self._thin(True)
         self._editing.begin_stroke(sight, back=self.points.back.isChecked(), through=self.points.through.isChecked())
+
+    def _end(self) -> None:
+        self._thin(False)
+        self._editing.end_stroke()
 
     def _point(self, x: float, y: float) -> None:
         place = self._place_at(x, y)

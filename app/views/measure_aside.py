@@ -26,6 +26,7 @@ class MeasureAside:
     """One surface with what drawing and pointing at it need, or points alone."""
 
     range_um = None
+    slices = None
 
     def __init__(self, surface: tuple[Surface, DrawnSurface] | None, points: EditedPoints | None, left: NDArray[np.bool_] | None) -> None:
         self.surface: Surface | None = None if surface is None else surface[0]

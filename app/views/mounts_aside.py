@@ -11,13 +11,13 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
-from app.views.height_colours import rgb
 from app.views.mount_words import mount_colour
+from app.views.surface_colours import rgb
 from app.views.vtk_arrays import copied, copied_ids
 from scanner_core.case.mount_job import MountCloud
 
 _MOST = 60_000
-"""Points drawn of one mount."""
+"""Points drawn, of all mounts together."""
 POINT_SIZE = 3.0
 _BESIDE = 0.2
 
@@ -26,6 +26,7 @@ class MountsAside:
     """One answer."""
 
     range_um = None
+    slices = None
 
     def __init__(self, clouds: Sequence[MountCloud]) -> None:
         self._actors: list[Any] = []
@@ -38,7 +39,7 @@ class MountsAside:
                 shift = high[1] + _BESIDE * (high[1] - low[1]) - points[:, 1].min()
                 points = points + np.array([0.0, shift, 0.0])
             low, high = np.minimum(low, points.min(axis=0)), np.maximum(high, points.max(axis=0))
-            self._actors.append(point_actor(points, towards, mount_colour(cloud.mount)))
+            self._actors.append(point_actor(points, towards, mount_colour(cloud.mount), _MOST // len(clouds)))
         self._bounds = np.array([low, high]) if self._actors else None
 
     @property
@@ -54,9 +55,9 @@ class MountsAside:
             actor.GetProperty().SetPointSize(POINT_SIZE * ratio)
 
 
-def point_actor(points: NDArray[np.float64], towards: NDArray[np.float64], colour: str) -> Any:
-    """Points (n, 3) mm of one colour, lit by the directions (n, 3) from which they were seen."""
-    stride = max(1, -(-len(points) // _MOST))
+def point_actor(points: NDArray[np.float64], towards: NDArray[np.float64], colour: str, most: int = _MOST) -> Any:
+    """At most so many of points (n, 3) mm, of one colour, lit by the directions (n, 3) from which they were seen."""
+    stride = max(1, -(-len(points) // most))
     points, towards = points[::stride], towards[::stride]
     places, cells = vtkPoints(), vtkCellArray()
     places.SetData(copied(points.astype(np.float32)))

@@ -256,19 +256,29 @@ class SceneView(InteractorView):
     @property
     def unfinished(self) -> bool:
         """There are more points to draw into the picture that is there."""
+        if self.aside is not None:
+            return self.still and self.aside.slices is not None and self.aside.slices.pending
         return self.still and self.cloud.chunks.pending and bool(self.cloud.actor.GetVisibility())
 
     def _begin_whole(self) -> None:
         self.cloud.chunks.restart()
+        if self.aside is not None and self.aside.slices is not None:
+            self.aside.slices.restart()
 
     def _begin_slice(self) -> None:
         self._hidden = [actor for actor in self._open().renderer.GetActors() if actor.GetVisibility()]
         for actor in self._hidden:
             actor.SetVisibility(False)
-        self.cloud.chunks.show_next(self.cloud.by)
+        if self.aside is None:
+            self.cloud.chunks.show_next(self.cloud.by)
+        elif self.aside.slices is not None:
+            self.aside.slices.show_next()
 
     def _end_slice(self, seconds: float) -> None:
-        self.cloud.chunks.hide(seconds)
+        if self.aside is None:
+            self.cloud.chunks.hide(seconds)
+        elif self.aside.slices is not None:
+            self.aside.slices.hide(seconds)
         for actor in self._hidden:
             actor.SetVisibility(True)
         self._hidden = []

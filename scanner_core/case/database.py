@@ -6,8 +6,12 @@ import sqlite3
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
+from itertools import islice
 from pathlib import Path
 from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from scanner_core.case.connection import sentences
 from scanner_core.errors import CaseError, StorageError
@@ -15,6 +19,7 @@ from scanner_core.wall_clock import stamp
 
 _UNLIMITED = 4_294_967_294
 """Pages; the largest database that SQLite knows."""
+_ROWS_AT_ONCE = 2_000
 
 
 class CaseDatabase:
@@ -79,6 +84,18 @@ class CaseDatabase:
             if self._closed:
                 raise CaseError("E-CASE-06", path=self.path)
             return self._connection.execute(query, values).fetchall()
+
+    def _numbers(self, query: str, values: tuple[object, ...] = ()) -> Iterator[NDArray[np.float64]]:
+        """Rows of numbers (k, columns), some at a time; ValueError where one is none.
+
+        One array of half a million rows, made or let go at once, holds Python's lock for a second, and a window stands still.
+        """
+        with self._lock, sentences(self.path):
+            if self._closed:
+                raise CaseError("E-CASE-06", path=self.path)
+            rows = iter(self._connection.execute(query, values))
+            while some := list(islice(rows, _ROWS_AT_ONCE)):
+                yield np.array(some, np.float64)
 
 
 def note(connection: sqlite3.Connection, event: str, detail: str) -> None:

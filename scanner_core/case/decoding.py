@@ -26,6 +26,8 @@ FAULTS = (LookupError, TypeError, ValueError, OverflowError, AttributeError, Rec
 LONGEST_TEXT = 100_000_000
 """Characters of a JSON text; the plan of 5 million points has some 10 million."""
 DEEPEST = 32
+_AT_ONCE = 2_000
+"""Rows that become numbers in one go."""
 MOST_ID = 2**53
 """Trigger ids are exact as float64 up to here."""
 MOST_VIEWS = 360
@@ -166,9 +168,9 @@ def mount(value: object) -> int:
     return value
 
 
-def observations(rows: Sequence[tuple[Any, ...]]) -> ObservationTable:
-    """Rows of trigger id, view, table angle, centroids (left x, y, right x, y), uncertainties, sigmas (left x, y, right x, y)."""
-    numbers = np.array(rows, np.float64).reshape(-1, len(_COLUMNS))
+def observations(parts: Sequence[NDArray[np.float64]]) -> ObservationTable:
+    """Rows of trigger id, view, table angle, centroids (left x, y, right x, y), uncertainties, sigmas (left x, y, right x, y), in parts."""
+    numbers = np.concatenate(parts) if len(parts) else np.empty((0, len(_COLUMNS)))
     wrong = ~((numbers >= _BOUNDS[:, 0]) & (numbers <= _BOUNDS[:, 1]))
     if wrong.any():
         row, column = np.argwhere(wrong)[0]
@@ -189,11 +191,12 @@ def observations(rows: Sequence[tuple[Any, ...]]) -> ObservationTable:
 def pairs(rows: Sequence[tuple[Any, ...]]) -> PairTable:
     """Rows as of :func:`observations`, then the two peaks and the verdict's name."""
     width = len(_COLUMNS)
-    peaks = np.array([row[width : width + 2] for row in rows], np.float64).reshape(-1, 2)
+    numbers = _numbers(rows, width + 2)
+    peaks = numbers[:, width:]
     if not ((peaks >= 0) & (peaks <= 65_535)).all():
         raise ValueError("a peak that no camera has")
     verdicts = np.array([text(row[width + 2]) for row in rows], np.object_)
-    return PairTable(observations([row[:width] for row in rows]), verdicts, peaks)
+    return PairTable(observations([numbers[:, :width]]), verdicts, peaks)
 
 
 def trigger_ids(rows: Sequence[tuple[Any, ...]]) -> NDArray[np.int64]:
@@ -206,13 +209,19 @@ def trigger_ids(rows: Sequence[tuple[Any, ...]]) -> NDArray[np.int64]:
 
 def exposures(rows: Sequence[tuple[Any, ...]]) -> ExposureTable:
     """Rows of trigger id, table angle, centroids (left x, y, right x, y; None without a spot) and the verdict's name."""
-    numbers = np.array([row[:-1] for row in rows], np.float64).reshape(-1, 6)  # None becomes NaN
+    numbers = _numbers(rows, 6)  # None becomes NaN
     bounds = _BOUNDS[[0, 2, 3, 4, 5, 6]]
     wrong = (numbers < bounds[:, 0]) | (numbers > bounds[:, 1])
     if wrong.any() or np.isnan(numbers[:, :2]).any():
         raise ValueError("an exposure that no rig makes")
     verdicts = np.array([text(row[-1]) for row in rows], np.object_)
     return ExposureTable(numbers[:, 0].astype(np.int64), numbers[:, 1].copy(), verdicts, numbers[:, 2:4].copy(), numbers[:, 4:].copy())
+
+
+def _numbers(rows: Sequence[tuple[Any, ...]], width: int) -> NDArray[np.float64]:
+    """The first columns; some rows at a time, because numpy holds Python's lock meanwhile."""
+    parts = [np.array([row[:width] for row in rows[begin : begin + _AT_ONCE]], np.float64) for begin in range(0, len(rows), _AT_ONCE)]
+    return np.concatenate(parts) if parts else np.empty((0, width))
 
 
 def _refuse(name: str) -> float:

@@ -87,9 +87,9 @@ def placed_cloud(
     covariances = np.empty_like(seen.covariances)
     systematic = None if calibration.modes is None else systematic_covariance(calibration, seen.points)
     from_table = calibration.rig_to_table().inverse()
-    pairs = np.stack([seen.view.astype(np.float64), seen.table_deg])
     # One transform per table position: a view stands at one angle, which the controller may have read back differently.
-    for view, table_deg in np.unique(pairs, axis=1).T:
+    # Not np.unique(axis=1): it sorts records, 0.7 s for half a million points, and other threads hardly run meanwhile.
+    for view, table_deg in [(view, deg) for view in np.unique(seen.view) for deg in np.unique(seen.table_deg[seen.view == view])]:
         here = (seen.view == view) & (seen.table_deg == table_deg)
         transform = calibration.rig_to_object(float(table_deg))
         if corrections and int(view) in corrections:

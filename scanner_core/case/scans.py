@@ -172,14 +172,14 @@ class ScanTables(CaseDatabase):
 
     def observations(self, scan_id: int) -> ObservationTable:
         """The measured observations of a scan in the order of their trigger ids."""
-        rows = self._rows(
+        numbers = self._numbers(
             "SELECT trigger_id, view, table_deg, left_x_px, left_y_px, right_x_px, right_y_px, left_u_upx, right_u_upx, "
             "left_sx_mpx, left_sy_mpx, right_sx_mpx, right_sy_mpx FROM observation "
             "WHERE scan_id = ? AND verdict = (SELECT id FROM verdict WHERE name = ?) ORDER BY trigger_id",
             (scan_id, MEASURED),
         )
         with damaged(self.path, "list of observations"):
-            return decoding.observations(rows)
+            return decoding.observations(list(numbers))
 
     def pairs(self, scan_id: int) -> PairTable:
         """Of a scan, what both cameras saw as one spot each, in the order of the trigger ids."""

@@ -6,19 +6,24 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from app.controllers.editing import EditedPoints
 from app.views.cloud_store import every
-from app.views.height_colours import SUPPORTED, UNSUPPORTED
+from app.views.edit_aside import EditAside
 from app.views.interactor import SceneClosedError
 from app.views.scene_view import SceneView
 from app.views.surface import Surface
+from app.views.surface_colours import SUPPORTED, UNSUPPORTED
 from scanner_core.acquisition.live_points import LivePoints
+from scanner_core.editing.base_plane import find_base
 from scanner_core.geometry.icosahedron import icosahedron
 from scanner_core.geometry.mesh import TriangleMesh
+from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.geometry.subdivision import subdivide_uniform
 from tests.gui.pictures import coloured, near
 from tests.gui.pointer import move
@@ -186,3 +191,29 @@ def test_a_large_cloud_comes_in_slices_into_the_picture_that_is_there(scene: Sce
     # and is gone at once when the cloud grows
     scene.set_live(True)
     assert coloured(scene.grab_picture()).sum() == few
+
+
+def test_points_to_edit_are_drawn_in_slices_as_they_would_be_at_once(scene: SceneView, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Also while the camera moves: then only the first of them."""
+    ball = _ball(9000)
+    towards = ((ball.points - [0.0, 0.0, 10.0]) / 10.0).astype(np.float32)
+    bounds = np.array([ball.points.min(axis=0), ball.points.max(axis=0)])
+    points = EditedPoints(PointCloud(ball.points), towards, bounds, find_base(ball.points))
+
+    def picture() -> NDArray[np.uint8]:
+        aside = EditAside(points)
+        scene.show_aside(aside)
+        assert (aside.slices.pending, scene.unfinished) == (at_once < 9000,) * 2
+        seen = scene.grab_picture()
+        assert not aside.slices.pending
+        return seen
+
+    pictures = []
+    for at_once in (9000, 2000):
+        monkeypatch.setattr("app.views.edit_aside._MOST_AT_ONCE", at_once)
+        pictures.append(picture())
+    assert (pictures[0] != pictures[1]).any(axis=2).mean() < 0.01
+    assert isinstance(scene.aside, EditAside)
+    scene.aside.thin(True)
+    assert not scene.unfinished
+    assert near(scene.grab_picture(), "#cfc9ba", 90).sum() < near(pictures[1], "#cfc9ba", 90).sum()
