@@ -2115,8 +2115,16 @@ Già consegnato il {day}: {name}</translation>
         <translation>Rimuovi</translation>
     </message>
     <message>
+        <source>The surface of this order is being made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>This order is being scanned.</source>
         <translation>Questo ordine è in scansione.</translation>
+    </message>
+    <message>
+        <source>Wait for it, or cancel it on the Reconstruct page.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Wait for its end or stop it first (Esc).</source>
@@ -7474,43 +7482,43 @@ Dopo: {after}</translation>
     <name>remarks</name>
     <message>
         <source>The body that stands on the table could not be filled; the base was closed by what the points alone enclose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il corpo che sta sulla tavola non si è potuto riempire; la base è stata chiusa da ciò che i soli punti racchiudono.</translation>
     </message>
     <message>
         <source>The coordinates are rounded to steps of {step_mm} mm, single precision far from the origin; export the points in double precision, or nearer to the origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le coordinate sono arrotondate a passi di {step_mm} mm, singola precisione lontano dall&apos;origine; esportare i punti in doppia precisione, o più vicino all&apos;origine.</translation>
     </message>
     <message>
         <source>The object is only {extent_mm} mm large, less than an anatomical part: if the coordinates are {unit}, use --units {option}.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;oggetto è grande solo {extent_mm} mm, meno di una parte anatomica: se le coordinate sono in {unit}, usare --units {option}.</translation>
     </message>
     <message>
         <source>The object is {extent_mm} mm large, more than any anatomical part: if the coordinates are micrometres, divide them by 1000; if they are millimetres, use --units mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;oggetto è grande {extent_mm} mm, più di ogni parte anatomica: se le coordinate sono in micrometri, dividerle per 1000; se in millimetri, usare --units mm.</translation>
     </message>
     <message>
         <source>The object lies {away_mm} mm from the origin; it was computed about its centre, so that no precision was lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;oggetto sta a {away_mm} mm dall&apos;origine; è stato calcolato attorno al suo centro, senza perdita di precisione.</translation>
     </message>
     <message>
         <source>{count} points ({share}) lie more than {link_mm} mm from the object; they were left out as strays.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} punti ({share}) stanno a più di {link_mm} mm dall&apos;oggetto; sono stati esclusi come estranei.</translation>
     </message>
     <message>
         <source>{share} % of the closed surface was not scanned; it is capped and marked as unsupported.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il {share} % della superficie chiusa non è stato scansionato; è colmato e segnato come non sostenuto.</translation>
     </message>
     <message>
         <source>{share} % of the closed surface was not scanned; it is left open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il {share} % della superficie chiusa non è stato scansionato; è lasciato aperto.</translation>
     </message>
     <message>
         <source>{share} % of the points do not belong to the surface and were rejected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il {share} % dei punti non appartiene alla superficie ed è stato scartato.</translation>
     </message>
     <message>
         <source>{share} of the points repeat others exactly; each place was counted once.</source>
-        <translation type="unfinished"></translation>
+        <translation>{share} dei punti ne ripetono altri esattamente; ogni posizione è contata una volta.</translation>
     </message>
 </context>
 <context>
