@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -268,6 +269,7 @@ def _source(result: ScanResult, views: RegisteredViews, calibration: str) -> dic
 
 
 def _started(make: MakeRunner, rig: OpenRig, store: CaseStore) -> ScanRunner:
+    import_module("scanner_core.case.processing")  # for the end of the scan, which the window's own thread tells of
     rig.concern(store)
     runner = make(rig, store)
     runner.start()
