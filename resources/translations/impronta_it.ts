@@ -75,14 +75,12 @@
         <translation>Misura in modo diverso dalle prove precedenti: calibrare e rifare la prova.</translation>
     </message>
     <message>
-        <source>No reference sphere was measured with this rig yet.</source>
-        <translation>Nessuna sfera di riferimento ancora misurata con questo banco.</translation>
+        <source>Measure the sphere…</source>
+        <translation>Misura la sfera…</translation>
     </message>
     <message>
-        <source>Put the sphere on the table and run:
-{command}</source>
-        <translation>Mettere la sfera sulla tavola ed eseguire:
-{command}</translation>
+        <source>No reference sphere was measured with this rig yet.</source>
+        <translation>Nessuna sfera di riferimento ancora misurata con questo banco.</translation>
     </message>
     <message>
         <source>Reference sphere, {date} ({age})</source>
@@ -93,12 +91,12 @@
         <translation>La pagina Banco dice che cosa non va nel file del banco.</translation>
     </message>
     <message>
-        <source>The rig was calibrated since.</source>
-        <translation>Da allora il banco è stato calibrato.</translation>
+        <source>The rig was calibrated since: measure the sphere again.</source>
+        <translation>Da allora il banco è stato calibrato: misurare di nuovo la sfera.</translation>
     </message>
     <message>
-        <source>The test is {n} days old.</source>
-        <translation>La prova ha {n} giorni.</translation>
+        <source>The test is {n} days old: measure the sphere again.</source>
+        <translation>La prova ha {n} giorni: misurare di nuovo la sfera.</translation>
     </message>
     <message>
         <source>This rig is not calibrated. The Rig page does that in a few minutes.</source>
@@ -646,7 +644,7 @@
     </message>
     <message>
         <source>{left}  ·  the virtual rig shows the board by itself</source>
-        <translation>ancora {left}  ·  il banco virtuale mostra da sé la scacchiera</translation>
+        <translation>{left}  ·  il banco virtuale mostra da sé la scacchiera</translation>
     </message>
     <message>
         <source>{left} left</source>
@@ -2117,8 +2115,16 @@ Già consegnato il {day}: {name}</translation>
         <translation>Rimuovi</translation>
     </message>
     <message>
+        <source>The surface of this order is being made.</source>
+        <translation>La superficie di questo ordine è in lavorazione.</translation>
+    </message>
+    <message>
         <source>This order is being scanned.</source>
         <translation>Questo ordine è in scansione.</translation>
+    </message>
+    <message>
+        <source>Wait for it, or cancel it on the Reconstruct page.</source>
+        <translation>Attendere, o annullarla nella pagina Ricostruzione.</translation>
     </message>
     <message>
         <source>Wait for its end or stop it first (Esc).</source>
@@ -3037,7 +3043,7 @@ Già consegnato il {day}: {name}</translation>
     </message>
     <message>
         <source>Lies</source>
-        <translation>Giacitura</translation>
+        <translation>Orientamento</translation>
     </message>
     <message>
         <source>Measured points beside it (XYZ)</source>
@@ -3114,6 +3120,10 @@ Dopo: {after}</translation>
     <message>
         <source>Checking</source>
         <translation>Verifica</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Non ora</translation>
     </message>
     <message>
         <source>Ready</source>
@@ -3377,6 +3387,10 @@ Dopo: {after}</translation>
     <message>
         <source>Finds ports and cameras, checks them by what the cameras see, and writes a rig file</source>
         <translation>Trova porte e telecamere, le verifica con ciò che le telecamere vedono e scrive un file del banco</translation>
+    </message>
+    <message>
+        <source>Measure the sphere…</source>
+        <translation>Misura la sfera…</translation>
     </message>
     <message>
         <source>Set up a rig…</source>
@@ -3876,6 +3890,29 @@ Dopo: {after}</translation>
     </message>
 </context>
 <context>
+    <name>SphereResultPanel</name>
+    <message>
+        <source>Save certificate…</source>
+        <translation>Salva certificato…</translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation>Salvato: {path}</translation>
+    </message>
+    <message>
+        <source>To the calibration</source>
+        <translation>Alla calibrazione</translation>
+    </message>
+    <message>
+        <source>Writing the certificate…</source>
+        <translation>Scrittura del certificato…</translation>
+    </message>
+    <message>
+        <source>µm size deviation, U = {uncertainty} µm (k = 2)</source>
+        <translation>µm scarto di misura, U = {uncertainty} µm (k = 2)</translation>
+    </message>
+</context>
+<context>
     <name>Stage</name>
     <message>
         <source>Preparing the 3D view…</source>
@@ -4222,6 +4259,121 @@ Dopo: {after}</translation>
     </message>
 </context>
 <context>
+    <name>VerifyPage</name>
+    <message>
+        <source>% done</source>
+        <translation>% fatto</translation>
+    </message>
+    <message>
+        <source>1.  Take away what stands on the table.</source>
+        <translation>1.  Togliere ciò che sta sulla tavola.</translation>
+    </message>
+    <message>
+        <source>2.  Put the reference sphere into the middle of the table, clean and alone.</source>
+        <translation>2.  Mettere la sfera di riferimento al centro della tavola, pulita e sola.</translation>
+    </message>
+    <message>
+        <source>3.  Close the lid.</source>
+        <translation>3.  Chiudere il coperchio.</translation>
+    </message>
+    <message>
+        <source>A scan is running: wait for its end or stop it first (Esc).</source>
+        <translation>Scansione in corso: attendere la fine o prima fermare (Esc).</translation>
+    </message>
+    <message>
+        <source>A sphere of certified size tells whether the rig still measures right. It takes about a minute; nothing is scanned meanwhile.</source>
+        <translation>Una sfera di misura certificata dice se il banco misura ancora bene. Serve circa un minuto; intanto non si scansiona.</translation>
+    </message>
+    <message>
+        <source>Back to the rig</source>
+        <translation>Torna al banco</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annulla</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was kept, and the laser is off.</source>
+        <translation>Annullata: niente è stato conservato, e il laser è spento.</translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation>Annullamento…</translation>
+    </message>
+    <message>
+        <source>Certified diameter</source>
+        <translation>Diametro certificato</translation>
+    </message>
+    <message>
+        <source>Diameter {diameter} mm, U = {uncertainty} µm: the sphere of the virtual rig.</source>
+        <translation>Diametro {diameter} mm, U = {uncertainty} µm: la sfera del banco virtuale.</translation>
+    </message>
+    <message>
+        <source>Enter the diameter from the sphere&apos;s certificate.</source>
+        <translation>Inserire il diametro dal certificato della sfera.</translation>
+    </message>
+    <message>
+        <source>From its certificate</source>
+        <translation>Dal suo certificato</translation>
+    </message>
+    <message>
+        <source>Its uncertainty U (k = 2)</source>
+        <translation>La sua incertezza U (k = 2)</translation>
+    </message>
+    <message>
+        <source>Keep your hands off and the lid closed. Esc switches the laser off at once.</source>
+        <translation>Tenere lontane le mani e chiuso il coperchio. Esc spegne subito il laser.</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Misura di nuovo</translation>
+    </message>
+    <message>
+        <source>Measure the sphere</source>
+        <translation>Misura la sfera</translation>
+    </message>
+    <message>
+        <source>Measuring the reference sphere</source>
+        <translation>Misura della sfera di riferimento</translation>
+    </message>
+    <message>
+        <source>Progress of the measurement</source>
+        <translation>Avanzamento della misura</translation>
+    </message>
+    <message>
+        <source>Reference sphere</source>
+        <translation>Sfera di riferimento</translation>
+    </message>
+    <message>
+        <source>Save the certificate</source>
+        <translation>Salva il certificato</translation>
+    </message>
+    <message>
+        <source>The rig is not open: the Rig page says why.</source>
+        <translation>Il banco non è aperto: la pagina Banco dice perché.</translation>
+    </message>
+    <message>
+        <source>The virtual rig puts its sphere on the table by itself, and afterwards puts back what stood there. Nothing has to be done.</source>
+        <translation>Il banco virtuale mette da sé la sfera sulla tavola, e poi rimette ciò che c&apos;era. Non c&apos;è niente da fare.</translation>
+    </message>
+    <message>
+        <source>The whole test measures the sphere ten times and belongs to an acceptance: impronta verify sphere</source>
+        <translation>La prova intera misura la sfera dieci volte ed è parte di un collaudo: impronta verify sphere</translation>
+    </message>
+    <message>
+        <source>This rig is not calibrated: calibrate it first.</source>
+        <translation>Banco non calibrato: prima calibrarlo.</translation>
+    </message>
+    <message>
+        <source>not entered</source>
+        <translation>non inserito</translation>
+    </message>
+    <message>
+        <source>{left} left</source>
+        <translation>ancora {left}</translation>
+    </message>
+</context>
+<context>
     <name>WedgeField</name>
     <message>
         <source>Order number, by barcode or keys</source>
@@ -4421,7 +4573,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>by detail</source>
-        <translation>secondo dettaglio</translation>
+        <translation>da dettaglio</translation>
     </message>
     <message>
         <source>none</source>
@@ -4645,6 +4797,10 @@ Dopo: {after}</translation>
     <message>
         <source>Looking for what is missing</source>
         <translation>Ricerca di ciò che manca</translation>
+    </message>
+    <message>
+        <source>Measuring the reference sphere</source>
+        <translation>Misura della sfera di riferimento</translation>
     </message>
     <message>
         <source>Opening the case…</source>
@@ -5176,11 +5332,11 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>The print is {percent} % larger than its nominal size; this is corrected.</source>
-        <translation>La stampa è più grande del {percent} % della misura nominale; è corretto.</translation>
+        <translation>La stampa è più grande del {percent} % della misura nominale; se ne tiene conto.</translation>
     </message>
     <message>
         <source>The print is {percent} % smaller than its nominal size; this is corrected.</source>
-        <translation>La stampa è più piccola del {percent} % della misura nominale; è corretto.</translation>
+        <translation>La stampa è più piccola del {percent} % della misura nominale; se ne tiene conto.</translation>
     </message>
     <message>
         <source>The reference sphere measured {change} µm otherwise than in the tests before: calibrate and test it again.</source>
@@ -6429,6 +6585,10 @@ Dopo: {after}</translation>
         <translation>Qui si configura un banco proprio: scheda e telecamere sono trovate, verificate e scritte in un file.</translation>
     </message>
     <message>
+        <source>A sphere of certified size is measured: it tells whether the rig still measures right.</source>
+        <translation>Si misura una sfera di misura certificata: dice se il banco misura ancora bene.</translation>
+    </message>
+    <message>
         <source>An area is that of the missing surface in square millimetres. The sign at each place says why it is missing.</source>
         <translation>L&apos;area è quella della superficie mancante, in millimetri quadrati. Il segno a ogni zona dice perché manca.</translation>
     </message>
@@ -6485,6 +6645,10 @@ Dopo: {after}</translation>
         <translation>Qui si tolgono i punti estranei all&apos;oggetto e si misurano distanze.</translation>
     </message>
     <message>
+        <source>Put the sphere into the middle of the table, enter the diameter from its certificate, and start. Do it once a month, and after every calibration.</source>
+        <translation>Mettere la sfera al centro della tavola, inserire il diametro del suo certificato e avviare. Una volta al mese, e dopo ogni calibrazione.</translation>
+    </message>
+    <message>
         <source>Read the checks: what is amber says in one sentence what it means. Choose the profile of the receiver and deliver.</source>
         <translation>Leggere le verifiche: ciò che è ambra dice in una frase che cosa significa. Scegliere il profilo del destinatario e consegnare.</translation>
     </message>
@@ -6539,6 +6703,10 @@ Dopo: {after}</translation>
     <message>
         <source>The points count what is in the case already. Rejected points were seen by one camera only, or not sharply enough: a few of them are normal. The time left is computed from the views that are done.</source>
         <translation>I punti contano quanto è già nel caso. I punti scartati li ha visti una sola telecamera, o non erano abbastanza nitidi: alcuni sono normali. Il tempo rimasto è calcolato dalle viste fatte.</translation>
+    </message>
+    <message>
+        <source>The size deviation is the measured diameter less the certified one; U is its uncertainty, k = 2. PF is the distance between the outermost and the innermost point, D95 the width that holds 95 % of the points, σ their standard deviation.</source>
+        <translation>Lo scarto di misura è il diametro misurato meno quello certificato; U è la sua incertezza, k = 2. PF è la distanza fra il punto più esterno e il più interno, D95 la fascia che contiene il 95 % dei punti, σ il loro scarto tipo.</translation>
     </message>
     <message>
         <source>The size is that of everything in the window: 150 % makes texts and buttons half as large again.</source>
@@ -6892,6 +7060,10 @@ Dopo: {after}</translation>
         <translation>Ricostruzione</translation>
     </message>
     <message>
+        <source>Reference sphere</source>
+        <translation>Sfera di riferimento</translation>
+    </message>
+    <message>
         <source>Rig</source>
         <translation>Banco</translation>
     </message>
@@ -6913,7 +7085,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>What is delivered</source>
-        <translation>Che cosa si consegna</translation>
+        <translation>Da consegnare</translation>
     </message>
 </context>
 <context>
@@ -7009,8 +7181,8 @@ Dopo: {after}</translation>
         <translation>Spegni laser</translation>
     </message>
     <message>
-        <source>Not now</source>
-        <translation>Non ora</translation>
+        <source>Measure the sphere…</source>
+        <translation>Misura la sfera…</translation>
     </message>
     <message>
         <source>Only {free_gib} GB are free where the cases are kept: free some space.</source>
@@ -7307,6 +7479,49 @@ Dopo: {after}</translation>
     </message>
 </context>
 <context>
+    <name>remarks</name>
+    <message>
+        <source>The body that stands on the table could not be filled; the base was closed by what the points alone enclose.</source>
+        <translation>Il corpo che sta sulla tavola non si è potuto riempire; la base è stata chiusa da ciò che i soli punti racchiudono.</translation>
+    </message>
+    <message>
+        <source>The coordinates are rounded to steps of {step_mm} mm, single precision far from the origin; export the points in double precision, or nearer to the origin.</source>
+        <translation>Le coordinate sono arrotondate a passi di {step_mm} mm, singola precisione lontano dall&apos;origine; esportare i punti in doppia precisione, o più vicino all&apos;origine.</translation>
+    </message>
+    <message>
+        <source>The object is only {extent_mm} mm large, less than an anatomical part: if the coordinates are {unit}, use --units {option}.</source>
+        <translation>L&apos;oggetto è grande solo {extent_mm} mm, meno di una parte anatomica: se le coordinate sono in {unit}, usare --units {option}.</translation>
+    </message>
+    <message>
+        <source>The object is {extent_mm} mm large, more than any anatomical part: if the coordinates are micrometres, divide them by 1000; if they are millimetres, use --units mm.</source>
+        <translation>L&apos;oggetto è grande {extent_mm} mm, più di ogni parte anatomica: se le coordinate sono in micrometri, dividerle per 1000; se in millimetri, usare --units mm.</translation>
+    </message>
+    <message>
+        <source>The object lies {away_mm} mm from the origin; it was computed about its centre, so that no precision was lost.</source>
+        <translation>L&apos;oggetto sta a {away_mm} mm dall&apos;origine; è stato calcolato attorno al suo centro, senza perdita di precisione.</translation>
+    </message>
+    <message>
+        <source>{count} points ({share}) lie more than {link_mm} mm from the object; they were left out as strays.</source>
+        <translation>{count} punti ({share}) stanno a più di {link_mm} mm dall&apos;oggetto; sono stati esclusi come estranei.</translation>
+    </message>
+    <message>
+        <source>{share} % of the closed surface was not scanned; it is capped and marked as unsupported.</source>
+        <translation>Il {share} % della superficie chiusa non è stato scansionato; è colmato e segnato come non sostenuto.</translation>
+    </message>
+    <message>
+        <source>{share} % of the closed surface was not scanned; it is left open.</source>
+        <translation>Il {share} % della superficie chiusa non è stato scansionato; è lasciato aperto.</translation>
+    </message>
+    <message>
+        <source>{share} % of the points do not belong to the surface and were rejected.</source>
+        <translation>Il {share} % dei punti non appartiene alla superficie ed è stato scartato.</translation>
+    </message>
+    <message>
+        <source>{share} of the points repeat others exactly; each place was counted once.</source>
+        <translation>{share} dei punti ne ripetono altri esattamente; ogni posizione è contata una volta.</translation>
+    </message>
+</context>
+<context>
     <name>remedies</name>
     <message>
         <source>A reset was sent to switch the laser off; see that it is dark, check cable and power, then try again.</source>
@@ -7401,7 +7616,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Bench: 604 × 294 px at 435 mm</source>
-        <translation>Bench: 604 × 294 px a 435 mm</translation>
+        <translation>Bench: 604 × 294 a 435 mm</translation>
     </message>
     <message>
         <source>Both ears on a pair tray</source>
@@ -8542,8 +8757,8 @@ Dopo: {after}</translation>
         <translation>Il laser è spento; mettere l&apos;oggetto sulla tavola, e controllare il laser e i tappi degli obiettivi.</translation>
     </message>
     <message>
-        <source>The laser is off; put the reference sphere alone into the middle of the table, and check --reference-mm.</source>
-        <translation>Il laser è spento; mettere la sola sfera di riferimento al centro della tavola, e controllare --reference-mm.</translation>
+        <source>The laser is off; put the reference sphere alone into the middle of the table, and check the size that was given.</source>
+        <translation>Il laser è spento; mettere la sola sfera di riferimento al centro della tavola, e controllare la misura indicata.</translation>
     </message>
     <message>
         <source>The laser is off; take all but one away and start the test again.</source>
@@ -8972,6 +9187,113 @@ Dopo: {after}</translation>
     <message>
         <source>{what}.</source>
         <translation>{what}.</translation>
+    </message>
+</context>
+<context>
+    <name>sphere</name>
+    <message>
+        <source>A value is so near its limit that its uncertainty leaves it open: nothing is proved. Measure again.</source>
+        <translation>Un valore è così vicino al suo limite che l&apos;incertezza lo lascia aperto: niente è provato. Misurare di nuovo.</translation>
+    </message>
+    <message>
+        <source>Certified diameter</source>
+        <translation>Diametro certificato</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Copertura</translation>
+    </message>
+    <message>
+        <source>Dispersion D95</source>
+        <translation>Dispersione D95</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Non superata</translation>
+    </message>
+    <message>
+        <source>Form PF without the worst 0.3 %</source>
+        <translation>Forma PF senza il peggior 0.3 %</translation>
+    </message>
+    <message>
+        <source>Form PF, all points</source>
+        <translation>Forma PF, tutti i punti</translation>
+    </message>
+    <message>
+        <source>Kept in the history of this rig.</source>
+        <translation>Conservata nella storia di questo banco.</translation>
+    </message>
+    <message>
+        <source>Measured diameter</source>
+        <translation>Diametro misurato</translation>
+    </message>
+    <message>
+        <source>Measured on every side, from the top down to</source>
+        <translation>Misurata da ogni lato, dall&apos;alto fino a</translation>
+    </message>
+    <message>
+        <source>Not kept in the history: a fault was rehearsed on this rig, or it shows a recording.</source>
+        <translation>Non conservata nella storia: su questo banco è stato provato un guasto, o mostra una registrazione.</translation>
+    </message>
+    <message>
+        <source>Not kept in the history: its file could not be written.</source>
+        <translation>Non conservata nella storia: il suo file non si è potuto scrivere.</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Superata</translation>
+    </message>
+    <message>
+        <source>Points on the sphere</source>
+        <translation>Punti sulla sfera</translation>
+    </message>
+    <message>
+        <source>Size and D95 are within the rig&apos;s limits, even with their uncertainty added.</source>
+        <translation>Scarto di misura e D95 sono nei limiti del banco, anche sommando l&apos;incertezza.</translation>
+    </message>
+    <message>
+        <source>Size deviation</source>
+        <translation>Scarto di misura</translation>
+    </message>
+    <message>
+        <source>Standard deviation σ of the points</source>
+        <translation>Scarto tipo σ dei punti</translation>
+    </message>
+    <message>
+        <source>The points do not reach down to the sphere&apos;s equator on every side: nothing is proved. See that nothing stands in the way, and measure again.</source>
+        <translation>I punti non arrivano da ogni lato fino all&apos;equatore della sfera: niente è provato. Badare che niente ostacoli, e misurare di nuovo.</translation>
+    </message>
+    <message>
+        <source>The rig measures outside of its limits. Calibrate it, then measure the sphere again.</source>
+        <translation>Il banco misura fuori dai limiti. Calibrarlo, poi misurare di nuovo la sfera.</translation>
+    </message>
+    <message>
+        <source>Undecided</source>
+        <translation>Indecisa</translation>
+    </message>
+    <message>
+        <source>{count}, and {rejected} left out</source>
+        <translation>{count}, e {rejected} esclusi</translation>
+    </message>
+    <message>
+        <source>{reach}° (at least {needed}°)</source>
+        <translation>{reach}° (almeno {needed}°)</translation>
+    </message>
+    <message>
+        <source>{share} % of the surface</source>
+        <translation>{share} % della superficie</translation>
+    </message>
+    <message>
+        <source>{value} mm</source>
+        <translation>{value} mm</translation>
+    </message>
+    <message>
+        <source>{value} µm</source>
+        <translation>{value} µm</translation>
+    </message>
+    <message>
+        <source>{value} µm, U = {uncertainty} µm, limit {limit} µm</source>
+        <translation>{value} µm, U = {uncertainty} µm, limite {limit} µm</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 import sys
 import xml.etree.ElementTree as ET
 from collections import Counter
@@ -16,6 +17,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.actions import ACTIONS
 from app.language import LANGUAGES, Translation, system_language
+from app.views.format import own_mark
 
 ROOT = Path(__file__).parents[2]
 OTHERS = [name for name in LANGUAGES if name != "en"]
@@ -42,6 +44,15 @@ def _translated(language: str) -> Iterator[tuple[str, str, str]]:
 def test_what_the_program_reads_is_made_from_what_the_translators_wrote(language: str, tool: ModuleType, tmp_path: Path) -> None:
     tool.release(language, tmp_path / "now.qm")
     assert (tmp_path / "now.qm").read_bytes() == (ROOT / "resources" / "translations" / f"impronta_{language}.qm").read_bytes()
+
+
+def test_every_text_of_the_program_is_translated(tool: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As the program is now: also a text that came in since the .ts files were last brought up to date."""
+    for language in OTHERS:
+        shutil.copy(ROOT / "resources" / "translations" / f"impronta_{language}.ts", tmp_path)
+    monkeypatch.setattr(tool, "FOLDER", tmp_path)
+    tool.update(OTHERS)
+    assert {language: tool.unfinished(tool.ts_file(language)) for language in OTHERS} == {language: {} for language in OTHERS}
 
 
 @pytest.mark.parametrize("language", OTHERS)
@@ -95,6 +106,15 @@ def test_every_number_with_decimals_has_the_persons_mark() -> None:
     format_of_python = re.compile(r"\{[^{}]*:[+]?\.[1-9]f\}")
     files = [path for path in sorted((ROOT / "app").rglob("*.py")) if path.name != "format.py"]
     assert not [f"{path.name}: {found[0]}" for path in files for found in format_of_python.finditer(path.read_text(encoding="utf-8"))]
+
+
+def test_figures_of_the_cores_sentences_have_the_persons_mark(application: QApplication) -> None:
+    translation = Translation(application, "de")
+    try:
+        fields = {"percent": "0.20", "shift": -1.5, "count": 12, "firmware": "Grbl 1.1", "path": "a.stl"}
+        assert own_mark(fields) == {**fields, "percent": "0,20", "shift": "-1,5"}
+    finally:
+        translation.remove()
 
 
 def test_the_systems_first_language_that_the_window_speaks_is_taken(monkeypatch: pytest.MonkeyPatch) -> None:
