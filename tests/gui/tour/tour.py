@@ -20,6 +20,7 @@ from PIL import Image
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QDialog
 
+from scanner_core.case.store import CaseStore, Order
 from tests.gui.tour.prepared import EAR
 from tests.gui.waiting import until, wait_ms
 
@@ -123,9 +124,12 @@ class Tour:
         wait_ms(400)
 
     def copied(self, made: Path, name: str) -> Path:
-        """A prepared case under another name, beside the folder of the orders."""
+        """A prepared case as the order that its name says, beside the folder of the orders."""
         path = self.cases.parent / name
         shutil.copy(made, path)
+        number, side, kind = path.stem.split("_")
+        with CaseStore.open(path) as store:
+            store.put_order(Order(number, "", side, kind))
         return path
 
     def rig_ready(self) -> None:
