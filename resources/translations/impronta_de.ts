@@ -7292,6 +7292,10 @@ Nachher: {after}</translation>
         <translation>vor der rechten Kamera verdeckt</translation>
     </message>
     <message>
+        <source>measured again in a later view</source>
+        <translation>in einer späteren Ansicht neu gemessen</translation>
+    </message>
+    <message>
         <source>more than one spot</source>
         <translation>mehr als ein Lichtpunkt</translation>
     </message>
@@ -7342,6 +7346,10 @@ Nachher: {after}</translation>
     <message>
         <source>spot too small</source>
         <translation>Lichtpunkt zu klein</translation>
+    </message>
+    <message>
+        <source>taken out by hand</source>
+        <translation>von Hand entfernt</translation>
     </message>
 </context>
 <context>

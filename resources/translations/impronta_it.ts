@@ -7292,6 +7292,10 @@ Dopo: {after}</translation>
         <translation>nascosto alla telecamera destra</translation>
     </message>
     <message>
+        <source>measured again in a later view</source>
+        <translation>misurato di nuovo in una vista successiva</translation>
+    </message>
+    <message>
         <source>more than one spot</source>
         <translation>più di un punto</translation>
     </message>
@@ -7342,6 +7346,10 @@ Dopo: {after}</translation>
     <message>
         <source>spot too small</source>
         <translation>punto troppo piccolo</translation>
+    </message>
+    <message>
+        <source>taken out by hand</source>
+        <translation>tolto a mano</translation>
     </message>
 </context>
 <context>
