@@ -75,14 +75,12 @@
         <translation>Misura in modo diverso dalle prove precedenti: calibrare e rifare la prova.</translation>
     </message>
     <message>
-        <source>No reference sphere was measured with this rig yet.</source>
-        <translation>Nessuna sfera di riferimento ancora misurata con questo banco.</translation>
+        <source>Measure the sphere…</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Put the sphere on the table and run:
-{command}</source>
-        <translation>Mettere la sfera sulla tavola ed eseguire:
-{command}</translation>
+        <source>No reference sphere was measured with this rig yet.</source>
+        <translation>Nessuna sfera di riferimento ancora misurata con questo banco.</translation>
     </message>
     <message>
         <source>Reference sphere, {date} ({age})</source>
@@ -93,12 +91,12 @@
         <translation>La pagina Banco dice che cosa non va nel file del banco.</translation>
     </message>
     <message>
-        <source>The rig was calibrated since.</source>
-        <translation>Da allora il banco è stato calibrato.</translation>
+        <source>The rig was calibrated since: measure the sphere again.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The test is {n} days old.</source>
-        <translation>La prova ha {n} giorni.</translation>
+        <source>The test is {n} days old: measure the sphere again.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This rig is not calibrated. The Rig page does that in a few minutes.</source>
@@ -2380,8 +2378,8 @@ Già consegnato il {day}: {name}</translation>
         <translation>Ancora niente superficie: troppo pochi punti</translation>
     </message>
     <message>
-        <source>Surface so far: {share} % scanned, nets are holes</source>
-        <translation>Superficie finora: {share} % scansionato, le reti sono lacune</translation>
+        <source>Surface so far: {share} % scanned, its base included; nets are holes</source>
+        <translation>Superficie finora: {share} % scansionato, base compresa; le reti sono lacune</translation>
     </message>
     <message>
         <source>The live surface has ended; the scan goes on without it.</source>
@@ -3116,6 +3114,10 @@ Dopo: {after}</translation>
         <translation>Verifica</translation>
     </message>
     <message>
+        <source>Not now</source>
+        <translation type="unfinished">Non ora</translation>
+    </message>
+    <message>
         <source>Ready</source>
         <translation>Pronto</translation>
     </message>
@@ -3139,12 +3141,12 @@ Dopo: {after}</translation>
         <translation>Annulla</translation>
     </message>
     <message>
-        <source>Compute the points anew…</source>
-        <translation>Ricalcola i punti…</translation>
+        <source>Complete</source>
+        <translation>Completa</translation>
     </message>
     <message>
-        <source>Coverage</source>
-        <translation>Copertura</translation>
+        <source>Compute the points anew…</source>
+        <translation>Ricalcola i punti…</translation>
     </message>
     <message>
         <source>Deliver</source>
@@ -3185,6 +3187,10 @@ Dopo: {after}</translation>
     <message>
         <source>Scan first, or open a case with points.</source>
         <translation>Prima scansionare, o aprire un caso con punti.</translation>
+    </message>
+    <message>
+        <source>Share of the whole surface that rests on measured points, the base on which the object stood included; Deliver leaves the base out.</source>
+        <translation>Parte dell&apos;intera superficie sostenuta da punti misurati, compresa la base su cui poggiava l&apos;oggetto; la consegna esclude la base.</translation>
     </message>
     <message>
         <source>Stop here and keep</source>
@@ -3379,6 +3385,10 @@ Dopo: {after}</translation>
         <translation>Trova porte e telecamere, le verifica con ciò che le telecamere vedono e scrive un file del banco</translation>
     </message>
     <message>
+        <source>Measure the sphere…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Set up a rig…</source>
         <translation>Configura un banco…</translation>
     </message>
@@ -3454,12 +3464,12 @@ Dopo: {after}</translation>
         <translation>Ricerca dell&apos;oggetto, vista {view} di {views}</translation>
     </message>
     <message>
-        <source>Laser off at once, and the end of the scan; what was measured is kept (Esc)</source>
-        <translation>Spegne subito il laser e termina la scansione; quanto misurato è conservato (Esc)</translation>
+        <source>How far off the surface may be (standard uncertainty). With a value, the scan measures more where the surface is less certain, until it is as certain everywhere that light can reach or the points are spent. With none, the points are spread evenly.</source>
+        <translation>Di quanto la superficie può scostarsi dal vero (incertezza tipo). Con un valore, la scansione misura di più dove la superficie è meno certa, finché lo è abbastanza ovunque la luce arriva o i punti sono esauriti. Senza, i punti sono distribuiti in modo uniforme.</translation>
     </message>
     <message>
-        <source>Measured once more, because they were weak: {views}</source>
-        <translation>Misurate di nuovo perché deboli: {views}</translation>
+        <source>Laser off at once, and the end of the scan; what was measured is kept (Esc)</source>
+        <translation>Spegne subito il laser e termina la scansione; quanto misurato è conservato (Esc)</translation>
     </message>
     <message>
         <source>Opening the rig…</source>
@@ -3518,20 +3528,12 @@ Dopo: {after}</translation>
         <translation>Ripeti scansione…</translation>
     </message>
     <message>
-        <source>Scan until below</source>
-        <translation>Scansiona fino a</translation>
-    </message>
-    <message>
         <source>Scan until {wanted} µm</source>
         <translation>Scansione fino a {wanted} µm</translation>
     </message>
     <message>
         <source>Set the object down in another way and scan it into the same case (F9)</source>
         <translation>Posare l&apos;oggetto in altro modo e scansionarlo nello stesso caso (F9)</translation>
-    </message>
-    <message>
-        <source>Standard uncertainty of the surface. With a value, the scan goes on where the surface is less certain, until it is below it everywhere that light can reach or the points are spent. Without one, the points are spread evenly.</source>
-        <translation>Incertezza tipo della superficie. Con un valore, la scansione continua dove la superficie è meno certa, finché scende sotto ovunque la luce arriva o i punti sono esauriti. Senza, i punti sono distribuiti in modo uniforme.</translation>
     </message>
     <message>
         <source>Start scan</source>
@@ -3566,6 +3568,10 @@ Dopo: {after}</translation>
         <translation>La scansione è completa.</translation>
     </message>
     <message>
+        <source>Uncertainty wanted</source>
+        <translation>Incertezza voluta</translation>
+    </message>
+    <message>
         <source>View {view} of {views}</source>
         <translation>Vista {view} di {views}</translation>
     </message>
@@ -3578,16 +3584,16 @@ Dopo: {after}</translation>
         <translation>Viste</translation>
     </message>
     <message>
+        <source>Views measured once more: {views}</source>
+        <translation>Viste misurate di nuovo: {views}</translation>
+    </message>
+    <message>
         <source>Whether the turn closes is not known: too few points of the first view were seen again.</source>
         <translation>Non si sa se il giro si chiude: troppo pochi punti della prima vista rivisti.</translation>
     </message>
     <message>
         <source>all points are spent</source>
         <translation>punti esauriti</translation>
-    </message>
-    <message>
-        <source>even spread</source>
-        <translation>uniforme</translation>
     </message>
     <message>
         <source>min:s</source>
@@ -3606,6 +3612,10 @@ Dopo: {after}</translation>
         <translation>non ci sta un&apos;altra vista in questa scansione</translation>
     </message>
     <message>
+        <source>none</source>
+        <translation>nessuna</translation>
+    </message>
+    <message>
         <source>points</source>
         <translation>punti</translation>
     </message>
@@ -3620,6 +3630,10 @@ Dopo: {after}</translation>
     <message>
         <source>{points} points  ·  view {view} of {views}</source>
         <translation>{points} punti  ·  vista {view} di {views}</translation>
+    </message>
+    <message>
+        <source>{points} points  ·  view {view} once more</source>
+        <translation>{points} punti  ·  vista {view} di nuovo</translation>
     </message>
     <message>
         <source>{share} % within {wanted} µm</source>
@@ -3698,12 +3712,12 @@ Dopo: {after}</translation>
         <translation>Scuro</translation>
     </message>
     <message>
-        <source>Everything on this page as on the first day; Ctrl+Z takes it back.</source>
-        <translation>Tutto in questa pagina come il primo giorno; Ctrl+Z lo annulla.</translation>
+        <source>Deliveries</source>
+        <translation>Consegne</translation>
     </message>
     <message>
-        <source>Exports</source>
-        <translation>Esportazioni</translation>
+        <source>Everything on this page as on the first day; Ctrl+Z takes it back.</source>
+        <translation>Tutto in questa pagina come il primo giorno; Ctrl+Z lo annulla.</translation>
     </message>
     <message>
         <source>File names</source>
@@ -3873,6 +3887,29 @@ Dopo: {after}</translation>
     <message>
         <source>Size deviation of the last tests in µm: {values}</source>
         <translation>Scarto di misura delle ultime prove in µm: {values}</translation>
+    </message>
+</context>
+<context>
+    <name>SphereResultPanel</name>
+    <message>
+        <source>Save certificate…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To the calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing the certificate…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>µm size deviation, U = {uncertainty} µm (k = 2)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4219,6 +4256,121 @@ Dopo: {after}</translation>
     <message>
         <source>What is shown was computed before the last change.</source>
         <translation>Ciò che si vede è stato calcolato prima dell&apos;ultima modifica.</translation>
+    </message>
+</context>
+<context>
+    <name>VerifyPage</name>
+    <message>
+        <source>% done</source>
+        <translation type="unfinished">% fatto</translation>
+    </message>
+    <message>
+        <source>1.  Take away what stands on the table.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2.  Put the reference sphere into the middle of the table, clean and alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3.  Close the lid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scan is running: wait for its end or stop it first (Esc).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A sphere of certified size tells whether the rig still measures right. It takes about a minute; nothing is scanned meanwhile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the rig</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">Annulla</translation>
+    </message>
+    <message>
+        <source>Cancelled: nothing was kept, and the laser is off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation type="unfinished">Annullamento…</translation>
+    </message>
+    <message>
+        <source>Certified diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter {diameter} mm, U = {uncertainty} µm: the sphere of the virtual rig.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter the diameter from the sphere&apos;s certificate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From its certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its uncertainty U (k = 2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep your hands off and the lid closed. Esc switches the laser off at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure the sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measuring the reference sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of the measurement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference sphere</source>
+        <translation type="unfinished">Sfera di riferimento</translation>
+    </message>
+    <message>
+        <source>Save the certificate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig is not open: the Rig page says why.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The virtual rig puts its sphere on the table by itself, and afterwards puts back what stood there. Nothing has to be done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The whole test measures the sphere ten times and belongs to an acceptance: impronta verify sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This rig is not calibrated: calibrate it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not entered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{left} left</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4647,8 +4799,16 @@ Dopo: {after}</translation>
         <translation>Ricerca di ciò che manca</translation>
     </message>
     <message>
+        <source>Measuring the reference sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Opening the case…</source>
         <translation>Apertura del caso…</translation>
+    </message>
+    <message>
+        <source>Scan paused</source>
+        <translation>Scansione in pausa</translation>
     </message>
     <message>
         <source>Scanning</source>
@@ -5939,6 +6099,10 @@ Dopo: {after}</translation>
         <translation>L&apos;errore atteso della superficie è {error_um} µm rms, più di {limit_um} µm. Aiuterebbero più punti, o una calibrazione.</translation>
     </message>
     <message>
+        <source>The surface is expected to be off by {error_um} µm rms, more than {limit_um} µm: it was kept early. Reconstruct it to its end.</source>
+        <translation>L&apos;errore atteso della superficie è {error_um} µm rms, più di {limit_um} µm: è stata tenuta prima della fine. Ricostruirla fino in fondo.</translation>
+    </message>
+    <message>
         <source>The surface is expected to be off by {error_um} µm rms: too much for a shell. Calibrate, and scan again.</source>
         <translation>L&apos;errore atteso della superficie è {error_um} µm rms: troppo per un guscio. Calibrare, e ripetere la scansione.</translation>
     </message>
@@ -6429,6 +6593,10 @@ Dopo: {after}</translation>
         <translation>Qui si configura un banco proprio: scheda e telecamere sono trovate, verificate e scritte in un file.</translation>
     </message>
     <message>
+        <source>A sphere of certified size is measured: it tells whether the rig still measures right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>An area is that of the missing surface in square millimetres. The sign at each place says why it is missing.</source>
         <translation>L&apos;area è quella della superficie mancante, in millimetri quadrati. Il segno a ogni zona dice perché manca.</translation>
     </message>
@@ -6485,6 +6653,10 @@ Dopo: {after}</translation>
         <translation>Qui si tolgono i punti estranei all&apos;oggetto e si misurano distanze.</translation>
     </message>
     <message>
+        <source>Put the sphere into the middle of the table, enter the diameter from its certificate, and start. Do it once a month, and after every calibration.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Read the checks: what is amber says in one sentence what it means. Choose the profile of the receiver and deliver.</source>
         <translation>Leggere le verifiche: ciò che è ambra dice in una frase che cosa significa. Scegliere il profilo del destinatario e consegnare.</translation>
     </message>
@@ -6539,6 +6711,10 @@ Dopo: {after}</translation>
     <message>
         <source>The points count what is in the case already. Rejected points were seen by one camera only, or not sharply enough: a few of them are normal. The time left is computed from the views that are done.</source>
         <translation>I punti contano quanto è già nel caso. I punti scartati li ha visti una sola telecamera, o non erano abbastanza nitidi: alcuni sono normali. Il tempo rimasto è calcolato dalle viste fatte.</translation>
+    </message>
+    <message>
+        <source>The size deviation is the measured diameter less the certified one; U is its uncertainty, k = 2. PF is the distance between the outermost and the innermost point, D95 the width that holds 95 % of the points, σ their standard deviation.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The size is that of everything in the window: 150 % makes texts and buttons half as large again.</source>
@@ -6892,6 +7068,10 @@ Dopo: {after}</translation>
         <translation>Ricostruzione</translation>
     </message>
     <message>
+        <source>Reference sphere</source>
+        <translation type="unfinished">Sfera di riferimento</translation>
+    </message>
+    <message>
         <source>Rig</source>
         <translation>Banco</translation>
     </message>
@@ -6910,10 +7090,6 @@ Dopo: {after}</translation>
     <message>
         <source>Surface</source>
         <translation>Superficie</translation>
-    </message>
-    <message>
-        <source>What is delivered</source>
-        <translation>Che cosa si consegna</translation>
     </message>
 </context>
 <context>
@@ -7009,8 +7185,8 @@ Dopo: {after}</translation>
         <translation>Spegni laser</translation>
     </message>
     <message>
-        <source>Not now</source>
-        <translation>Non ora</translation>
+        <source>Measure the sphere…</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Only {free_gib} GB are free where the cases are kept: free some space.</source>
@@ -7304,6 +7480,49 @@ Dopo: {after}</translation>
     <message>
         <source>The object stands in the camera&apos;s way: another mount shows what is hidden.</source>
         <translation>L&apos;oggetto copre la vista alla telecamera: un altro posizionamento mostra il nascosto.</translation>
+    </message>
+</context>
+<context>
+    <name>remarks</name>
+    <message>
+        <source>The body that stands on the table could not be filled; the base was closed by what the points alone enclose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coordinates are rounded to steps of {step_mm} mm, single precision far from the origin; export the points in double precision, or nearer to the origin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The object is only {extent_mm} mm large, less than an anatomical part: if the coordinates are {unit}, use --units {option}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The object is {extent_mm} mm large, more than any anatomical part: if the coordinates are micrometres, divide them by 1000; if they are millimetres, use --units mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The object lies {away_mm} mm from the origin; it was computed about its centre, so that no precision was lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} points ({share}) lie more than {link_mm} mm from the object; they were left out as strays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share} % of the closed surface was not scanned; it is capped and marked as unsupported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share} % of the closed surface was not scanned; it is left open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share} % of the points do not belong to the surface and were rejected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share} of the points repeat others exactly; each place was counted once.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8542,8 +8761,8 @@ Dopo: {after}</translation>
         <translation>Il laser è spento; mettere l&apos;oggetto sulla tavola, e controllare il laser e i tappi degli obiettivi.</translation>
     </message>
     <message>
-        <source>The laser is off; put the reference sphere alone into the middle of the table, and check --reference-mm.</source>
-        <translation>Il laser è spento; mettere la sola sfera di riferimento al centro della tavola, e controllare --reference-mm.</translation>
+        <source>The laser is off; put the reference sphere alone into the middle of the table, and check the size that was given.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The laser is off; take all but one away and start the test again.</source>
@@ -8972,6 +9191,113 @@ Dopo: {after}</translation>
     <message>
         <source>{what}.</source>
         <translation>{what}.</translation>
+    </message>
+</context>
+<context>
+    <name>sphere</name>
+    <message>
+        <source>A value is so near its limit that its uncertainty leaves it open: nothing is proved. Measure again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Certified diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation type="unfinished">Copertura</translation>
+    </message>
+    <message>
+        <source>Dispersion D95</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Form PF without the worst 0.3 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Form PF, all points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept in the history of this rig.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured diameter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured on every side, from the top down to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not kept in the history: a fault was rehearsed on this rig, or it shows a recording.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not kept in the history: its file could not be written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points on the sphere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size and D95 are within the rig&apos;s limits, even with their uncertainty added.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation σ of the points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points do not reach down to the sphere&apos;s equator on every side: nothing is proved. See that nothing stands in the way, and measure again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The rig measures outside of its limits. Calibrate it, then measure the sphere again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undecided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count}, and {rejected} left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{reach}° (at least {needed}°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share} % of the surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{value} mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{value} µm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{value} µm, U = {uncertainty} µm, limit {limit} µm</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
