@@ -24,7 +24,7 @@ class Translation:
         self._application = application
         locale = QLocale.system() if not language else QLocale(language)
         QLocale.setDefault(locale)
-        self.language = language or system_language()
+        self.language = spoken(language)
         self._translators: list[QTranslator] = []
         own = str(resources.files("resources") / "translations")
         qt = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
@@ -39,6 +39,11 @@ class Translation:
             self._application.removeTranslator(translator)
         self._translators = []
         QLocale.setDefault(QLocale.system())
+
+
+def spoken(language: str) -> str:
+    """The key of ``LANGUAGES`` that a setting stands for."""
+    return language or system_language()
 
 
 def system_language() -> str:

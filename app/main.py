@@ -16,6 +16,8 @@ from scanner_core.log_file import logging_to_file
 if TYPE_CHECKING:
     from PySide6.QtWidgets import QApplication
 
+    from app.program import Program
+
 _STARTED_S = time.perf_counter()
 
 
@@ -33,27 +35,46 @@ def _run(given: argparse.Namespace) -> int:
     _scale(given.settings)
     application = make_application()
     from app.program import Program
+    from app.theme import forget_drawings
 
     program = Program(application, started_s=_STARTED_S, heartbeat_file=given.heartbeat, case=given.case, settings_file=given.settings)
+    told_to_end = False
+
+    def end(*_: object) -> None:
+        """Run when the pump next runs Python: an orderly end, the laser off and the case whole."""
+        nonlocal told_to_end
+        told_to_end = True
+        program.window.close()
+
     ends = [signal.SIGINT, signal.SIGTERM]
     hang_up = getattr(signal, "SIGHUP", None)  # the terminal was closed; nohup has it ignored, and Windows has none
     if hang_up is not None and signal.getsignal(hang_up) is not signal.SIG_IGN:
         ends.append(hang_up)
     for number in ends:
-        # Handled when the pump next runs Python: an orderly end, the laser off and the case whole.
-        signal.signal(number, lambda *_: program.window.close())
+        signal.signal(number, end)
     while True:
         try:
-            code = application.exec()
+            code = 0 if told_to_end else application.exec()  # told while one window went and the next was made
         finally:
             program.shut_down()
         again = program.again
-        if again is None:
-            return code
-        program.window.deleteLater()
+        _delete(program)
+        if again is None or told_to_end:
+            break
         program = Program(
             application, started_s=time.perf_counter(), heartbeat_file=given.heartbeat, case=again.case, settings_file=given.settings, after=again
         )
+    forget_drawings(application)
+    return code
+
+
+def _delete(program: Program) -> None:
+    """Window and controllers, now and in this thread: not when the collector or the interpreter's end comes upon them."""
+    from PySide6.QtCore import QCoreApplication, QEvent
+
+    program.window.deleteLater()
+    program.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
 
 
 def _scale(settings_file: Path | None) -> None:

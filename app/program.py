@@ -41,14 +41,14 @@ from app.event_log import EventLog
 from app.faults import install_hooks, remove_hooks
 from app.graphics_import import import_graphics
 from app.heartbeat import Heartbeat
-from app.language import Translation
+from app.language import Translation, spoken
 from app.pump import Pump
 from app.services import Services
 from app.settings import load_settings, settings_path
 from app.stop_key import StopKey
 from app.theme import icon, set_theme
 from app.undo import UndoHistory
-from app.views.activity import activity_words
+from app.views.activity import is_busy
 from app.views.main_window import MainWindow
 from scanner_core.log_file import log_fault, log_versions
 from scanner_core.user_folders import cache_folder
@@ -191,7 +191,7 @@ class Program(QObject):
             self._restyle(self.settings.theme)
         elif name == "live_surface":
             self.services.live_surface.allow(self.settings.live_surface)
-        elif name == "language" and not activity_words(self.services):
+        elif name == "language" and spoken(self.settings.language) != self._translation.language and not is_busy(self.services):
             window = self.window
             self.again = Again(self.services.case.path, window.page_id, self.services.draft.values, window.saveGeometry())
             QTimer.singleShot(0, window.close)

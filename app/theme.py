@@ -131,6 +131,12 @@ class _Drawn(QIconEngine):
         return False
 
 
+def forget_drawings(application: QApplication) -> None:
+    """Before the interpreter ends: what draws itself in Python, and pictures, must not outlive it and the application."""
+    application.setWindowIcon(QIcon())
+    _picture.cache_clear()
+
+
 class Sign(QLabel):
     """A drawing in one of the palette's colours, square, `side` high."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 import time
 from collections.abc import Callable
 from dataclasses import replace
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
     from scanner_core.case.store import CaseStore
 
 _VIEWS_PERIOD_S = 0.2
+_SETTLED_S = 60.0
+"""Nothing that the idle rig is asked for takes longer, the search for its reference included."""
 MakeRunner = Callable[["OpenRig", "CaseStore"], "ScanRunner"]
 
 
@@ -48,6 +51,9 @@ class AcquisitionController(QObject):
         super().__init__(parent)
         self._background, self._rig, self._case, self._tell = background, rig, case, tell
         self._runner: ScanRunner | None = None
+        self._made: ScanRunner | None = None
+        """Begun in its thread, and not followed yet."""
+        self._starting: threading.Thread | None = None
         self._wanted = False
         self._stopped = self._borrowed = False
         self.status: ScanStatus | None = None
@@ -80,12 +86,22 @@ class AcquisitionController(QObject):
         return self._wanted or self._runner is not None
 
     @property
+    def _free(self) -> bool:
+        """The rig is open, and nobody measures with it."""
+        rig = self._rig.snapshot
+        return rig.connected and not rig.busy and rig.calibrating is None
+
+    @property
     def paused(self) -> bool:
         return self.status is not None and self.status.state is ScanState.PAUSED
 
     def start(self, request: PlanRequest) -> None:
         """Scan into the open case when nothing was scanned into it yet, else into a new one."""
         if self.running:
+            return
+        if self._rig.snapshot.calibrating is not None:
+            what, do = "The rig is being calibrated", "wait for the end of it, or cancel it on the Rig page"
+            self._tell(UsageError("E-USE-01", what=what, do=do))
             return
         if not self._rig.snapshot.connected:
             self._tell(UsageError("E-USE-01", what="The rig is not open yet", do="wait until the status line shows it, or choose it on the Rig page"))
@@ -113,7 +129,7 @@ class AcquisitionController(QObject):
 
     def resume(self, path: Path) -> None:
         """Go on with the interrupted scan of a case; known points are measured again first."""
-        if self.running or self._rig.snapshot.busy or not self._rig.snapshot.connected:
+        if self.running or not self._free:
             return
         self._prepare()
         self._case.open(path, lambda store: self._begin(store, _rest_of_scan), self._no_case)
@@ -121,7 +137,7 @@ class AcquisitionController(QObject):
     def _go_on(self, make: MakeRunner) -> None:
         """Scan into the open case."""
         store = self._case.store
-        if self.running or self._rig.snapshot.busy or store is None or not self._rig.snapshot.connected:
+        if self.running or store is None or not self._free:
             return
         self._prepare()
         self._begin(store, make)
@@ -155,11 +171,15 @@ class AcquisitionController(QObject):
             self._background.run("scan-stop", runner.cancel)
 
     def shutdown(self, timeout_s: float) -> bool:
-        """End a running scan and wait for it."""
-        if self._runner is None:
+        """End a running scan and wait for it, also one that is just beginning."""
+        self._stopped = True
+        if self._starting is not None:
+            self._starting.join(timeout_s)
+        runner = self._runner or self._made
+        if runner is None:
             return True
-        self._runner.cancel()
-        return self._runner.join(timeout_s)
+        runner.cancel()
+        return runner.join(timeout_s)
 
     # -------------------------------------------------------------------------------- pump
     def drain(self) -> None:
@@ -212,7 +232,16 @@ class AcquisitionController(QObject):
             return
         self._borrowed, self._scanned = True, store.path
         self._calibration = "" if rig.calibration is None else rig.calibration.identity()
-        self._background.run("scan-start", lambda: _started(make, rig, store), self._follow, self._not_started)
+        self._starting = self._background.run("scan-start", lambda: self._started(make, rig, store), self._follow, self._not_started)
+
+    def _started(self, make: MakeRunner, rig: OpenRig, store: CaseStore) -> ScanRunner:
+        """In a thread of its own."""
+        self._rig.settle(_SETTLED_S)
+        rig.concern(store)
+        runner = make(rig, store)
+        runner.start()
+        self._made = runner
+        return runner
 
     def _let_go(self) -> None:
         if self._borrowed:
@@ -220,7 +249,7 @@ class AcquisitionController(QObject):
             self._rig.give_back()
 
     def _follow(self, runner: ScanRunner) -> None:
-        self._runner, self._wanted, self._taken = runner, False, 0
+        self._runner, self._made, self._wanted, self._taken = runner, None, False, 0
         self._began_s = time.monotonic()
         if self._stopped:  # meanwhile
             self.stop()
@@ -265,13 +294,6 @@ def _source(result: ScanResult, views: RegisteredViews, calibration: str) -> dic
 
     scans = () if result.scan_id is None else (result.scan_id,)
     return ProcessedCase(Processing(scans=scans), views.cloud, result.counts, (calibration,), (views.noise,), False, None).provenance()
-
-
-def _started(make: MakeRunner, rig: OpenRig, store: CaseStore) -> ScanRunner:
-    rig.concern(store)
-    runner = make(rig, store)
-    runner.start()
-    return runner
 
 
 def _new_scan(request: PlanRequest, rig: OpenRig, store: CaseStore) -> ScanRunner:

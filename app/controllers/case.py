@@ -8,13 +8,14 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject, Signal
 
 from app.background import Background
 from app.controllers.case_content import CaseContent, read_content, read_values
-from app.controllers.case_files import DEMO, create_cases
+from app.controllers.case_files import DEMO, create_cases, is_new
+from app.controllers.case_thread import CaseThread
 from app.controllers.computing import CutPoints, compute_anew, cut_points, recut_points
-from app.controllers.device_thread import DeviceThread
+from app.controllers.order_typing import OrderTyping
 from app.draft import EDIT_TEXTS, ORDER_FIELDS, Draft, DraftValues, orders_of
 from app.settings import Settings, save_settings
 from app.views.surface import Surface
@@ -32,8 +33,6 @@ if TYPE_CHECKING:
 RECENT = 12
 _BESIDE = ("order", "accepted_places", "measurements")
 """Keys of edits that change neither the points nor the surface."""
-_TYPING_MS = 700
-"""An edit of the order is written when nothing was typed for so long."""
 _IN_THE_CASE = {"order": "number", "kind": "type"}
 """Fields of the order by their names in the draft, where they are called otherwise."""
 T = TypeVar("T")
@@ -48,6 +47,8 @@ class CaseController(QObject):
     """The case has a new mesh."""
     meshed_elsewhere = Signal(object)
     """A mesh was put into a case that is not open, its path."""
+    noted = Signal()
+    """Something was entered into a case that is not open."""
     stepped = Signal()
     """Something was done to the case that can be undone."""
     edited = Signal()
@@ -80,14 +81,9 @@ class CaseController(QObject):
         self.opening = self.computing = False
         self.undo_words: str | None = None
         self.redo_words: str | None = None
-        self._held: CaseStore | None = None  # the thread's
         self._turn = 0  # of two cases that are asked for in a row the last one counts
-        self._typed: str | None = None
-        self._typing = QTimer(self)
-        self._typing.setSingleShot(True)
-        self._typing.timeout.connect(self._write_order)
-        self._thread = DeviceThread("case", lambda: None, 60.0, tell)
-        self._thread.start()
+        self._typing = OrderTyping(self._write_order, self)
+        self._thread = CaseThread(background, tell)
 
     @property
     def path(self) -> Path | None:
@@ -121,14 +117,14 @@ class CaseController(QObject):
         def work() -> tuple[CaseStore, CaseContent]:
             from scanner_core.case.store import CaseStore
 
-            store = self._held = CaseStore.open(path)
+            store = self._thread.hold(CaseStore.open(path))
             try:
                 return store, read_content(store, before)
             except BaseException:
-                self._let_go()
+                self._thread.let_go()
                 raise
 
-        self._do(work, lambda got: self._in_turn(turn, partial(self._take, *got, then), failed), partial(self._failed, turn, failed))
+        self._thread.do(work, lambda got: self._in_turn(turn, partial(self._take, *got, then), failed), partial(self._failed, turn, failed))
 
     def create(self, then: Callable[[CaseStore], None], failed: Callable[[Exception], None] | None = None) -> None:
         """A new case file for the order as it was entered, or two of a pair: the first is then open; `then` and `failed` as for :meth:`open`."""
@@ -137,13 +133,12 @@ class CaseController(QObject):
         self.opening, turn = True, self._turn
 
         def work() -> CaseStore:
-            self._held = create_cases(folder, values)
-            return self._held
+            return self._thread.hold(create_cases(folder, values))
 
         def created(store: CaseStore) -> None:
             self._in_turn(turn, partial(self._take, store, CaseContent(orders_of(values)[0], None, {}, None, {}, {}), then), failed)
 
-        self._do(work, created, partial(self._failed, turn, failed))
+        self._thread.do(work, created, partial(self._failed, turn, failed))
 
     def place(self, values: DraftValues, then: Callable[[Path], None], failed: Callable[[Exception], None] | None = None) -> None:
         """New case files for an order, none of which is opened; `then` gets the path of the first."""
@@ -157,18 +152,12 @@ class CaseController(QObject):
             self._settings.last_order = values.order
             then(path)
 
-        self._do(work, placed, failed)
+        self._thread.do(work, placed, failed)
 
     def for_scan(self, then: Callable[[CaseStore], None], failed: Callable[[Exception], None] | None = None) -> None:
         """The case that a scan goes into: the open one while nothing was scanned into it, else a new one; `then` and `failed` as for :meth:`open`."""
-        self._write_order()
+        self._typing.finish()
         store = self.store
-
-        def new() -> bool:
-            from scanner_core.case.case_glance import OrderState
-            from scanner_core.case.glance import glance_of
-
-            return store is not None and glance_of(store).state is OrderState.NEW
 
         def go(into_it: bool) -> None:
             if into_it and store is not None and store is self.store:
@@ -180,15 +169,15 @@ class CaseController(QObject):
         if store is None:
             go(False)
         else:
-            self._do(new, go, failed)
+            self._thread.do(partial(is_new, store), go, failed)
 
     def close(self) -> None:
         """Close the file; it is whole at any time, closing only tidies it up."""
-        self._write_order()
+        self._typing.finish()
         self._turn += 1
         self.opening, self.store, self._draft.keep_order = False, None, None
         self.cloud, self.source, self.surface, self.provenance, self.processing, self.taken_out = None, {}, None, {}, {}, None
-        self._thread.call(self._let_go)
+        self._thread.call(self._thread.let_go)
         self._show_words((None, None))
         self.opened.emit()
 
@@ -205,14 +194,8 @@ class CaseController(QObject):
         """Put a mesh into the case of its points, also when that is no longer the open one; `meshed` or `meshed_elsewhere` when it is there."""
 
         def keep() -> Surface:
-            from scanner_core.case.store import CaseStore
-
-            held = self._held
-            if path is not None and held is not None and held.path == path:
-                held.put_mesh(mesh, provenance)
-            elif path is not None:
-                with CaseStore.open(path) as store:
-                    store.put_mesh(mesh, provenance)
+            if path is not None:
+                self._thread.use(path, lambda store: store.put_mesh(mesh, provenance))
             return Surface.of(mesh, growing=False)
 
         def kept(surface: Surface) -> None:
@@ -223,7 +206,11 @@ class CaseController(QObject):
             elif path is not None:
                 self.meshed_elsewhere.emit(path)
 
-        self._do(keep, kept)
+        self._thread.do(keep, kept)
+
+    def note(self, path: Path, work: Callable[[CaseStore], object]) -> None:
+        """Have something entered into the case of a path, also when that is no longer the open one; it can be undone there."""
+        self._thread.do(lambda: self._thread.use(path, work), lambda _: self._step() if path == self.path else self.noted.emit())
 
     # -------------------------------------------------------------------------------- edits
     def change(
@@ -240,7 +227,7 @@ class CaseController(QObject):
         `then` gets its result in the GUI thread; without `failed` a fault is told.  Without `step` it is nothing that can be undone.
         """
         if reread:
-            self._write_order()  # what is read again holds what was typed before
+            self._typing.finish()  # what is read again holds what was typed before
         store, before = self.store, self._draft.values
         if store is None:
             return
@@ -258,7 +245,7 @@ class CaseController(QObject):
                     self._step()
             then(result)
 
-        self._do(do, done, failed)
+        self._thread.do(do, done, failed)
 
     def process(self, rig: RigConfig | None, gates: dict[str, float]) -> None:
         """Compute the points anew: with the calibration of `rig`, or as scanned, and with gates by their names."""
@@ -284,7 +271,7 @@ class CaseController(QObject):
             self._tell(fault)
             failed()
 
-        self._do(partial(cut_points, store, now, out, words), done, refused)
+        self._thread.do(partial(cut_points, store, now, out, words), done, refused)
 
     def _points(self) -> CutPoints | None:
         return None if self.cloud is None else CutPoints(self.cloud, self.taken_out, self.source, self.processing)
@@ -299,7 +286,7 @@ class CaseController(QObject):
 
     def after(self, call: Callable[[], None]) -> None:
         """`call` in the GUI thread, when what was asked of the case so far is done."""
-        self._do(lambda: None, lambda _: call())
+        self._thread.do(lambda: None, lambda _: call())
 
     def undo(self) -> None:
         """Take the newest edit of the case back."""
@@ -312,7 +299,7 @@ class CaseController(QObject):
         self._show_words((self.redo_words, self.redo_words))
 
     def _go(self, step: Callable[[CaseStore], CaseEdit | None]) -> None:
-        self._write_order()
+        self._typing.finish()
         store, before, now = self.store, self._draft.values, self._points()
         if store is None:
             return
@@ -332,7 +319,7 @@ class CaseController(QObject):
             if got is not None and store is self.store:
                 self._show(got[0], before, got[1])
 
-        self._do(work, show)
+        self._thread.do(work, show)
         self._ask_words()
 
     def _show(self, values: DraftValues, before: DraftValues, content: CaseContent | CutPoints | None) -> None:
@@ -353,18 +340,11 @@ class CaseController(QObject):
 
     def _edit_order(self, name: str) -> None:
         """A field of the order was edited while the case is open."""
-        if self._typed not in (None, name):
-            self._write_order()
-        self._typed = name
-        self._typing.start(_TYPING_MS)
+        self._typing.go_on(name)
         self._show_words((EDIT_TEXTS[name], None))
 
-    def _write_order(self) -> None:
+    def _write_order(self, name: str) -> None:
         """What was typed, as one edit of the case."""
-        name, self._typed = self._typed, None
-        self._typing.stop()
-        if name is None:
-            return
         field, value = _IN_THE_CASE.get(name, name), getattr(self._draft.values, name)
         self.change(lambda store: store.edit("order", asdict(store.order()) | {field: value}, EDIT_TEXTS[name]))
 
@@ -375,7 +355,7 @@ class CaseController(QObject):
     def _ask_words(self) -> None:
         store = self.store
         if store is not None:
-            self._do(lambda: (store.undoable, store.redoable), self._show_words)
+            self._thread.do(lambda: (store.undoable, store.redoable), self._show_words)
 
     def _show_words(self, words: tuple[str | None, str | None]) -> None:
         self.undo_words, self.redo_words = words if self.store is not None else (None, None)
@@ -416,21 +396,3 @@ class CaseController(QObject):
             call()
         elif failed is not None:
             failed(Cancelled())
-
-    def _do(self, work: Callable[[], T], done: Callable[[T], None], failed: Callable[[Exception], None] | None = None) -> None:
-        """`work` in the case's thread, after what was asked before; then `done` or `failed` in the GUI thread."""
-
-        def body() -> None:
-            try:
-                result = work()
-            except Exception as fault:
-                self._background.post(partial(failed or self._tell, fault))
-            else:
-                self._background.post(lambda: done(result))
-
-        self._thread.call(body)
-
-    def _let_go(self) -> None:
-        store, self._held = self._held, None
-        if store is not None:
-            store.close()

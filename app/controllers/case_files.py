@@ -36,16 +36,26 @@ def create_cases(folder: Path, values: DraftValues) -> CaseStore:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as fault:
         raise storage_error(folder, fault) from fault
-    first: CaseStore | None = None
-    for order in orders_of(values):
-        store = CaseStore.create(free_case_path(folder, order, wall_clock.today()))
-        store.put_order(Order(order.order, order.patient_code, order.side, order.kind))
-        if first is None:
-            first = store
-        else:
+    made: list[CaseStore] = []
+    try:
+        for order in orders_of(values):
+            made.append(CaseStore.create(free_case_path(folder, order, wall_clock.today())))
+            made[-1].put_order(Order(order.order, order.patient_code, order.side, order.kind))
+    except BaseException:
+        for store in made:
             store.close()
-    assert first is not None
-    return first
+        raise
+    for store in made[1:]:
+        store.close()
+    return made[0]
+
+
+def is_new(store: CaseStore) -> bool:
+    """Nothing was scanned into it yet."""
+    from scanner_core.case.case_glance import OrderState
+    from scanner_core.case.glance import glance_of
+
+    return glance_of(store).state is OrderState.NEW
 
 
 def free_case_path(folder: Path, values: DraftValues, today: date) -> Path:

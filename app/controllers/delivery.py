@@ -163,7 +163,7 @@ class DeliveryController(QObject):
         self._end()
         if store is self._case.store:
             self.last = delivery
-            self._case.change(partial(_keep, delivery=delivery))
+        self._case.note(store.path, partial(_keep, delivery=delivery))
         self.changed.emit()
         self.delivered.emit()
 

@@ -86,6 +86,10 @@ class ReconstructionController(QObject):
         """The points of the open case are in the queue."""
         return self._case.path is not None and self.queue.holds(self._case.path)
 
+    def is_for(self, path: Path) -> bool:
+        """A surface is being made for the case of that path, or waits for its turn."""
+        return (self.running and self._path == path) or self.queue.holds(path)
+
     @property
     def phase_time_s(self) -> float:
         """How long the phase of `progress` lasts so far."""

@@ -22,7 +22,7 @@ from app.controllers.calibration import ByHand, CalibrationRun
 from app.controllers.device_failure import CONTROLLER, RIG_FILE, DeviceFailure
 from app.controllers.device_thread import DeviceThread
 from app.controllers.emission import MAY_BE_LIT, Emission, emission_of
-from app.controllers.rig_devices import Answers, RigDevices, WantedRig
+from app.controllers.rig_devices import Answers, RigDevices, WantedRig, wanted_rig
 from app.controllers.rig_files import RigFiles
 from app.controllers.rig_snapshot import PRESETS, RigSnapshot, shown_of
 from app.controllers.target import TargetController
@@ -189,6 +189,12 @@ class RigController(QObject):
         self._news(replace(self.snapshot, busy=True, failure=None))  # a scan begins by unlocking
         return self._devices.rig
 
+    def settle(self, timeout_s: float) -> None:
+        """After :meth:`borrow`, in a thread of the borrower's: wait until what the device thread is doing with the rig is over."""
+        over = threading.Event()
+        self._device.call(over.set)
+        over.wait(timeout_s)
+
     def give_back(self) -> None:
         self._loaned.clear()
         self._news(replace(self.snapshot, busy=False))
@@ -212,22 +218,16 @@ class RigController(QObject):
 
     # -------------------------------------------------------------------------------- the device thread
     def _reopen(self, before: RigSnapshot, wanted: RigSnapshot) -> None:
-        from scanner_core.virtual.specimens import check_fits, load_specimen, remounted
-
         if self._closing.is_set():
             return
         try:
-            config, specimen = self.files.read(wanted.preset), None
-            if config.virtual is not None:
-                specimen = load_specimen(wanted.specimen)
-                specimen = specimen if wanted.pose is None else remounted(specimen, wanted.pose)
-                check_fits(specimen, config.volume)
+            made = wanted_rig(self.files.read(wanted.preset), wanted)
         except ImprontaError as fault:
             self._devices.forget()
             self._background.post(partial(self._refused, fault, before, wanted))
             return
-        self._devices.choose(WantedRig(wanted.preset, config, specimen, wanted.speed))
-        if self._devices.rig is not None and config.calibration is None and wanted.preset in PRESETS:
+        self._devices.choose(made)
+        if self._devices.rig is not None and made.config.calibration is None and wanted.preset in PRESETS:
             self.calibration.begin()
             if not self._closing.is_set():  # asked after the line above: the end of the program cancels what begins here
                 self._background.post(self._begin_calibration)

@@ -13,6 +13,7 @@ from scanner_core.devices.camera import CameraReport
 from scanner_core.errors import ImprontaError
 
 if TYPE_CHECKING:
+    from app.controllers.rig_snapshot import RigSnapshot
     from scanner_core.acquisition.rig_session import OpenRig
     from scanner_core.clock import Speed
     from scanner_core.devices.rig import RigConfig
@@ -32,6 +33,24 @@ class WantedRig:
     config: RigConfig
     specimen: Specimen | None
     speed: str
+
+
+def wanted_rig(config: RigConfig, chosen: RigSnapshot) -> WantedRig:
+    """A rig as its file says, on the virtual one the specimen that a person has chosen.
+
+    Raises
+    ------
+    ImprontaError
+        There is no such specimen, or it does not fit into the measuring volume.
+    """
+    from scanner_core.virtual.specimens import check_fits, load_specimen, remounted
+
+    specimen = None
+    if config.virtual is not None:
+        specimen = load_specimen(chosen.specimen)
+        specimen = specimen if chosen.pose is None else remounted(specimen, chosen.pose)
+        check_fits(specimen, config.volume)
+    return WantedRig(chosen.preset, config, specimen, chosen.speed)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

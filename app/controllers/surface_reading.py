@@ -22,7 +22,10 @@ Role = Literal["before", "after"]
 
 
 class SurfaceReading(QObject):
-    """Reads one surface for each role at a time; the newest wish counts."""
+    """Reads one surface for each role at a time; the newest wish counts.
+
+    Both may be read at once, and are taken in the order in which they were asked for, which is that of their undoing.
+    """
 
     changed = Signal()
     """`reading` is another."""
@@ -37,7 +40,10 @@ class SurfaceReading(QObject):
     ) -> None:
         super().__init__(parent)
         self._background, self._case, self._draft, self._tell = background, case, draft, tell
-        self._turns: dict[Role, int] = {"before": 0, "after": 0}
+        self._asked: dict[Role, object] = {}
+        """By role the wish that counts, the first one first."""
+        self._come: dict[object, Callable[[], None]] = {}
+        """By wish what is to be done with what came of it."""
         self.reading: dict[Role, str] = {}
         """By role: the name of what is being read."""
 
@@ -63,22 +69,17 @@ class SurfaceReading(QObject):
     def cancel(self, role: Role) -> None:
         """What is being read is not wanted any more: whatever comes of it is dropped."""
         if self.reading.pop(role, None) is not None:
-            self._turns[role] += 1
+            self._come.pop(self._asked.pop(role), None)
+            self._take()
             self.changed.emit()
 
     # -------------------------------------------------------------------------------- inside
     def _begin(self, role: Role, name: str, read: Callable[[], ComparedSurface], path: Path | None, unit: str | None) -> None:
-        self._turns[role] += 1
-        turn = self._turns[role]
+        wish = object()
+        self._come.pop(self._asked.pop(role, None), None)
+        self._asked[role] = wish
         self.reading[role] = name
         self.changed.emit()
-
-        def ended() -> bool:
-            """Whether this is still what is wanted."""
-            if turn != self._turns[role]:
-                return False
-            del self.reading[role]
-            return True
 
         def work() -> LoadedSurface:
             from scanner_core.comparison.arch_frame import arch_frame
@@ -87,18 +88,25 @@ class SurfaceReading(QObject):
             return LoadedSurface(surface, path, unit, arch_frame(surface.mesh, surface.supported))
 
         def done(loaded: LoadedSurface) -> None:
-            if ended():
-                self._draft.edit(
-                    "unit" if unit is not None else role, **cleared(self._draft.choice, role, same_object=unit is not None), **{role: loaded}
-                )
-                self.changed.emit()
+            same = unit is not None
+            self._draft.edit("unit" if same else role, **cleared(self._draft.choice, role, same_object=same), **{role: loaded})
 
-        def failed(fault: Exception) -> None:
-            if ended():
-                self.changed.emit()
-                self._tell(fault)
+        def came(call: Callable[[], None]) -> None:
+            if self._asked.get(role) is wish:
+                self._come[wish] = call
+                self._take()
 
-        self._background.run(f"read-{role}", work, done, failed)
+        self._background.run(f"read-{role}", work, lambda loaded: came(partial(done, loaded)), lambda fault: came(partial(self._tell, fault)))
+
+    def _take(self) -> None:
+        """What came, as far as nothing is still read that was asked for before it."""
+        for role, wish in list(self._asked.items()):
+            call = self._come.pop(wish, None)
+            if call is None:
+                return
+            del self._asked[role], self.reading[role]
+            call()
+            self.changed.emit()
 
 
 def loaded_of(choice: ComparisonChoice, role: Role) -> LoadedSurface | None:

@@ -183,8 +183,14 @@ class VerificationController(QObject):
         self._tell(fault)
 
     def _hear_rig(self) -> None:
-        """What was measured is of one rig."""
-        if not self.running and self.snapshot.preset and self._rig.snapshot.preset != self.snapshot.preset:
+        """What was measured is of one rig, as it was calibrated then."""
+        if self.running or not self.snapshot.preset:
+            return
+        rig, check = self._rig.snapshot, self.snapshot.check
+        other = rig.preset != self.snapshot.preset
+        if check is not None and rig.calibration is not None and rig.calibration is not check.occasion.calibration:
+            other |= rig.calibration.identity() != check.entry.calibration_id
+        if other:
             self._news(VerificationSnapshot())
 
     def _news(self, snapshot: VerificationSnapshot) -> None:

@@ -63,7 +63,7 @@ class WorklistController(QObject):
         self._wanted: list[CaseGlance] = []
         self._looking = self._again = self._drawing = False
         self._ending = threading.Event()
-        for signal in (case.opened, case.meshed, case.meshed_elsewhere, case.stepped):
+        for signal in (case.opened, case.meshed, case.meshed_elsewhere, case.noted, case.stepped):
             signal.connect(self.look)
 
     # -------------------------------------------------------------------------------- commands

@@ -31,3 +31,10 @@ def activity_words(services: Services) -> str:
     if services.case.opening:
         return translate("activity", "Opening the case…")
     return ""
+
+
+def is_busy(services: Services) -> bool:
+    """Something goes on that would end with the window."""
+    lit = services.aiming.snapshot.live or services.rig.snapshot.aiming
+    writing = services.delivery.writing or services.pair_tray.splitting or services.recovery.busy
+    return bool(activity_words(services)) or services.reconstruction.running or writing or lit

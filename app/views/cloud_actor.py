@@ -15,9 +15,9 @@ from app.views.cloud_chunks import CloudChunks
 from app.views.cloud_points import CloudPoints, Floats
 from app.views.cloud_store import CloudStore, StoredPart, every
 from app.views.colour_maps import MAPS, MISSING
-from app.views.height_colours import rgb
 from app.views.point_colour import PointColour
 from app.views.points_shader import install, put_ground
+from app.views.surface_colours import rgb
 from app.views.value_range import ValueRange
 from app.views.vtk_arrays import copied
 from scanner_core.geometry.point_cloud import PointCloud

@@ -14,8 +14,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from app.views.height_colours import rgb, table
 from app.views.point_colour import PointColour
+from app.views.surface_colours import rgb, table
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 from app.views.compared_shader import MOST_BANDS, install
 from app.views.drawn_surface import DrawnSurface
-from app.views.height_colours import rgb
+from app.views.surface_colours import rgb
 from app.views.vtk_arrays import copied
 from scanner_core.comparison.colour_scale import HATCH, NO_COUNTERPART, WITHIN_LEVEL, DeviationScale
 

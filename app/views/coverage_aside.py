@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from app.palettes import DARK
 from app.views.coverage_words import ACCEPTED_COLOUR, REASON_COLOURS
-from app.views.height_colours import rgb
 from app.views.line_actor import LineActor, outlines
 from app.views.mesh_actor import MeshActor
 from app.views.surface import Surface
+from app.views.surface_colours import rgb
 from scanner_core.coverage.reason import REASONS
 from scanner_core.coverage.report import CoverageReport
 

@@ -11,7 +11,7 @@ from PySide6.QtCore import QCoreApplication
 
 from app.translation import QT_TRANSLATE_NOOP
 from app.views import format as fmt
-from app.views.height_colours import SUPPORTED
+from app.views.surface_colours import SUPPORTED
 from scanner_core.coverage.place import CoveragePlace
 from scanner_core.coverage.reason import Reason
 

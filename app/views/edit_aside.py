@@ -16,9 +16,9 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 from app.controllers.editing import EditedPoints
 from app.theme import is_dark
-from app.views.height_colours import rgb
 from app.views.line_actor import LineActor, segments
 from app.views.point_slices import PointSlices, show_rows
+from app.views.surface_colours import rgb
 from app.views.vtk_arrays import copied, shared
 
 Array = NDArray[np.float64]

@@ -15,8 +15,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkProperty
 
 from app.palettes import DARK
-from app.views.height_colours import SUPPORTED, UNSUPPORTED, rgb
 from app.views.holed_surface import HoledSurface
+from app.views.surface_colours import SUPPORTED, UNSUPPORTED, rgb
 from app.views.vtk_arrays import copied, copied_ids
 
 _BEHIND = (1.5, 4.0)

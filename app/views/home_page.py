@@ -198,6 +198,8 @@ class HomePage(Page):
     def _remove(self, told: CaseGlance) -> None:
         if self.services.acquisition.running and self.services.case.path == told.path:
             self.noted.emit(self.tr("This order is being scanned."), self.tr("Wait for its end or stop it first (Esc)."))
+        elif self.services.reconstruction.is_for(told.path):
+            self.noted.emit(self.tr("The surface of this order is being made."), self.tr("Wait for it, or cancel it on the Reconstruct page."))
         else:
             self.services.worklist.remove(told)
 

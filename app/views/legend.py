@@ -12,8 +12,8 @@ from PySide6.QtWidgets import QMenu, QStyle, QStyleOptionToolButton, QToolButton
 from app.colouring import Colouring
 from app.theme import is_dark, look
 from app.views.colour_maps import MAPS
-from app.views.height_colours import SUPPORTED, UNCERTAINTY, UNSUPPORTED
 from app.views.point_colour import PointColour, SurfaceColour
+from app.views.surface_colours import SUPPORTED, UNCERTAINTY, UNSUPPORTED
 
 if TYPE_CHECKING:
     from app.views.scene_view import SceneView

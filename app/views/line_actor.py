@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkContourFilter, vtkSmoothPolyDataFilter, vtkStripper
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
-from app.views.height_colours import rgb
+from app.views.surface_colours import rgb
 from app.views.vtk_arrays import copied, copied_ids, numbers_of, places_of
 
 Vertices = NDArray[np.int64]

@@ -8,8 +8,8 @@ from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
-from app.views.height_colours import INFLATING, SUPPORTED, UNCERTAINTY, UNSUPPORTED, rgb, table
 from app.views.surface import Surface
+from app.views.surface_colours import INFLATING, SUPPORTED, UNCERTAINTY, UNSUPPORTED, rgb, table
 from app.views.vtk_arrays import copied, copied_ids
 
 

@@ -11,8 +11,8 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
-from app.views.height_colours import rgb
 from app.views.mount_words import mount_colour
+from app.views.surface_colours import rgb
 from app.views.vtk_arrays import copied, copied_ids
 from scanner_core.case.mount_job import MountCloud
 

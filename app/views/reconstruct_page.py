@@ -30,7 +30,9 @@ class ReconstructPage(Page):
         self._error = BigNumber(self.tr("µm expected error"))
         self._supported = BigNumber(self.tr("% supported"))
         self._supported.setToolTip(
-            self.tr("Share of the whole surface that rests on measured points, the base on which the object stood included; Deliver leaves the base out.")
+            self.tr(
+                "Share of the whole surface that rests on measured points, the base on which the object stood included; Deliver leaves the base out."
+            )
         )
         self._triangles = BigNumber(self.tr("triangles"))
         self._volume = BigNumber(self.tr("mm³ volume"))

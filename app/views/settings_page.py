@@ -14,6 +14,7 @@ from app.controllers.preferences import SCALES
 from app.language import LANGUAGES, system_language
 from app.services import Services
 from app.views import format as fmt
+from app.views.activity import is_busy
 from app.views.file_dialogs import choose_folder
 from app.views.file_name_line import FileNameLine
 from app.views.page import Page
@@ -160,7 +161,7 @@ class SettingsPage(Page):
         if name in self._showing:
             self._showing[name](getattr(self._preferences.settings, name))
         if name == "language":
-            waiting = self.services.acquisition.running or self.services.reconstruction.running
+            waiting = is_busy(self.services)
             later = self.tr("The window changes its language when the scan or the reconstruction has ended and the program starts again.")
             self._language_note.setText(later if waiting else self.tr("The window is made anew in it; the open case stays."))
 

@@ -176,7 +176,7 @@ class VerifyPage(Page):
         self._certified.setVisible(rig.virtual)
         self._fields.setEnabled(not snapshot.running)
         obstacle = self._obstacle()
-        self.start.setEnabled(rig.at_rest and not obstacle)
+        self.start.setEnabled(rig.at_rest and not snapshot.running and not obstacle)
         self.start.setText(self.tr("Measure again") if snapshot.check is not None else self.tr("Measure the sphere"))
         make_primary(self.start, snapshot.check is None or snapshot.check.result.verdict is Verdict.UNDECIDED)
         self.notice.setText(obstacle or self._refusal())

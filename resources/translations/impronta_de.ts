@@ -2115,8 +2115,16 @@ Zuvor ausgeliefert am {day}: {name}</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
+        <source>The surface of this order is being made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>This order is being scanned.</source>
         <translation>Dieser Auftrag wird gerade gescannt.</translation>
+    </message>
+    <message>
+        <source>Wait for it, or cancel it on the Reconstruct page.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Wait for its end or stop it first (Esc).</source>

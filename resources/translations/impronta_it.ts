@@ -76,7 +76,7 @@
     </message>
     <message>
         <source>Measure the sphere…</source>
-        <translation type="unfinished"></translation>
+        <translation>Misura la sfera…</translation>
     </message>
     <message>
         <source>No reference sphere was measured with this rig yet.</source>
@@ -92,11 +92,11 @@
     </message>
     <message>
         <source>The rig was calibrated since: measure the sphere again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Da allora il banco è stato calibrato: misurare di nuovo la sfera.</translation>
     </message>
     <message>
         <source>The test is {n} days old: measure the sphere again.</source>
-        <translation type="unfinished"></translation>
+        <translation>La prova ha {n} giorni: misurare di nuovo la sfera.</translation>
     </message>
     <message>
         <source>This rig is not calibrated. The Rig page does that in a few minutes.</source>
@@ -2115,8 +2115,16 @@ Già consegnato il {day}: {name}</translation>
         <translation>Rimuovi</translation>
     </message>
     <message>
+        <source>The surface of this order is being made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>This order is being scanned.</source>
         <translation>Questo ordine è in scansione.</translation>
+    </message>
+    <message>
+        <source>Wait for it, or cancel it on the Reconstruct page.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Wait for its end or stop it first (Esc).</source>
@@ -2379,7 +2387,7 @@ Già consegnato il {day}: {name}</translation>
     </message>
     <message>
         <source>Surface so far: {share} % scanned, its base included; nets are holes</source>
-        <translation>Superficie finora: {share} % scansionato, base compresa; le reti sono lacune</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The live surface has ended; the scan goes on without it.</source>
@@ -3035,7 +3043,7 @@ Già consegnato il {day}: {name}</translation>
     </message>
     <message>
         <source>Lies</source>
-        <translation>Giacitura</translation>
+        <translation>Orientamento</translation>
     </message>
     <message>
         <source>Measured points beside it (XYZ)</source>
@@ -3115,7 +3123,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Not now</source>
-        <translation type="unfinished">Non ora</translation>
+        <translation>Non ora</translation>
     </message>
     <message>
         <source>Ready</source>
@@ -3142,7 +3150,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Complete</source>
-        <translation>Completa</translation>
+        <translation type="unfinished">Completa</translation>
     </message>
     <message>
         <source>Compute the points anew…</source>
@@ -3190,7 +3198,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Share of the whole surface that rests on measured points, the base on which the object stood included; Deliver leaves the base out.</source>
-        <translation>Parte dell&apos;intera superficie sostenuta da punti misurati, compresa la base su cui poggiava l&apos;oggetto; la consegna esclude la base.</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Stop here and keep</source>
@@ -3386,7 +3394,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Measure the sphere…</source>
-        <translation type="unfinished"></translation>
+        <translation>Misura la sfera…</translation>
     </message>
     <message>
         <source>Set up a rig…</source>
@@ -3465,7 +3473,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>How far off the surface may be (standard uncertainty). With a value, the scan measures more where the surface is less certain, until it is as certain everywhere that light can reach or the points are spent. With none, the points are spread evenly.</source>
-        <translation>Di quanto la superficie può scostarsi dal vero (incertezza tipo). Con un valore, la scansione misura di più dove la superficie è meno certa, finché lo è abbastanza ovunque la luce arriva o i punti sono esauriti. Senza, i punti sono distribuiti in modo uniforme.</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Laser off at once, and the end of the scan; what was measured is kept (Esc)</source>
@@ -3569,7 +3577,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Uncertainty wanted</source>
-        <translation>Incertezza voluta</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>View {view} of {views}</source>
@@ -3585,7 +3593,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Views measured once more: {views}</source>
-        <translation>Viste misurate di nuovo: {views}</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Whether the turn closes is not known: too few points of the first view were seen again.</source>
@@ -3613,7 +3621,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>none</source>
-        <translation>nessuna</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>points</source>
@@ -3633,7 +3641,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>{points} points  ·  view {view} once more</source>
-        <translation>{points} punti  ·  vista {view} di nuovo</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{share} % within {wanted} µm</source>
@@ -3713,7 +3721,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Deliveries</source>
-        <translation>Consegne</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Everything on this page as on the first day; Ctrl+Z takes it back.</source>
@@ -3893,23 +3901,23 @@ Dopo: {after}</translation>
     <name>SphereResultPanel</name>
     <message>
         <source>Save certificate…</source>
-        <translation type="unfinished"></translation>
+        <translation>Salva certificato…</translation>
     </message>
     <message>
         <source>Saved: {path}</source>
-        <translation type="unfinished"></translation>
+        <translation>Salvato: {path}</translation>
     </message>
     <message>
         <source>To the calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Alla calibrazione</translation>
     </message>
     <message>
         <source>Writing the certificate…</source>
-        <translation type="unfinished"></translation>
+        <translation>Scrittura del certificato…</translation>
     </message>
     <message>
         <source>µm size deviation, U = {uncertainty} µm (k = 2)</source>
-        <translation type="unfinished"></translation>
+        <translation>µm scarto di misura, U = {uncertainty} µm (k = 2)</translation>
     </message>
 </context>
 <context>
@@ -4262,115 +4270,115 @@ Dopo: {after}</translation>
     <name>VerifyPage</name>
     <message>
         <source>% done</source>
-        <translation type="unfinished">% fatto</translation>
+        <translation>% fatto</translation>
     </message>
     <message>
         <source>1.  Take away what stands on the table.</source>
-        <translation type="unfinished"></translation>
+        <translation>1.  Togliere ciò che sta sulla tavola.</translation>
     </message>
     <message>
         <source>2.  Put the reference sphere into the middle of the table, clean and alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>2.  Mettere la sfera di riferimento al centro della tavola, pulita e sola.</translation>
     </message>
     <message>
         <source>3.  Close the lid.</source>
-        <translation type="unfinished"></translation>
+        <translation>3.  Chiudere il coperchio.</translation>
     </message>
     <message>
         <source>A scan is running: wait for its end or stop it first (Esc).</source>
-        <translation type="unfinished"></translation>
+        <translation>Scansione in corso: attendere la fine o prima fermare (Esc).</translation>
     </message>
     <message>
         <source>A sphere of certified size tells whether the rig still measures right. It takes about a minute; nothing is scanned meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>Una sfera di misura certificata dice se il banco misura ancora bene. Serve circa un minuto; intanto non si scansiona.</translation>
     </message>
     <message>
         <source>Back to the rig</source>
-        <translation type="unfinished"></translation>
+        <translation>Torna al banco</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Annulla</translation>
+        <translation>Annulla</translation>
     </message>
     <message>
         <source>Cancelled: nothing was kept, and the laser is off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Annullata: niente è stato conservato, e il laser è spento.</translation>
     </message>
     <message>
         <source>Cancelling…</source>
-        <translation type="unfinished">Annullamento…</translation>
+        <translation>Annullamento…</translation>
     </message>
     <message>
         <source>Certified diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Diametro certificato</translation>
     </message>
     <message>
         <source>Diameter {diameter} mm, U = {uncertainty} µm: the sphere of the virtual rig.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diametro {diameter} mm, U = {uncertainty} µm: la sfera del banco virtuale.</translation>
     </message>
     <message>
         <source>Enter the diameter from the sphere&apos;s certificate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Inserire il diametro dal certificato della sfera.</translation>
     </message>
     <message>
         <source>From its certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Dal suo certificato</translation>
     </message>
     <message>
         <source>Its uncertainty U (k = 2)</source>
-        <translation type="unfinished"></translation>
+        <translation>La sua incertezza U (k = 2)</translation>
     </message>
     <message>
         <source>Keep your hands off and the lid closed. Esc switches the laser off at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tenere lontane le mani e chiuso il coperchio. Esc spegne subito il laser.</translation>
     </message>
     <message>
         <source>Measure again</source>
-        <translation type="unfinished"></translation>
+        <translation>Misura di nuovo</translation>
     </message>
     <message>
         <source>Measure the sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>Misura la sfera</translation>
     </message>
     <message>
         <source>Measuring the reference sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>Misura della sfera di riferimento</translation>
     </message>
     <message>
         <source>Progress of the measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>Avanzamento della misura</translation>
     </message>
     <message>
         <source>Reference sphere</source>
-        <translation type="unfinished">Sfera di riferimento</translation>
+        <translation>Sfera di riferimento</translation>
     </message>
     <message>
         <source>Save the certificate</source>
-        <translation type="unfinished"></translation>
+        <translation>Salva il certificato</translation>
     </message>
     <message>
         <source>The rig is not open: the Rig page says why.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il banco non è aperto: la pagina Banco dice perché.</translation>
     </message>
     <message>
         <source>The virtual rig puts its sphere on the table by itself, and afterwards puts back what stood there. Nothing has to be done.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il banco virtuale mette da sé la sfera sulla tavola, e poi rimette ciò che c&apos;era. Non c&apos;è niente da fare.</translation>
     </message>
     <message>
         <source>The whole test measures the sphere ten times and belongs to an acceptance: impronta verify sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>La prova intera misura la sfera dieci volte ed è parte di un collaudo: impronta verify sphere</translation>
     </message>
     <message>
         <source>This rig is not calibrated: calibrate it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Banco non calibrato: prima calibrarlo.</translation>
     </message>
     <message>
         <source>not entered</source>
-        <translation type="unfinished"></translation>
+        <translation>non inserito</translation>
     </message>
     <message>
         <source>{left} left</source>
-        <translation type="unfinished"></translation>
+        <translation>ancora {left}</translation>
     </message>
 </context>
 <context>
@@ -4573,7 +4581,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>by detail</source>
-        <translation>secondo dettaglio</translation>
+        <translation>da dettaglio</translation>
     </message>
     <message>
         <source>none</source>
@@ -4800,7 +4808,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Measuring the reference sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>Misura della sfera di riferimento</translation>
     </message>
     <message>
         <source>Opening the case…</source>
@@ -4808,7 +4816,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Scan paused</source>
-        <translation>Scansione in pausa</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Scanning</source>
@@ -5336,11 +5344,11 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>The print is {percent} % larger than its nominal size; this is corrected.</source>
-        <translation>La stampa è più grande del {percent} % della misura nominale; è corretto.</translation>
+        <translation>La stampa è più grande del {percent} % della misura nominale; se ne tiene conto.</translation>
     </message>
     <message>
         <source>The print is {percent} % smaller than its nominal size; this is corrected.</source>
-        <translation>La stampa è più piccola del {percent} % della misura nominale; è corretto.</translation>
+        <translation>La stampa è più piccola del {percent} % della misura nominale; se ne tiene conto.</translation>
     </message>
     <message>
         <source>The reference sphere measured {change} µm otherwise than in the tests before: calibrate and test it again.</source>
@@ -6100,7 +6108,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>The surface is expected to be off by {error_um} µm rms, more than {limit_um} µm: it was kept early. Reconstruct it to its end.</source>
-        <translation>L&apos;errore atteso della superficie è {error_um} µm rms, più di {limit_um} µm: è stata tenuta prima della fine. Ricostruirla fino in fondo.</translation>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The surface is expected to be off by {error_um} µm rms: too much for a shell. Calibrate, and scan again.</source>
@@ -6594,7 +6602,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>A sphere of certified size is measured: it tells whether the rig still measures right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Si misura una sfera di misura certificata: dice se il banco misura ancora bene.</translation>
     </message>
     <message>
         <source>An area is that of the missing surface in square millimetres. The sign at each place says why it is missing.</source>
@@ -6654,7 +6662,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Put the sphere into the middle of the table, enter the diameter from its certificate, and start. Do it once a month, and after every calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mettere la sfera al centro della tavola, inserire il diametro del suo certificato e avviare. Una volta al mese, e dopo ogni calibrazione.</translation>
     </message>
     <message>
         <source>Read the checks: what is amber says in one sentence what it means. Choose the profile of the receiver and deliver.</source>
@@ -6714,7 +6722,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>The size deviation is the measured diameter less the certified one; U is its uncertainty, k = 2. PF is the distance between the outermost and the innermost point, D95 the width that holds 95 % of the points, σ their standard deviation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lo scarto di misura è il diametro misurato meno quello certificato; U è la sua incertezza, k = 2. PF è la distanza fra il punto più esterno e il più interno, D95 la fascia che contiene il 95 % dei punti, σ il loro scarto tipo.</translation>
     </message>
     <message>
         <source>The size is that of everything in the window: 150 % makes texts and buttons half as large again.</source>
@@ -7069,7 +7077,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Reference sphere</source>
-        <translation type="unfinished">Sfera di riferimento</translation>
+        <translation>Sfera di riferimento</translation>
     </message>
     <message>
         <source>Rig</source>
@@ -7186,7 +7194,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Measure the sphere…</source>
-        <translation type="unfinished"></translation>
+        <translation>Misura la sfera…</translation>
     </message>
     <message>
         <source>Only {free_gib} GB are free where the cases are kept: free some space.</source>
@@ -7486,43 +7494,43 @@ Dopo: {after}</translation>
     <name>remarks</name>
     <message>
         <source>The body that stands on the table could not be filled; the base was closed by what the points alone enclose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il corpo che sta sulla tavola non si è potuto riempire; la base è stata chiusa da ciò che i soli punti racchiudono.</translation>
     </message>
     <message>
         <source>The coordinates are rounded to steps of {step_mm} mm, single precision far from the origin; export the points in double precision, or nearer to the origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le coordinate sono arrotondate a passi di {step_mm} mm, singola precisione lontano dall&apos;origine; esportare i punti in doppia precisione, o più vicino all&apos;origine.</translation>
     </message>
     <message>
         <source>The object is only {extent_mm} mm large, less than an anatomical part: if the coordinates are {unit}, use --units {option}.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;oggetto è grande solo {extent_mm} mm, meno di una parte anatomica: se le coordinate sono in {unit}, usare --units {option}.</translation>
     </message>
     <message>
         <source>The object is {extent_mm} mm large, more than any anatomical part: if the coordinates are micrometres, divide them by 1000; if they are millimetres, use --units mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;oggetto è grande {extent_mm} mm, più di ogni parte anatomica: se le coordinate sono in micrometri, dividerle per 1000; se in millimetri, usare --units mm.</translation>
     </message>
     <message>
         <source>The object lies {away_mm} mm from the origin; it was computed about its centre, so that no precision was lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;oggetto sta a {away_mm} mm dall&apos;origine; è stato calcolato attorno al suo centro, senza perdita di precisione.</translation>
     </message>
     <message>
         <source>{count} points ({share}) lie more than {link_mm} mm from the object; they were left out as strays.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} punti ({share}) stanno a più di {link_mm} mm dall&apos;oggetto; sono stati esclusi come estranei.</translation>
     </message>
     <message>
         <source>{share} % of the closed surface was not scanned; it is capped and marked as unsupported.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il {share} % della superficie chiusa non è stato scansionato; è colmato e segnato come non sostenuto.</translation>
     </message>
     <message>
         <source>{share} % of the closed surface was not scanned; it is left open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il {share} % della superficie chiusa non è stato scansionato; è lasciato aperto.</translation>
     </message>
     <message>
         <source>{share} % of the points do not belong to the surface and were rejected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il {share} % dei punti non appartiene alla superficie ed è stato scartato.</translation>
     </message>
     <message>
         <source>{share} of the points repeat others exactly; each place was counted once.</source>
-        <translation type="unfinished"></translation>
+        <translation>{share} dei punti ne ripetono altri esattamente; ogni posizione è contata una volta.</translation>
     </message>
 </context>
 <context>
@@ -7620,7 +7628,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Bench: 604 × 294 px at 435 mm</source>
-        <translation>Bench: 604 × 294 px a 435 mm</translation>
+        <translation>Bench: 604 × 294 a 435 mm</translation>
     </message>
     <message>
         <source>Both ears on a pair tray</source>
@@ -8762,7 +8770,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>The laser is off; put the reference sphere alone into the middle of the table, and check the size that was given.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il laser è spento; mettere la sola sfera di riferimento al centro della tavola, e controllare la misura indicata.</translation>
     </message>
     <message>
         <source>The laser is off; take all but one away and start the test again.</source>
@@ -9197,107 +9205,107 @@ Dopo: {after}</translation>
     <name>sphere</name>
     <message>
         <source>A value is so near its limit that its uncertainty leaves it open: nothing is proved. Measure again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un valore è così vicino al suo limite che l&apos;incertezza lo lascia aperto: niente è provato. Misurare di nuovo.</translation>
     </message>
     <message>
         <source>Certified diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Diametro certificato</translation>
     </message>
     <message>
         <source>Coverage</source>
-        <translation type="unfinished">Copertura</translation>
+        <translation>Copertura</translation>
     </message>
     <message>
         <source>Dispersion D95</source>
-        <translation type="unfinished"></translation>
+        <translation>Dispersione D95</translation>
     </message>
     <message>
         <source>Failed</source>
-        <translation type="unfinished"></translation>
+        <translation>Non superata</translation>
     </message>
     <message>
         <source>Form PF without the worst 0.3 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Forma PF senza il peggior 0.3 %</translation>
     </message>
     <message>
         <source>Form PF, all points</source>
-        <translation type="unfinished"></translation>
+        <translation>Forma PF, tutti i punti</translation>
     </message>
     <message>
         <source>Kept in the history of this rig.</source>
-        <translation type="unfinished"></translation>
+        <translation>Conservata nella storia di questo banco.</translation>
     </message>
     <message>
         <source>Measured diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Diametro misurato</translation>
     </message>
     <message>
         <source>Measured on every side, from the top down to</source>
-        <translation type="unfinished"></translation>
+        <translation>Misurata da ogni lato, dall&apos;alto fino a</translation>
     </message>
     <message>
         <source>Not kept in the history: a fault was rehearsed on this rig, or it shows a recording.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non conservata nella storia: su questo banco è stato provato un guasto, o mostra una registrazione.</translation>
     </message>
     <message>
         <source>Not kept in the history: its file could not be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Non conservata nella storia: il suo file non si è potuto scrivere.</translation>
     </message>
     <message>
         <source>Passed</source>
-        <translation type="unfinished"></translation>
+        <translation>Superata</translation>
     </message>
     <message>
         <source>Points on the sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>Punti sulla sfera</translation>
     </message>
     <message>
         <source>Size and D95 are within the rig&apos;s limits, even with their uncertainty added.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scarto di misura e D95 sono nei limiti del banco, anche sommando l&apos;incertezza.</translation>
     </message>
     <message>
         <source>Size deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>Scarto di misura</translation>
     </message>
     <message>
         <source>Standard deviation σ of the points</source>
-        <translation type="unfinished"></translation>
+        <translation>Scarto tipo σ dei punti</translation>
     </message>
     <message>
         <source>The points do not reach down to the sphere&apos;s equator on every side: nothing is proved. See that nothing stands in the way, and measure again.</source>
-        <translation type="unfinished"></translation>
+        <translation>I punti non arrivano da ogni lato fino all&apos;equatore della sfera: niente è provato. Badare che niente ostacoli, e misurare di nuovo.</translation>
     </message>
     <message>
         <source>The rig measures outside of its limits. Calibrate it, then measure the sphere again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il banco misura fuori dai limiti. Calibrarlo, poi misurare di nuovo la sfera.</translation>
     </message>
     <message>
         <source>Undecided</source>
-        <translation type="unfinished"></translation>
+        <translation>Indecisa</translation>
     </message>
     <message>
         <source>{count}, and {rejected} left out</source>
-        <translation type="unfinished"></translation>
+        <translation>{count}, e {rejected} esclusi</translation>
     </message>
     <message>
         <source>{reach}° (at least {needed}°)</source>
-        <translation type="unfinished"></translation>
+        <translation>{reach}° (almeno {needed}°)</translation>
     </message>
     <message>
         <source>{share} % of the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>{share} % della superficie</translation>
     </message>
     <message>
         <source>{value} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>{value} mm</translation>
     </message>
     <message>
         <source>{value} µm</source>
-        <translation type="unfinished"></translation>
+        <translation>{value} µm</translation>
     </message>
     <message>
         <source>{value} µm, U = {uncertainty} µm, limit {limit} µm</source>
-        <translation type="unfinished"></translation>
+        <translation>{value} µm, U = {uncertainty} µm, limite {limit} µm</translation>
     </message>
 </context>
 <context>

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -28,7 +28,9 @@ class Remaining:
     complete: int
 
 
-def remaining_plan(plan: ScanPlan, exposed: NDArray[np.int64], measured: NDArray[np.int64], begins: Sequence[int] = (0,)) -> Remaining:
+def remaining_plan(
+    plan: ScanPlan, exposed: NDArray[np.int64], measured: NDArray[np.int64], begins: Sequence[int] = (0,), again: Collection[int] = ()
+) -> Remaining:
     """The part of `plan` that is missing.
 
     A scan follows its rows in order, so all before the last one that was exposed is done: what it lacks there was cut off
@@ -40,6 +42,7 @@ def remaining_plan(plan: ScanPlan, exposed: NDArray[np.int64], measured: NDArray
     measured : (views,) points of each view
     begins : the first view of each pass; what a pass lacks is not carried into the next one, which was planned knowing of it, nor into
         the repetition of a view
+    again : views that are going to be measured once more; what they lack is measured there
     """
     latest = -1
     for number, view in enumerate(plan.views):
@@ -52,7 +55,7 @@ def remaining_plan(plan: ScanPlan, exposed: NDArray[np.int64], measured: NDArray
             owed = 0
         if number <= latest and quota is not None:
             quota += owed - int(measured[number])
-            owed = quota
+            owed = 0 if number in again else quota
         if number < latest:
             rows = ()
         elif number == latest:

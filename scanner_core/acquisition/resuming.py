@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,14 +24,19 @@ class Resumption:
     verdicts: dict[str, int]
 
 
-def resumption(store: CaseStore, interruption: Interruption, known: KnownPoints) -> Resumption | None:
-    """The rest of an interrupted scan; None when it was locating, or holds too few points to tell whether it may go on."""
+def resumption(store: CaseStore, interruption: Interruption, known: KnownPoints, again: Collection[int] = ()) -> Resumption | None:
+    """The rest of an interrupted scan; None when it was locating, or holds too few points to tell whether it may go on.
+
+    Parameters
+    ----------
+    again : views that are going to be measured once more
+    """
     record, plan = interruption.record, interruption.plan
     if record.kind != "scan" or not known.views_to_check(len(plan.views)):
         return None
     measured = np.bincount(known.views, minlength=len(plan.views))
     begins = [one.first_view for one in interruption.passes]
-    return Resumption(remaining_plan(plan, store.exposed_ids(record.id), measured, begins), store.verdict_counts(record.id))
+    return Resumption(remaining_plan(plan, store.exposed_ids(record.id), measured, begins, again), store.verdict_counts(record.id))
 
 
 def expect_same_rig(store: CaseStore, interruption: Interruption, config: RigConfig, calibration: StereoCalibration) -> None:

@@ -181,6 +181,8 @@ class ScanCourse:
         self.progress.follow(plan)
         exposed = self._store.exposures(self.scan_id)
         self.progress.recall(zip(exposed.trigger_id.tolist(), exposed.verdict, strict=True), rest.remaining.complete)
+        again = [view for view in range(rest.remaining.complete) if self.progress.will_repeat(view)]
+        rest = resumption(self._store, interruption, known, again) or rest
         self.tally = Tally(plan.planned, wanted, self._rig.clock.now_s(), rest.verdicts)
         self._health.recall(plan, known, rest.remaining.complete)
         if self._follower.marks is not None:

@@ -20,15 +20,21 @@ from PySide6.QtWidgets import QApplication
 
 from app.main import make_application
 from app.program import Program
-from tests.gui.waiting import until, wait_ms
+from tests.gui.standing import Standing, as_at_the_start, end, first_settings, stand
+from tests.gui.waiting import until
 
 HERE = Path(__file__).parent
+_sharing: set[Path] = set()
+"""Modules whose tests have one program."""
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         if HERE in item.path.parents:
             item.add_marker(pytest.mark.gui)
+        if "shared_program" in getattr(item, "fixturenames", ()):
+            _sharing.add(item.path)
+    items.sort(key=lambda item: item.path in _sharing)  # one after the other, so that it starts once
 
 
 @pytest.fixture(scope="session")
@@ -69,35 +75,61 @@ def settings_file(tmp_path: Path) -> Path:
     return path
 
 
-@pytest.fixture(scope="module")
-def shared_settings(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Settings of :func:`shared_program`."""
-    folder = tmp_path_factory.mktemp("shared")
-    path = folder / "settings.json"
-    path.write_text(json.dumps({"case_folder": str(folder / "cases"), "export_folder": str(folder / "exports"), "language": "en"}))
-    return path
+_standing = Standing()
+
+
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Two windows would take the keyboard from one another."""
+    if item.path not in _sharing:
+        _standing.close()
+
+
+@pytest.fixture(scope="session")
+def standing(application: QApplication) -> Iterator[Standing]:
+    yield _standing
+    _standing.close()
 
 
 @pytest.fixture(scope="module")
-def shared_program(application: QApplication, shared_settings: Path) -> Iterator[Program]:
-    """One program for the tests of a module, which leave it idle: its start costs more than most of them."""
-    running = Program(application, started_s=time.perf_counter(), settings_file=shared_settings)
-    until(lambda: running.window.scene is not None and running.services.reconstruction.worker_pid is not None, 120, "all that stays")
+def shared_program(application: QApplication, standing: Standing, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Program]:
+    """One program for the tests of many modules, which leave it idle: its start costs more than most of them.
+
+    A module finds it as it is after its start, but for what it has learned and where its windows stand.
+    """
+    running = standing.program or standing.start(application, tmp_path_factory.mktemp("shared"))
     running.window.activateWindow()
     QTest.qWaitForWindowActive(running.window, 3000)
     yield running
-    running.window.close()
-    running.window.deleteLater()
-    wait_ms(10)
+    as_at_the_start(application, running)
 
 
 @pytest.fixture(scope="module")
-def scanning_program(shared_program: Program) -> Program:
+def shared_settings(shared_program: Program) -> Path:
+    """Settings of :func:`shared_program`."""
+    return shared_program._settings_file
+
+
+@pytest.fixture(scope="module")
+def module_settings(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Settings of :func:`module_program`."""
+    return first_settings(tmp_path_factory.mktemp("module"))
+
+
+@pytest.fixture(scope="module")
+def module_program(application: QApplication, module_settings: Path) -> Iterator[Program]:
+    """One program for the tests of one module, which may leave traces in it that others would stumble over."""
+    running = stand(application, module_settings)
+    yield running
+    end(running)
+
+
+@pytest.fixture(scope="module")
+def scanning_program(module_program: Program) -> Program:
     """The same with the process that the first scan starts, and that stays until the program ends."""
-    live_surface = shared_program.services.live_surface
+    live_surface = module_program.services.live_surface
     live_surface.prepare()
     until(lambda: live_surface.worker_pid is not None, 120, "the process of the live surface")
-    return shared_program
+    return module_program
 
 
 @pytest.fixture
@@ -107,6 +139,4 @@ def program(application: QApplication, settings_file: Path) -> Iterator[Program]
     running.window.activateWindow()  # shortcuts belong to the active window, and Xvfb has no window manager
     QTest.qWaitForWindowActive(running.window, 3000)
     yield running
-    running.window.close()
-    running.window.deleteLater()
-    wait_ms(10)
+    end(running)

@@ -134,9 +134,9 @@ def test_only_what_is_ticked_is_corrected(application: QApplication) -> None:
 
 # ------------------------------------------------------------------------------------------ in the window
 @pytest.fixture
-def page(shared_program: Program) -> Iterator[AssistantPage]:
-    window = shared_program.window
-    until(lambda: shared_program.services.rig.snapshot.connected and shared_program.services.rig.snapshot.calibrating is None, 120, "the rig")
+def page(module_program: Program) -> Iterator[AssistantPage]:
+    window = module_program.window
+    until(lambda: module_program.services.rig.snapshot.connected and module_program.services.rig.snapshot.calibrating is None, 120, "the rig")
     shown = window.pages["assistant"]
     assert isinstance(shown, AssistantPage)
     window.actions_by_id["set_up_rig"].trigger()
@@ -144,9 +144,9 @@ def page(shared_program: Program) -> Iterator[AssistantPage]:
     shown.go_to(FIND)
     yield shown
     window.show_page("home")
-    until(lambda: not shared_program.services.assistant.holds_devices, 60, "the devices given back")
-    until(lambda: shared_program.services.rig.snapshot.connected, 120, "the rig of the program")
-    shared_program.services.assistant.snapshot = AssistantSnapshot()
+    until(lambda: not module_program.services.assistant.holds_devices, 60, "the devices given back")
+    until(lambda: module_program.services.rig.snapshot.connected, 120, "the rig of the program")
+    module_program.services.assistant.snapshot = AssistantSnapshot()
     window.banner.dismiss()
 
 
@@ -177,10 +177,10 @@ def _try_virtual(page: AssistantPage, program: Program) -> None:
 
 
 def test_with_no_device_a_sentence_says_so_and_the_virtual_rig_is_offered(
-    shared_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch
+    module_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     _finds(monkeypatch, [], [])
-    snapshot = _look(page, shared_program)
+    snapshot = _look(page, module_program)
     assert [answer.port.url for answer in snapshot.ports] == [VIRTUAL_PORT]
     texts = " ".join(texts_of(page))
     assert "No serial port was found" in texts
@@ -193,14 +193,14 @@ def test_with_no_device_a_sentence_says_so_and_the_virtual_rig_is_offered(
     assert page.next.isEnabled()
 
 
-def test_every_port_and_camera_says_what_it_is_and_what_to_do(shared_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_every_port_and_camera_says_what_it_is_and_what_to_do(module_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch) -> None:
     busy = DeviceBusyError("E-MOT-03", port="/dev/ttyUSB1")
     other = DeviceError("E-MOT-07", port="/dev/ttyACM0", said="hello")
     held = DeviceBusyError("E-CAM-05", camera="b", id="b")
     ports = [_port("/dev/ttyUSB1", PortState.BUSY, busy), _port("/dev/ttyACM0", PortState.OTHER, other)]
     _finds(monkeypatch, [lambda: ports[0], lambda: ports[1]], [_camera("a"), _camera("b", CameraState.IN_USE, held)])
     monkeypatch.setattr("scanner_core.devices.camera_drivers.open_camera", _no_camera)
-    _look(page, shared_program)
+    _look(page, module_program)
     texts = " ".join(texts_of(page))
     for part in ("used by another program", "close the other program", "it said: hello", "The rig needs two cameras", "None of these ports"):
         assert part in texts, part
@@ -209,7 +209,7 @@ def test_every_port_and_camera_says_what_it_is_and_what_to_do(shared_program: Pr
     assert [card.thumbnail.isEnabled() for card in page.finding.cards] == [True, False, True, True]
     page.finding.cards[0].thumbnail.setFocus()
     QTest.keyClick(page.finding.cards[0].thumbnail, Qt.Key.Key_Space)
-    assert _assistant(shared_program).snapshot.choice.left == A
+    assert _assistant(module_program).snapshot.choice.left == A
     assert "a controller, the right camera" in " ".join(texts_of(page))
 
 
@@ -218,7 +218,7 @@ def _no_camera(*_: object) -> Any:
 
 
 def test_a_board_and_two_streams_make_a_rig_and_their_pictures_live(
-    shared_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch
+    module_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def picture(number: int) -> np.ndarray:
         image = np.full((96, 128), 40, np.uint8)
@@ -229,13 +229,13 @@ def test_a_board_and_two_streams_make_a_rig_and_their_pictures_live(
         first, second = sorted((left.url, right.url))
         streams = [FoundCamera("opencv", url, "A stream", CameraState.READY, None, None, GREY) for url in (first, second)]
         _finds(monkeypatch, [lambda: ask_ports([SerialPort(board.url, "a board")], make_clock(1.0))[0]], streams)
-        snapshot = _look(page, shared_program)
+        snapshot = _look(page, module_program)
         assert snapshot.choice == DeviceChoice(board.url, ("opencv", first), ("opencv", second))
         card = page.finding.cards[0]
         before = pixels_of(card.thumbnail).copy()
         until(lambda: (pixels_of(card.thumbnail) != before).any(), 20, "a picture that moves")
         page.finding.exchange.click()
-        assert _assistant(shared_program).snapshot.choice.left == ("opencv", second)
+        assert _assistant(module_program).snapshot.choice.left == ("opencv", second)
         page.finding.settings.exposure_ms.setValue(4.0)
         page.go_to(WRITE)
         until(lambda: page.writing.text.toPlainText(), 20, "the text")
@@ -243,8 +243,8 @@ def test_a_board_and_two_streams_make_a_rig_and_their_pictures_live(
         assert board.url in text
         assert text.count("exposure_ms = 4.0") == 2
         assert text.index(second) < text.index(first)
-        shared_program.window.show_page("home")  # before the streams end
-        until(lambda: not _assistant(shared_program).holds_devices, 30, "the devices given back")
+        module_program.window.show_page("home")  # before the streams end
+        until(lambda: not _assistant(module_program).holds_devices, 30, "the devices given back")
 
 
 def _quick_check(rig: OpenRig, *, on_check: Callable[[RigCheck], None], **_: object) -> RigFindings:
@@ -260,13 +260,13 @@ def _quick_check(rig: OpenRig, *, on_check: Callable[[RigCheck], None], **_: obj
 
 @pytest.mark.parametrize("real", [False, pytest.param(True, marks=pytest.mark.long)])
 def test_the_whole_way_on_a_virtual_rig_whose_beam_goes_the_wrong_way(
-    shared_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch, real: bool
+    module_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch, real: bool
 ) -> None:
     _finds(monkeypatch, [], [])
     if not real:
         monkeypatch.setattr("scanner_core.commissioning.rig_check.check_rig", _quick_check)
-    _try_virtual(page, shared_program)
-    checking, assistant = page.checking, _assistant(shared_program)
+    _try_virtual(page, module_program)
+    checking, assistant = page.checking, _assistant(module_program)
     bench = load_preset("bench")
     wrong = replace(bench, controller=replace(bench.controller, units_per_deg=(-1.0, 1.0, 1.0)))
     monkeypatch.setattr("app.controllers.assistant.config_of", lambda _: wrong)
@@ -309,19 +309,19 @@ def test_the_whole_way_on_a_virtual_rig_whose_beam_goes_the_wrong_way(
     written = load_rig(writing.path)
     assert (written.name, written.virtual, written.controller.units_per_deg) == ("bench of mine", "bench", (1.0, 1.0, 1.0))
     writing.use_now.click()
-    assert shared_program.window.page_id == "rig"
-    rig = shared_program.services.rig
+    assert module_program.window.page_id == "rig"
+    rig = module_program.services.rig
     until(lambda: rig.snapshot.connected and rig.snapshot.preset == str(writing.path), 60, "the rig in use")
     rig.choose(preset="bench")
 
 
 def test_a_file_that_is_there_is_replaced_only_when_asked_twice(
-    shared_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    module_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     _finds(monkeypatch, [], [])
-    _try_virtual(page, shared_program)
+    _try_virtual(page, module_program)
     page.go_to(WRITE)
-    writing, assistant = page.writing, _assistant(shared_program)
+    writing, assistant = page.writing, _assistant(module_program)
     writing.name.setText("taken")
     until(lambda: 'name = "taken"' in writing.text.toPlainText(), 10, "the text")
     writing.path.parent.mkdir(parents=True, exist_ok=True)
@@ -339,10 +339,10 @@ def test_a_file_that_is_there_is_replaced_only_when_asked_twice(
     assert load_rig(writing.path).name == "taken"
 
 
-def test_moving_by_hand_and_a_spot_that_escape_turns_off(shared_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_moving_by_hand_and_a_spot_that_escape_turns_off(module_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch) -> None:
     _finds(monkeypatch, [], [])
-    _try_virtual(page, shared_program)
-    checking, assistant, window = page.checking, _assistant(shared_program), shared_program.window
+    _try_virtual(page, module_program)
+    checking, assistant, window = page.checking, _assistant(module_program), module_program.window
     assert not checking.jog.arrows["x", 1].isEnabled()
     checking.agreed.click()
     checking.open.click()
@@ -374,10 +374,10 @@ def test_moving_by_hand_and_a_spot_that_escape_turns_off(shared_program: Program
 
 
 @pytest.mark.parametrize("way", ["key", "cancel"])
-def test_a_check_ends_dark_whoever_stops_it(shared_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch, way: str) -> None:
+def test_a_check_ends_dark_whoever_stops_it(module_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch, way: str) -> None:
     _finds(monkeypatch, [], [])
-    _try_virtual(page, shared_program)
-    checking, assistant, window = page.checking, _assistant(shared_program), shared_program.window
+    _try_virtual(page, module_program)
+    checking, assistant, window = page.checking, _assistant(module_program), module_program.window
     checking.agreed.click()
     checking.start.click()
     until(lambda: assistant.snapshot.checks, 60, "the first line")
@@ -392,49 +392,49 @@ def test_a_check_ends_dark_whoever_stops_it(shared_program: Program, page: Assis
 
 
 def test_leaving_gives_the_devices_back_and_the_next_visit_asks_for_protection_anew(
-    shared_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch
+    module_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     _finds(monkeypatch, [], [])
-    _try_virtual(page, shared_program)
-    assistant, rig = _assistant(shared_program), shared_program.services.rig
+    _try_virtual(page, module_program)
+    assistant, rig = _assistant(module_program), module_program.services.rig
     assert not rig.snapshot.connected
     page.checking.agreed.click()
     page.checking.start.click()
     until(lambda: assistant.snapshot.checks, 60, "the first line")
-    shared_program.window.show_page("home")
+    module_program.window.show_page("home")
     until(lambda: rig.snapshot.connected, 60, "the program's own rig")
     assert not assistant.holds_devices
     assert assistant.snapshot.running is Job.NONE
     assert assistant._devices.rig is None
-    shared_program.window.set_up_rig()
+    module_program.window.set_up_rig()
     assert not page.checking.agreed.isChecked()
 
 
-def test_a_rig_that_does_not_open_says_why(shared_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_rig_that_does_not_open_says_why(module_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch) -> None:
     def fails(*_: object) -> Any:
         raise DeviceBusyError("E-MOT-03", port="/dev/ttyUSB0")
 
     _finds(monkeypatch, [], [])
-    _try_virtual(page, shared_program)
+    _try_virtual(page, module_program)
     monkeypatch.setattr("scanner_core.acquisition.rig_session.open_rig", fails)
     page.checking.agreed.click()
     page.checking.start.click()
-    until(lambda: _assistant(shared_program).snapshot.failed is not None, 20, "the fault")
-    failed = _assistant(shared_program).snapshot.failed
+    until(lambda: _assistant(module_program).snapshot.failed is not None, 20, "the fault")
+    failed = _assistant(module_program).snapshot.failed
     assert isinstance(failed, ImprontaError)
     assert "The port /dev/ttyUSB0 is used by another program." in " ".join(texts_of(page.checking))
     assert page.checking.start.isEnabled()
 
 
 def test_another_file_may_be_chosen_in_a_dialog_that_the_stop_key_reaches(
-    shared_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    module_program: Program, page: AssistantPage, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     _finds(monkeypatch, [], [])
-    _try_virtual(page, shared_program)
+    _try_virtual(page, module_program)
     page.go_to(WRITE)
     page.writing.browse.click()
-    until(lambda: shared_program.window.findChildren(FileDialog), 10, "the dialog")
-    dialog = shared_program.window.findChildren(FileDialog)[-1]
+    until(lambda: module_program.window.findChildren(FileDialog), 10, "the dialog")
+    dialog = module_program.window.findChildren(FileDialog)[-1]
     dialog.selectFile(str(tmp_path / "other.toml"))
     dialog.accept()
     assert page.writing.path == tmp_path / "other.toml"

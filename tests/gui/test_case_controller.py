@@ -17,11 +17,13 @@ from PySide6.QtWidgets import QApplication
 
 from app.background import Background
 from app.controllers.case import CaseController
+from app.controllers.case_files import create_cases
 from app.controllers.reconstruction import ReconstructionController
 from app.controllers.reconstruction_queue import WantedSurface
-from app.draft import Draft
+from app.draft import Draft, DraftValues
 from app.settings import Settings
 from scanner_core.case.store import CaseStore, Order
+from scanner_core.errors import StorageError
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.jobs.progress import Cancelled
@@ -179,3 +181,40 @@ def test_a_pair_is_made_at_once_and_the_first_is_open(desk: Desk) -> None:
     with CaseStore.open(others[0], read_only=True) as store:
         assert store.order().side == "right"
     assert desk.told == []
+
+
+def test_what_is_entered_into_a_case_reaches_it_though_another_is_open(desk: Desk) -> None:
+    elsewhere: list[bool] = []
+    desk.case.noted.connect(lambda: elsewhere.append(True))
+    desk.open(desk.first)
+    desk.open(desk.second)
+    desk.case.note(desk.first, lambda store: store.edit("delivery", {"files": []}, "Delivered"))
+    until(lambda: elsewhere, 20, "the news")
+    with CaseStore.open(desk.first, read_only=True) as kept:
+        assert kept.value("delivery") == {"files": []}
+    assert desk.case.undo_words is None
+
+
+def test_a_pair_of_which_one_file_cannot_be_made_leaves_the_other_free(desk: Desk, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    made: list[Path] = []
+
+    def create(path: Path) -> CaseStore:
+        if made:
+            raise StorageError("E-DISK-01", path=path)
+        made.append(path)
+        return whole(path)
+
+    whole = CaseStore.create
+    monkeypatch.setattr(CaseStore, "create", create)
+    with pytest.raises(StorageError):
+        create_cases(tmp_path / "pair", DraftValues(order="P-1", side="both", kind="ear"))
+    desk.open(made[0])
+    assert desk.told == []
+
+
+def test_what_was_just_typed_is_kept_when_the_program_ends(desk: Desk) -> None:
+    desk.open(desk.first)
+    desk.draft.edit("patient_code", "P-2")
+    assert desk.case.shutdown(10.0)
+    with CaseStore.open(desk.first, read_only=True) as kept:
+        assert kept.order() == Order("A", "P-2", "left", "ear")

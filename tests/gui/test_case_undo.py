@@ -84,16 +84,6 @@ def test_the_order_of_the_open_case_is_edited_in_its_file(shared_program: Progra
     assert _order(case) == Order("A-77", "P-1", "right", "ear", "by courier")
 
 
-def test_what_was_just_typed_is_kept_when_the_window_closes(program: Program, tmp_path: Path) -> None:
-    case = tmp_path / "b.impronta"
-    CaseStore.create(case).close()
-    program.window.open_case(case)
-    until(lambda: program.services.case.path == case, 20, "the case")
-    program.services.draft.edit("patient_code", "P-2")
-    program.window.close()
-    assert _order(case).patient_code == "P-2"
-
-
 def test_undo_right_after_typing_takes_it_back(shared_program: Program, case: Path) -> None:
     shared_program.services.draft.edit("order", "B-2")
     shared_program.window.undo()

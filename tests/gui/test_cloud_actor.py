@@ -9,8 +9,8 @@ from app.views.cloud_actor import LIVE_LIMIT, MOVING_LIMIT, CloudActor
 from app.views.cloud_points import CloudPoints
 from app.views.cloud_store import every
 from app.views.colour_maps import MAPS
-from app.views.height_colours import rgb
 from app.views.point_colour import PointColour
+from app.views.surface_colours import rgb
 from scanner_core.geometry.point_cloud import PointCloud
 
 UP = np.array([0.0, 0.0, 1.0])

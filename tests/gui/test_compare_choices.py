@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from pathlib import Path
 
 import pytest
@@ -110,7 +111,8 @@ def test_what_cannot_be_taken_is_told_and_reading_can_be_cancelled(program: Prog
     for card in page.surfaces.cards.values():
         card.stop.click()
     assert not comparing.reading.reading
-    wait_ms(300)
+    until(lambda: not any(thread.name.startswith("read-") for thread in threading.enumerate()), 60, "the end of both readings")
+    wait_ms(50)
     assert comparing.draft.choice.before is None
     assert comparing.draft.choice.after is None
 

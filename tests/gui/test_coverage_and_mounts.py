@@ -99,8 +99,8 @@ def test_a_place_is_told_in_words_made_of_its_fields() -> None:
     assert help_words(CoveragePlace(Reason.LEFT_HIDDEN, (0.0, 9.0, 4.2), (0.0, 1.0, 0.0), 60.0, None, 40.0)) == "Tilt the object by about 40°."
 
 
-def test_the_list_flies_to_a_place_and_marks_it_by_keyboard(shared_program: Program) -> None:
-    page, scene = show_coverage(shared_program, answer()), shared_program.window.scene
+def test_the_list_flies_to_a_place_and_marks_it_by_keyboard(module_program: Program) -> None:
+    page, scene = show_coverage(module_program, answer()), module_program.window.scene
     assert scene is not None
     assert len(page.places.texts) == 2
     assert page.places.texts[0].startswith("Underneath, 300.0 mm²: looks down or lies on the table.")
@@ -116,8 +116,8 @@ def test_the_list_flies_to_a_place_and_marks_it_by_keyboard(shared_program: Prog
     assert near(picture, "#ffffff", 6).sum() > 100  # the outline
 
 
-def test_the_colours_are_the_reasons_or_the_uncertainty_and_the_case_comes_back(shared_program: Program) -> None:
-    page, window = show_coverage(shared_program, answer()), shared_program.window
+def test_the_colours_are_the_reasons_or_the_uncertainty_and_the_case_comes_back(module_program: Program) -> None:
+    page, window = show_coverage(module_program, answer()), module_program.window
     assert window.stage.legend.isHidden()
     page.by_uncertainty.click()
     assert not window.stage.legend.isHidden()
@@ -131,12 +131,12 @@ def test_the_colours_are_the_reasons_or_the_uncertainty_and_the_case_comes_back(
     until(lambda: window.page_id == "coverage" and window.scene is not None and window.scene.aside is not None, 10, "the answer again")
 
 
-def test_what_can_be_done_stands_on_the_buttons(shared_program: Program) -> None:
-    page = show_coverage(shared_program, answer(few=False))
+def test_what_can_be_done_stands_on_the_buttons(module_program: Program) -> None:
+    page = show_coverage(module_program, answer(few=False))
     assert page.remount.text() == "Needs another mount"
     assert "tip the top of the object by about 75° towards the cameras" in page.advice.text()
     assert not page.fill.isEnabled()  # there is no case
-    shared_program.services.coverage.forget()
+    module_program.services.coverage.forget()
     assert page.places.count() == 0
     assert page.ask.isVisibleTo(page)
 
@@ -149,13 +149,13 @@ def case_path(tmp_path: Path) -> Path:
     return path
 
 
-def test_a_place_has_its_picture_and_is_accepted_by_a_key_until_it_is_undone(shared_program: Program, case_path: Path) -> None:
-    window, coverage, case = shared_program.window, shared_program.services.coverage, shared_program.services.case
+def test_a_place_has_its_picture_and_is_accepted_by_a_key_until_it_is_undone(module_program: Program, case_path: Path) -> None:
+    window, coverage, case = module_program.window, module_program.services.coverage, module_program.services.case
     case.open(case_path)
     until(lambda: case.store is not None, 10, "the case")
     coverage._of = coverage._content
     found = answer()
-    page = show_coverage(shared_program, found)
+    page = show_coverage(module_program, found)
     coverage.pictures.draw(found.surface, found.report)
     until(lambda: len(coverage.pictures.pictures) == 2, 20, "the pictures")
     assert all(picture[..., 3].max() == 255 for picture in coverage.pictures.pictures.values())
@@ -189,11 +189,11 @@ def test_a_snapshot_of_an_open_case_can_be_opened_by_others_and_goes_away(case_p
         CaseSnapshot(store)
 
 
-def test_a_case_without_points_is_told_and_the_copy_is_gone(shared_program: Program, case_path: Path) -> None:
-    case = shared_program.services.case
+def test_a_case_without_points_is_told_and_the_copy_is_gone(module_program: Program, case_path: Path) -> None:
+    case = module_program.services.case
     case.open(case_path)
     until(lambda: case.store is not None, 20, "the case")
-    job = CaseJob("coverage", "coverage", shared_program.background, case)
+    job = CaseJob("coverage", "coverage", module_program.background, case)
     told: list[object] = []
     copies: list[Path] = []
 
@@ -235,15 +235,15 @@ def mounts_answer(*, joined: bool) -> FoundMounts:
 
 
 @pytest.fixture
-def asked(shared_program: Program, monkeypatch: pytest.MonkeyPatch) -> Iterator[list[Any]]:
+def asked(module_program: Program, monkeypatch: pytest.MonkeyPatch) -> Iterator[list[Any]]:
     """What the mounts are to be registered with, instead of registering them."""
-    mounts, told = shared_program.services.mounts, list[Any]()
+    mounts, told = module_program.services.mounts, list[Any]()
     monkeypatch.setattr(mounts, "register", told.append)
     yield told
     mounts.found = None
     mounts.changed.emit()
-    shared_program.window.show_page("home")
-    shared_program.compare_stack.clear()
+    module_program.window.show_page("home")
+    module_program.compare_stack.clear()
 
 
 def show_mounts(program: Program, *, joined: bool) -> MountsPage:
@@ -261,8 +261,8 @@ def test_a_mount_that_lies_well_is_told_in_one_line() -> None:
     assert "lie on it" in mount_line(outcomes[0], 0)
 
 
-def test_mounts_are_drawn_in_two_colours_and_the_next_step_is_offered(shared_program: Program, asked: list[Any]) -> None:
-    page, scene = show_mounts(shared_program, joined=True), shared_program.window.scene
+def test_mounts_are_drawn_in_two_colours_and_the_next_step_is_offered(module_program: Program, asked: list[Any]) -> None:
+    page, scene = show_mounts(module_program, joined=True), module_program.window.scene
     assert not page.strip.isVisible()
     assert page.next.isVisible()
     assert scene is not None
@@ -271,8 +271,8 @@ def test_mounts_are_drawn_in_two_colours_and_the_next_step_is_offered(shared_pro
         assert near(picture, mount_colour(mount), 70).sum() > 300
 
 
-def test_a_refused_mount_says_why_and_offers_two_ways_out(shared_program: Program, asked: list[Any]) -> None:
-    page = show_mounts(shared_program, joined=False)
+def test_a_refused_mount_says_why_and_offers_two_ways_out(module_program: Program, asked: list[Any]) -> None:
+    page = show_mounts(module_program, joined=False)
     assert page.strip.isVisible()
     assert "fits in more than one way" in page.reason.text()
     assert page.pick.isEnabled()
@@ -281,9 +281,9 @@ def test_a_refused_mount_says_why_and_offers_two_ways_out(shared_program: Progra
     assert not page.strip.isVisible()
 
 
-def test_three_points_on_each_are_picked_by_click_and_by_key_and_undone(shared_program: Program, asked: list[Any]) -> None:
-    window, picks = shared_program.window, shared_program.services.mount_picks
-    show_mounts(shared_program, joined=False).pick.click()
+def test_three_points_on_each_are_picked_by_click_and_by_key_and_undone(module_program: Program, asked: list[Any]) -> None:
+    window, picks = module_program.window, module_program.services.mount_picks
+    show_mounts(module_program, joined=False).pick.click()
     page = window.pages["pick"]
     assert isinstance(page, PickPage)
     until(lambda: page.views and all(view.pictures for view in page.views.values()), 60, "both clouds")
@@ -314,17 +314,17 @@ def test_three_points_on_each_are_picked_by_click_and_by_key_and_undone(shared_p
     wait_ms(50)
 
 
-def test_what_was_picked_goes_when_the_mount_was_joined(shared_program: Program, asked: list[Any]) -> None:
-    picks, mounts = shared_program.services.mount_picks, shared_program.services.mounts
-    show_mounts(shared_program, joined=False)
+def test_what_was_picked_goes_when_the_mount_was_joined(module_program: Program, asked: list[Any]) -> None:
+    picks, mounts = module_program.services.mount_picks, module_program.services.mounts
+    show_mounts(module_program, joined=False)
     picks.begin()
     picks.pick("fixed", (1.0, 2.0, 3.0))
-    shared_program.window.show_page("pick")
+    module_program.window.show_page("pick")
     mounts.found = mounts_answer(joined=True)
     mounts.changed.emit()
     assert picks.mount is None
-    assert shared_program.window.page_id == "mounts"
-    shared_program.window.undo()
+    assert module_program.window.page_id == "mounts"
+    module_program.window.undo()
     assert picks.picked == ((), ())
 
 

@@ -19,10 +19,10 @@ from app.controllers.live_surface import LiveSurfaceController
 from app.theme import look
 from app.views.cloud_actor import CloudActor
 from app.views.cloud_points import CloudPoints
-from app.views.height_colours import SUPPORTED
 from app.views.holed_surface import HoledSurface
 from app.views.scene_view import SceneView
 from app.views.surface import Surface
+from app.views.surface_colours import SUPPORTED
 from scanner_core.acquisition.live_points import LivePoints
 from scanner_core.geometry.icosahedron import icosahedron
 from scanner_core.geometry.mesh import TriangleMesh

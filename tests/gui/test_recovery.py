@@ -57,9 +57,9 @@ def interrupted(tmp_path_factory: pytest.TempPathFactory) -> bytes:
 
 
 @pytest.fixture(scope="module")
-def case(interrupted: bytes, shared_settings: Path) -> Path:
+def case(interrupted: bytes, module_settings: Path) -> Path:
     """The same in the case folder of the program that is about to start."""
-    folder = Path(json.loads(shared_settings.read_text())["case_folder"])
+    folder = Path(json.loads(module_settings.read_text())["case_folder"])
     folder.mkdir(parents=True)
     path = folder / "R-1_left_ear_2026-11-27.impronta"
     path.write_bytes(interrupted)
@@ -130,14 +130,14 @@ def test_resume_scans_what_is_missing(program: Program, case: Path, interrupted:
     assert program.window.banner.text == ""
 
 
-def test_a_new_case_is_remembered_at_once_and_a_scan_that_fails_is_offered(program: Program, shared_settings: Path) -> None:
+def test_a_new_case_is_remembered_at_once_and_a_scan_that_fails_is_offered(program: Program, module_settings: Path) -> None:
     """A program that is killed has no shutdown."""
     services, window = program.services, program.window
     services.draft.edit("views", 2)
     services.draft.edit("points", 40_000)
     window.start_scan()
     until(lambda: services.acquisition.status is not None and services.acquisition.status.counts.measured > 100, 60, "points")
-    assert json.loads(shared_settings.read_text())["recent_cases"][0] == str(services.case.path)
+    assert json.loads(module_settings.read_text())["recent_cases"][0] == str(services.case.path)
     rig = services.rig._devices.rig
     assert rig is not None
     rig.left.close()  # it is gone

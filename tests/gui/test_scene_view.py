@@ -15,10 +15,10 @@ from PySide6.QtWidgets import QApplication
 from app.controllers.editing import EditedPoints
 from app.views.cloud_store import every
 from app.views.edit_aside import EditAside
-from app.views.height_colours import SUPPORTED, UNSUPPORTED
 from app.views.interactor import SceneClosedError
 from app.views.scene_view import SceneView
 from app.views.surface import Surface
+from app.views.surface_colours import SUPPORTED, UNSUPPORTED
 from scanner_core.acquisition.live_points import LivePoints
 from scanner_core.editing.base_plane import find_base
 from scanner_core.geometry.icosahedron import icosahedron

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import os
-import time
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QApplication, QCheckBox
 
 from app.controllers.preferences import STEPS
@@ -17,7 +15,6 @@ from app.program import Program
 from app.settings import Settings, load_settings, save_settings
 from app.theme import look, set_theme
 from app.views.settings_page import SettingsPage
-from tests.gui.waiting import until
 
 
 def _page(program: Program) -> SettingsPage:
@@ -65,25 +62,6 @@ def test_the_pattern_of_names_shows_what_it_gives_and_is_kept(shared_program: Pr
     page.names.template.editingFinished.emit()
     assert load_settings(shared_settings).name_template == "{order}-{rev}"
     assert page.names.names.text().endswith("-1.stl")
-
-
-def test_the_window_is_made_anew_in_another_language(program: Program, application: QApplication, settings_file: Path) -> None:
-    page = _page(program)
-    program.services.draft.edit("order", "4711")
-    page.language.setCurrentIndex(page.language.findData("de"))
-    page.language.activated.emit(page.language.currentIndex())
-    until(lambda: not program.window.isVisible(), 30, "the end of the first window")
-    again = program.again
-    assert again is not None
-    second = Program(application, started_s=time.perf_counter(), settings_file=settings_file, after=again)
-    try:
-        until(lambda: second.window.page_id == "settings", 30, "the page where the person was")
-        assert second.services.draft.values.order == "4711"
-        assert QLocale().decimalPoint() == ","
-    finally:
-        second.window.close()
-        second.window.deleteLater()
-    assert QLocale().name() == QLocale.system().name()
 
 
 @pytest.mark.parametrize(("percent", "wanted"), [(100, None), (150, "1.5"), (200, "2"), (1000, None)])

@@ -56,20 +56,20 @@ class Stops:
 
 
 @pytest.fixture
-def stops(shared_program: Program, monkeypatch: pytest.MonkeyPatch) -> Iterator[Stops]:
-    QTest.qWaitForWindowExposed(shared_program.window)
-    yield Stops(shared_program, monkeypatch)
+def stops(module_program: Program, monkeypatch: pytest.MonkeyPatch) -> Iterator[Stops]:
+    QTest.qWaitForWindowExposed(module_program.window)
+    yield Stops(module_program, monkeypatch)
     while (popup := QApplication.activePopupWidget()) is not None:
         popup.close()
 
 
-def test_every_page_and_every_field(shared_program: Program, stops: Stops) -> None:
+def test_every_page_and_every_field(module_program: Program, stops: Stops) -> None:
     for info in PAGES:
-        shared_program.window.show_page(info.id)
+        module_program.window.show_page(info.id)
         wait_ms(30)
-        assert stops.by_key(shared_program.window), info.id
+        assert stops.by_key(module_program.window), info.id
         assert stops.by_button(), info.id
-        page = shared_program.window.pages[info.id]
+        page = module_program.window.pages[info.id]
         for kind in (QLineEdit, QSpinBox, QComboBox):
             for field in page.findChildren(kind):
                 if field.isVisible() and field.isEnabled():
@@ -77,8 +77,8 @@ def test_every_page_and_every_field(shared_program: Program, stops: Stops) -> No
                     assert stops.by_key(field), (info.id, field)
 
 
-def test_every_menu_and_every_list(shared_program: Program, stops: Stops) -> None:
-    window = shared_program.window
+def test_every_menu_and_every_list(module_program: Program, stops: Stops) -> None:
+    window = module_program.window
     for action in window.menuBar().actions():
         menu = action.menu()
         assert isinstance(menu, QMenu)
@@ -90,7 +90,7 @@ def test_every_menu_and_every_list(shared_program: Program, stops: Stops) -> Non
         until(menu.isVisible, 5, "the menu")
         assert stops.by_button(), action.text()
     window.show_page("rig")
-    until(lambda: shared_program.services.rig.snapshot.connected and shared_program.services.rig.snapshot.calibrating is None, 120, "the rig")
+    until(lambda: module_program.services.rig.snapshot.connected and module_program.services.rig.snapshot.calibrating is None, 120, "the rig")
     wait_ms(50)
     for combo in window.pages["rig"].findChildren(QComboBox):
         for way in ("key", "button"):
@@ -108,9 +108,9 @@ def _dialog(program: Program) -> FileDialog:
     return program.window.findChildren(FileDialog)[-1]
 
 
-def test_every_dialog(shared_program: Program, stops: Stops) -> None:
-    window = shared_program.window
-    until(lambda: shared_program.services.rig.snapshot.connected and shared_program.services.rig.snapshot.calibrating is None, 120, "the rig")
+def test_every_dialog(module_program: Program, stops: Stops) -> None:
+    window = module_program.window
+    until(lambda: module_program.services.rig.snapshot.connected and module_program.services.rig.snapshot.calibrating is None, 120, "the rig")
     rig, deliver = window.pages["rig"], window.pages["deliver"]
     opened = {
         "case": lambda: window.actions_by_id["open_case"].trigger(),
@@ -122,7 +122,7 @@ def test_every_dialog(shared_program: Program, stops: Stops) -> None:
     for name, opens in opened.items():
         window.show_page({"case": "home", "folder": "deliver"}.get(name, "rig"))
         opens()
-        dialog = _dialog(shared_program)
+        dialog = _dialog(module_program)
         assert QApplication.activeModalWidget() is None, name
         assert dialog.testOption(FileDialog.Option.DontUseNativeDialog), name
         assert stops.by_button(), name
@@ -133,14 +133,14 @@ def test_every_dialog(shared_program: Program, stops: Stops) -> None:
         until(lambda: not window.findChildren(FileDialog), 5, f"{name} closed as ever")
 
 
-def test_a_dialog_says_inside_what_others_ask_in_a_box(shared_program: Program, tmp_path: Path) -> None:
-    window = shared_program.window
+def test_a_dialog_says_inside_what_others_ask_in_a_box(module_program: Program, tmp_path: Path) -> None:
+    window = module_program.window
     (tmp_path / "there.pdf").write_bytes(b"old")
     chosen: list[Path] = []
     from app.views.file_dialogs import choose_file, choose_folder, choose_new_file
 
     choose_file(window, "A file", str(tmp_path), "All (*)", chosen.append)
-    dialog = _dialog(shared_program)
+    dialog = _dialog(module_program)
     dialog.selectFile("missing.pdf")
     dialog.accept()
     assert dialog.isVisible()
@@ -148,15 +148,15 @@ def test_a_dialog_says_inside_what_others_ask_in_a_box(shared_program: Program, 
     dialog.selectFile("there.pdf")
     dialog.accept()
     choose_new_file(window, "A new file", str(tmp_path / "there.pdf"), "PDF (*.pdf)", "pdf", chosen.append)
-    dialog = _dialog(shared_program)
+    dialog = _dialog(module_program)
     dialog.accept()
     assert dialog.isVisible()
     assert dialog.labelText(FileDialog.DialogLabel.Accept) == "Replace it"
     dialog.accept()
     choose_new_file(window, "A new file", str(tmp_path / "new"), "PDF (*.pdf)", "pdf", chosen.append)
-    _dialog(shared_program).accept()
+    _dialog(module_program).accept()
     choose_folder(window, "A folder", str(tmp_path), chosen.append)
-    _dialog(shared_program).accept()
+    _dialog(module_program).accept()
     assert QApplication.activeModalWidget() is None
     assert chosen == [tmp_path / "there.pdf", tmp_path / "there.pdf", tmp_path / "new.pdf", tmp_path]
 
@@ -178,15 +178,15 @@ def test_a_held_key_and_one_press_on_its_way_are_one_stop(application: QApplicat
 
 @pytest.mark.usefixtures("scanning_program")
 @pytest.mark.parametrize("way", [pytest.param("key", marks=pytest.mark.long), "button"])
-def test_a_scan_ends_while_a_dialog_is_open(shared_program: Program, way: str) -> None:
-    window, services = shared_program.window, shared_program.services
+def test_a_scan_ends_while_a_dialog_is_open(module_program: Program, way: str) -> None:
+    window, services = module_program.window, module_program.services
     until(lambda: services.rig.snapshot.connected and services.rig.snapshot.calibration is not None, 120, "a calibrated rig")
     services.draft.edit("views", 2)
     services.draft.edit("points", 40_000)
     window.start_scan()
     until(lambda: services.acquisition.status is not None and services.acquisition.status.state is ScanState.SCANNING, 60, "the scan")
     window.choose_case()
-    dialog = _dialog(shared_program)
+    dialog = _dialog(module_program)
     if way == "key":
         QTest.keyClick(dialog, Qt.Key.Key_Escape)
     else:
@@ -200,8 +200,8 @@ def test_a_scan_ends_while_a_dialog_is_open(shared_program: Program, way: str) -
     until(lambda: window.status_line.laser.text == "Laser off", 5, "and so does the window")
 
 
-def test_a_stop_before_the_first_row_begins_no_scan(shared_program: Program) -> None:
-    window, services = shared_program.window, shared_program.services
+def test_a_stop_before_the_first_row_begins_no_scan(module_program: Program) -> None:
+    window, services = module_program.window, module_program.services
     until(lambda: services.rig.snapshot.connected and services.rig.snapshot.calibration is not None, 120, "a calibrated rig")
     window.start_scan()
     window.laser_off()  # the case is being made
@@ -226,8 +226,8 @@ def test_while_views_are_registered_a_stop_is_the_rig_controllers(application: Q
     assert told == heard
 
 
-def test_a_controller_that_says_nothing_is_unknown(shared_program: Program, monkeypatch: pytest.MonkeyPatch) -> None:
-    window, services = shared_program.window, shared_program.services
+def test_a_controller_that_says_nothing_is_unknown(module_program: Program, monkeypatch: pytest.MonkeyPatch) -> None:
+    window, services = module_program.window, module_program.services
     assert emission_of(None) is Emission.NO_RIG
     until(lambda: services.rig.emission is Emission.DARK, 60, "the rig")
     until(lambda: window.status_line.laser.text == "Laser off", 5)

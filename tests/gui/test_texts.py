@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QTranslator
@@ -19,6 +18,7 @@ from scanner_core.commissioning import found_devices
 from scanner_core.devices.discovery import PortAnswer, PortState, SerialPort
 from scanner_core.devices.found_camera import CameraState, FoundCamera
 from scanner_core.errors import CaseLockedError
+from tests.gui.standing import end, first_settings, stand
 from tests.gui.waiting import until, wait_ms
 
 NAMES = {
@@ -41,14 +41,13 @@ class Bracketing(QTranslator):
         return f"«{text}{' mmnii' * 60:.{longer}}»"
 
 
-@pytest.fixture
-def bracketed(application: QApplication, settings_file: Path) -> Iterator[Program]:
+@pytest.fixture(scope="module")
+def bracketed(application: QApplication, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Program]:
     translator = Bracketing()
     application.installTranslator(translator)
-    program = Program(application, started_s=0.0, settings_file=settings_file)
+    program = stand(application, first_settings(tmp_path_factory.mktemp("bracketed")))
     yield program
-    program.window.close()
-    program.window.deleteLater()
+    end(program)
     application.removeTranslator(translator)
 
 
@@ -84,21 +83,6 @@ def _fill_assistant(program: Program, monkeypatch: pytest.MonkeyPatch) -> None:
         page.go_to(step)
 
 
-def test_no_text_stands_outside_of_the_translation(bracketed: Program, monkeypatch: pytest.MonkeyPatch) -> None:
-    window = bracketed.window
-    until(lambda: bracketed.services.rig.snapshot.connected and bracketed.services.rig.snapshot.motion is not None, 60, "the rig")
-    for page in window.pages:
-        window.show_page(page)
-    _fill_assistant(bracketed, monkeypatch)
-    shown = [*texts_of(window), *(action.text() for action in window.actions_by_id.values()), *(menu.text() for menu in window.menuBar().actions())]
-    assert sum("«" in text for text in shown) > 100
-    loose = sorted({text for text in shown if text and "«" not in text and text not in NAMES and not VALUE.search(text)})
-    assert loose == []
-
-    bracketed.window.banner.tell_fault(CaseLockedError("E-CASE-02", path="a.impronta"))
-    assert bracketed.window.banner.text.startswith("«a.impronta is open")
-
-
 def _cut(page: QWidget) -> Iterator[str]:
     """What is shown smaller than its text: buttons, and labels of one line and of several."""
     for widget in page.findChildren(QWidget):
@@ -126,3 +110,19 @@ def test_a_text_that_is_a_third_longer_is_not_cut(bracketed: Program) -> None:
         cut += [f"{name}: {what}" for what in _cut(page)]
         cut += [f"{name}: the page is at least {wide} wide, and there are {room}"] * (wide > room)
     assert not cut, "\n".join(cut)
+
+
+def test_no_text_stands_outside_of_the_translation(bracketed: Program, monkeypatch: pytest.MonkeyPatch) -> None:
+    window = bracketed.window
+    until(lambda: bracketed.services.rig.snapshot.connected and bracketed.services.rig.snapshot.motion is not None, 60, "the rig")
+    for page in window.pages:
+        window.show_page(page)
+    _fill_assistant(bracketed, monkeypatch)
+    shown = [*texts_of(window), *(action.text() for action in window.actions_by_id.values()), *(menu.text() for menu in window.menuBar().actions())]
+    assert sum("«" in text for text in shown) > 100
+    loose = sorted({text for text in shown if text and "«" not in text and text not in NAMES and not VALUE.search(text)})
+    assert loose == []
+
+    bracketed.window.banner.tell_fault(CaseLockedError("E-CASE-02", path="a.impronta"))
+    assert bracketed.window.banner.text.startswith("«a.impronta is open")
+    assert bracketed.services.assistant.shutdown(20)  # its thread stays as long as the program

@@ -36,9 +36,10 @@ def test_the_contrast_is_that_of_the_recommendation() -> None:
     assert contrast("#777777", "#ffffff") == pytest.approx(4.48, abs=0.005)
 
 
-def _trees() -> Iterator[tuple[Path, ast.Module]]:
-    for path in sorted(APP.rglob("*.py")):
-        yield path, ast.parse(path.read_text(encoding="utf-8"))
+@pytest.fixture(scope="module")
+def trees() -> list[tuple[Path, ast.Module]]:
+    texts = ((path, path.read_text(encoding="utf-8")) for path in sorted(APP.rglob("*.py")))
+    return [(path, ast.parse(text)) for path, text in texts if "look" in text or "icon" in text or "setStyleSheet" in text]
 
 
 def _read_early(node: ast.AST) -> Iterator[int]:
@@ -54,13 +55,13 @@ def _read_early(node: ast.AST) -> Iterator[int]:
             yield from _read_early(child)
 
 
-def test_no_colour_of_the_palette_is_bound_at_import() -> None:
-    assert not [f"{path.name}:{line}" for path, tree in _trees() for line in _read_early(tree)]
+def test_no_colour_of_the_palette_is_bound_at_import(trees: list[tuple[Path, ast.Module]]) -> None:
+    assert not [f"{path.name}:{line}" for path, tree in trees for line in _read_early(tree)]
 
 
-def test_every_icon_names_a_colour_and_no_inline_style_holds_one() -> None:
+def test_every_icon_names_a_colour_and_no_inline_style_holds_one(trees: list[tuple[Path, ast.Module]]) -> None:
     wrong = []
-    for path, tree in _trees():
+    for path, tree in trees:
         for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
             name = call.func.id if isinstance(call.func, ast.Name) else call.func.attr if isinstance(call.func, ast.Attribute) else ""
             texts = [part.value for part in call.args if isinstance(part, ast.Constant) and isinstance(part.value, str)]

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.actions import ACTIONS
 from app.language import LANGUAGES, Translation, system_language
+from app.views.format import own_mark
 
 ROOT = Path(__file__).parents[2]
 OTHERS = [name for name in LANGUAGES if name != "en"]
@@ -95,6 +96,15 @@ def test_every_number_with_decimals_has_the_persons_mark() -> None:
     format_of_python = re.compile(r"\{[^{}]*:[+]?\.[1-9]f\}")
     files = [path for path in sorted((ROOT / "app").rglob("*.py")) if path.name != "format.py"]
     assert not [f"{path.name}: {found[0]}" for path in files for found in format_of_python.finditer(path.read_text(encoding="utf-8"))]
+
+
+def test_figures_of_the_cores_sentences_have_the_persons_mark(application: QApplication) -> None:
+    translation = Translation(application, "de")
+    try:
+        fields = {"percent": "0.20", "shift": -1.5, "count": 12, "firmware": "Grbl 1.1", "path": "a.stl"}
+        assert own_mark(fields) == {**fields, "percent": "0,20", "shift": "-1,5"}
+    finally:
+        translation.remove()
 
 
 def test_the_systems_first_language_that_the_window_speaks_is_taken(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -92,6 +92,27 @@ def test_a_result_that_was_not_kept_is_said_to_be_none_of_the_rig(page: VerifyPa
     assert any("rehearsed" in made.text() for made in page.result.findChildren(type(page.notice)))
 
 
+def test_a_result_is_gone_with_another_calibration_and_stays_with_the_same(page: VerifyPage, shared_program: Program) -> None:
+    services = shared_program.services
+    verification, rig = services.verification, services.rig
+    before, calibration = rig.snapshot, rig.snapshot.calibration
+    assert before.config is not None
+    assert calibration is not None
+    found = _check(3.0)
+    check = replace(found, entry=replace(found.entry, calibration_id=calibration.identity()))
+    _show(verification, VerificationSnapshot("bench", check=check))
+    rig.changed.emit()
+    assert verification.snapshot.check is check
+    try:
+        turntable = replace(calibration.turntable, origin=calibration.turntable.origin + 0.1)
+        rig.snapshot = replace(before, config=before.config.with_calibration(replace(calibration, turntable=turntable)))
+        rig.changed.emit()
+        assert verification.snapshot.check is None
+    finally:
+        rig.snapshot = before
+        rig.changed.emit()
+
+
 def test_a_fault_ends_in_a_sentence_on_the_page(page: VerifyPage, shared_program: Program) -> None:
     fault = AcquisitionError("E-MET-05", points=12, least=50)
     _show(shared_program.services.verification, VerificationSnapshot("bench", refused=fault))
@@ -122,11 +143,12 @@ def test_a_real_rig_asks_for_the_certificate(page: VerifyPage, shared_program: P
 
 
 def test_the_readiness_line_leads_to_the_page_or_is_put_off(page: VerifyPage, shared_program: Program) -> None:
-    readiness, went = shared_program.services.readiness, []
+    readiness = shared_program.services.readiness
+    went: list[str] = []
     before = readiness.snapshot
     line = ReadyLine(readiness, went.append)
     try:
-        readiness.snapshot = ReadySnapshot(Readiness.OBSTACLE, False, ReadyFinding(Obstacle.NEVER_VERIFIED, ()), 0, None, Remedy.VERIFY)
+        readiness.snapshot = ReadySnapshot(Readiness.OBSTACLE, False, ReadyFinding(Obstacle.NEVER_VERIFIED), 0, None, Remedy.VERIFY)
         line.show_ready()
         line.remedy.click()
         assert went == ["verify"]
@@ -142,7 +164,7 @@ def test_the_sphere_is_measured_and_the_card_follows(page: VerifyPage, shared_pr
     """With few points from few views; the specimen of before stands on the table again."""
     services = shared_program.services
     verification, rig = services.verification, services.rig
-    verification.plan = (150, 4)
+    verification.plan = (120, 3)
     history = rig.files.history("bench")
     before, loaded = len(read_history(history, "sphere")), rig._devices.rig
     assert loaded is not None

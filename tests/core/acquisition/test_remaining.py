@@ -82,6 +82,14 @@ def test_a_repetition_of_a_view_takes_over_nothing_that_another_lacks() -> None:
     assert [(len(view.rows), view.quota) for view in rest.views] == [(0, 0), (0, 0), (1, 2)]
 
 
+def test_what_a_view_lacks_that_is_to_be_measured_again_is_not_carried_on() -> None:
+    rows = [(Row(view, 10 * view, 10, 0.0, -1.0, 1.0),) for view in range(3)]
+    plan = ScanPlan(tuple(ViewPlan(120.0 * view, rows[view], 8) for view in range(3)), 3.0)
+    exposed, measured = np.arange(20), np.array([2, 8, 0])
+    assert remaining_plan(plan, exposed, measured).plan.views[2].quota == 14
+    assert remaining_plan(plan, exposed, measured, again=(0,)).plan.views[2].quota == 8
+
+
 def test_nothing_exposed_leaves_the_whole_plan() -> None:
     plan = ScanPlan((ViewPlan(0.0, (Row(0, 0, 5, 2.0, 0.0, 1.0),), 3), ViewPlan(90.0, (Row(1, 5, 5, 2.0, 0.0, 1.0),), 3)), 4.0)
     rest = remaining_plan(plan, np.empty(0, np.int64), np.zeros(2, np.int64))

@@ -1,8 +1,4 @@
-"""Colour maps of the 3D view.
-
-The dark end of the height map stays far lighter than the background, and lightness rises all the way, so that it reads
-the same in grey print and for people who do not tell red from green.
-"""
+"""Colours of surfaces in the 3D view, and how a map is made of a few of them; those of points stand in ``colour_maps``."""
 
 from __future__ import annotations
 
@@ -11,7 +7,6 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-HEIGHT: Final = ("#5b7fd4", "#3f9fd0", "#3fbcae", "#86d08a", "#e6da78", "#fff3d2")
 UNCERTAINTY: Final = ("#d9d4c8", "#e8c887", "#e89a54", "#c85a6a", "#8a3f86")
 SUPPORTED: Final = "#d8d2c4"
 UNSUPPORTED: Final = "#a07c4e"
