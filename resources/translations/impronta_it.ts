@@ -2387,7 +2387,7 @@ Già consegnato il {day}: {name}</translation>
     </message>
     <message>
         <source>Surface so far: {share} % scanned, its base included; nets are holes</source>
-        <translation type="unfinished"></translation>
+        <translation>Superficie finora: {share} % scansionato, base compresa; le reti sono lacune</translation>
     </message>
     <message>
         <source>The live surface has ended; the scan goes on without it.</source>
@@ -3150,7 +3150,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Complete</source>
-        <translation type="unfinished">Completa</translation>
+        <translation>Completa</translation>
     </message>
     <message>
         <source>Compute the points anew…</source>
@@ -3198,7 +3198,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Share of the whole surface that rests on measured points, the base on which the object stood included; Deliver leaves the base out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parte dell&apos;intera superficie sostenuta da punti misurati, compresa la base su cui poggiava l&apos;oggetto; la consegna esclude la base.</translation>
     </message>
     <message>
         <source>Stop here and keep</source>
@@ -3473,7 +3473,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>How far off the surface may be (standard uncertainty). With a value, the scan measures more where the surface is less certain, until it is as certain everywhere that light can reach or the points are spent. With none, the points are spread evenly.</source>
-        <translation type="unfinished"></translation>
+        <translation>Di quanto la superficie può scostarsi dal vero (incertezza tipo). Con un valore, la scansione misura di più dove la superficie è meno certa, finché lo è abbastanza ovunque la luce arriva o i punti sono esauriti. Senza, i punti sono distribuiti in modo uniforme.</translation>
     </message>
     <message>
         <source>Laser off at once, and the end of the scan; what was measured is kept (Esc)</source>
@@ -3577,7 +3577,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Uncertainty wanted</source>
-        <translation type="unfinished"></translation>
+        <translation>Incertezza voluta</translation>
     </message>
     <message>
         <source>View {view} of {views}</source>
@@ -3593,7 +3593,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Views measured once more: {views}</source>
-        <translation type="unfinished"></translation>
+        <translation>Viste misurate di nuovo: {views}</translation>
     </message>
     <message>
         <source>Whether the turn closes is not known: too few points of the first view were seen again.</source>
@@ -3621,7 +3621,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>nessuna</translation>
     </message>
     <message>
         <source>points</source>
@@ -3641,7 +3641,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>{points} points  ·  view {view} once more</source>
-        <translation type="unfinished"></translation>
+        <translation>{points} punti  ·  vista {view} di nuovo</translation>
     </message>
     <message>
         <source>{share} % within {wanted} µm</source>
@@ -3721,7 +3721,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Deliveries</source>
-        <translation type="unfinished"></translation>
+        <translation>Consegne</translation>
     </message>
     <message>
         <source>Everything on this page as on the first day; Ctrl+Z takes it back.</source>
@@ -4816,7 +4816,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>Scan paused</source>
-        <translation type="unfinished"></translation>
+        <translation>Scansione in pausa</translation>
     </message>
     <message>
         <source>Scanning</source>
@@ -6108,7 +6108,7 @@ Dopo: {after}</translation>
     </message>
     <message>
         <source>The surface is expected to be off by {error_um} µm rms, more than {limit_um} µm: it was kept early. Reconstruct it to its end.</source>
-        <translation type="unfinished"></translation>
+        <translation>L&apos;errore atteso della superficie è {error_um} µm rms, più di {limit_um} µm: è stata tenuta prima della fine. Ricostruirla fino in fondo.</translation>
     </message>
     <message>
         <source>The surface is expected to be off by {error_um} µm rms: too much for a shell. Calibrate, and scan again.</source>
