@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import logging
 import sys
 import time
@@ -239,6 +240,7 @@ class Program(QObject):
         self.services.live_surface.watch(scene)
         self.heartbeat.notes["scene_s"] = time.perf_counter() - self._started_s
         self.services.reconstruction.prewarm()
+        gc.freeze()  # what is here stays: looking through its 300,000 objects for garbage would stop every thread for 0.1 s
         self.heartbeat.forget()  # what is measured begins after the first 3D picture
 
     # -------------------------------------------------------------------------------- end
@@ -275,6 +277,7 @@ class Program(QObject):
             ("settings", self._keep_settings),
             ("hooks", self._end_hooks),
             ("window", self._end_window),
+            ("garbage", gc.unfreeze),
         )
         for name, step in steps:
             try:

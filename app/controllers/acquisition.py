@@ -7,6 +7,7 @@ import time
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -236,6 +237,7 @@ class AcquisitionController(QObject):
 
     def _started(self, make: MakeRunner, rig: OpenRig, store: CaseStore) -> ScanRunner:
         """In a thread of its own."""
+        import_module("scanner_core.case.processing")  # for the end of the scan, which the window's own thread tells of
         self._rig.settle(_SETTLED_S)
         rig.concern(store)
         runner = make(rig, store)

@@ -2116,7 +2116,7 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>The surface of this order is being made.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Oberfläche dieses Auftrags entsteht gerade.</translation>
     </message>
     <message>
         <source>This order is being scanned.</source>
@@ -2124,7 +2124,7 @@ Zuvor ausgeliefert am {day}: {name}</translation>
     </message>
     <message>
         <source>Wait for it, or cancel it on the Reconstruct page.</source>
-        <translation type="unfinished"></translation>
+        <translation>Darauf warten oder auf der Seite Rekonstruieren abbrechen.</translation>
     </message>
     <message>
         <source>Wait for its end or stop it first (Esc).</source>

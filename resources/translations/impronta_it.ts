@@ -644,7 +644,7 @@
     </message>
     <message>
         <source>{left}  ·  the virtual rig shows the board by itself</source>
-        <translation>ancora {left}  ·  il banco virtuale mostra da sé la scacchiera</translation>
+        <translation>{left}  ·  il banco virtuale mostra da sé la scacchiera</translation>
     </message>
     <message>
         <source>{left} left</source>
@@ -2116,7 +2116,7 @@ Già consegnato il {day}: {name}</translation>
     </message>
     <message>
         <source>The surface of this order is being made.</source>
-        <translation type="unfinished"></translation>
+        <translation>La superficie di questo ordine è in lavorazione.</translation>
     </message>
     <message>
         <source>This order is being scanned.</source>
@@ -2124,7 +2124,7 @@ Già consegnato il {day}: {name}</translation>
     </message>
     <message>
         <source>Wait for it, or cancel it on the Reconstruct page.</source>
-        <translation type="unfinished"></translation>
+        <translation>Attendere, o annullarla nella pagina Ricostruzione.</translation>
     </message>
     <message>
         <source>Wait for its end or stop it first (Esc).</source>

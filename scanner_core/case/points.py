@@ -89,7 +89,7 @@ def placed_cloud(
     from_table = calibration.rig_to_table().inverse()
     # One transform per table position: a view stands at one angle, which the controller may have read back differently.
     # Not np.unique(axis=1): it sorts records, 0.7 s for half a million points, and other threads hardly run meanwhile.
-    for view, table_deg in [(view, deg) for view in np.unique(seen.view) for deg in np.unique(seen.table_deg[seen.view == view])]:
+    for view, table_deg in [(one, deg) for one in np.unique(seen.view) for deg in np.unique(seen.table_deg[seen.view == one])]:
         here = (seen.view == view) & (seen.table_deg == table_deg)
         transform = calibration.rig_to_object(float(table_deg))
         if corrections and int(view) in corrections:

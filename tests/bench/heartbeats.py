@@ -242,12 +242,15 @@ class Day:
 
     def _scan(self, number: str) -> None:
         services = self.services
-        services.draft.edit("points", self.points)
         services.case.close()
+        wait_ms(100)
+        services.draft.edit("points", self.points)
         services.draft.edit("order", number)
         services.draft.edit("side", "left")
         services.draft.edit("kind", "ear")
+        wait_ms(100)  # a person's hands are slower: each of these is a stretch of its own
         self.window.show_page("scan")
+        wait_ms(100)
         self.window.start_scan()
         until(lambda: services.acquisition.running, 60, f"the scan {self.window.banner.text}")
 
@@ -261,6 +264,7 @@ class Day:
     def _open(self, points: int) -> None:
         path = self.folder / f"{points}.impronta"
         self.services.case.close()
+        wait_ms(100)
         self.window.open_case(path)
         until(lambda: self.services.case.cloud is not None, 240, f"the case {self.window.banner.text}")
         wait_ms(2000)
