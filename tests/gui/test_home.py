@@ -139,6 +139,20 @@ def test_what_is_typed_into_the_form_is_undone(home: HomePage, shared_program: P
     assert home.form.sides["left"].isChecked()
 
 
+def test_a_half_filled_order_is_still_there_after_another_page(home: HomePage, shared_program: Program) -> None:
+    home.start.pair.click()
+    QTest.keyClicks(home.form.number, "H-1")
+    for page in ("settings", "home"):
+        shared_program.window.show_page(page)
+    assert home.form.isVisible()
+    assert home.services.new_order.values.order == "H-1"
+    home.form.back.click()
+    home.start.pair.click()
+    for page in ("settings", "home"):  # nothing was typed
+        shared_program.window.show_page(page)
+    assert not home.form.isVisible()
+
+
 def test_a_template_tells_unknown_fields_and_keeps_the_patient_out(home: HomePage) -> None:
     home.new_order("ear", "both", "N-1")
     names, before = home.form.names, home.services.settings.name_template
