@@ -1045,7 +1045,7 @@
     </message>
     <message>
         <source>Flicker</source>
-        <translation>Wechseln</translation>
+        <translation>Blinken</translation>
     </message>
     <message>
         <source>From before to after</source>
@@ -1093,7 +1093,7 @@
     </message>
     <message>
         <source>Side by side</source>
-        <translation>Nebeneinander</translation>
+        <translation>Beide</translation>
     </message>
     <message>
         <source>Underside</source>
@@ -5618,7 +5618,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>What did not move</source>
-        <translation>Was sich nicht bewegt hat</translation>
+        <translation>Unbewegtes</translation>
     </message>
     <message>
         <source>Whole surface</source>
@@ -5662,7 +5662,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>the stable region is found and held fixed</source>
-        <translation>der stabile Bereich wird gefunden und festgehalten</translation>
+        <translation>stabiler Bereich, selbst gefunden</translation>
     </message>
     <message>
         <source>what was painted is held fixed</source>
