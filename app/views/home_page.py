@@ -35,8 +35,8 @@ class HomePage(Page):
         self.strip = InterruptedStrip(services)
         to_rig, to_sphere = (partial(self.wanted.emit, page) for page in ("rig", "verify"))
         self.start = HomeStart(services, self.new_order, self.demo, self.edit_order, to_rig, to_sphere)
-        self.form = OrderForm(services.new_order, services.preferences, new=True)
-        self.open_form = OrderForm(services.draft, services.preferences, new=False)
+        self.form = OrderForm(services.new_order, services.preferences, lambda values: services.worklist.has(values), new=True)
+        self.open_form = OrderForm(services.draft, services.preferences, lambda values: services.worklist.has(values, services.case.path), new=False)
         self._aside = QStackedWidget()
         self._aside.setFixedWidth(_ASIDE)
         for part in (self.start, self.form, self.open_form):

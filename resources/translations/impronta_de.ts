@@ -2642,6 +2642,10 @@ Zuvor ausgeliefert am {day}: {name}</translation>
 <context>
     <name>OrderForm</name>
     <message>
+        <source>Another order has this number and side too; both are kept.</source>
+        <translation>Ein anderer Auftrag hat dieselbe Nummer und Seite; beide bleiben erhalten.</translation>
+    </message>
+    <message>
         <source>Back to the list</source>
         <translation>Zurück zur Liste</translation>
     </message>

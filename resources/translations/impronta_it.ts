@@ -2642,6 +2642,10 @@ Già consegnato il {day}: {name}</translation>
 <context>
     <name>OrderForm</name>
     <message>
+        <source>Another order has this number and side too; both are kept.</source>
+        <translation>Un altro ordine ha lo stesso numero e lo stesso lato; restano entrambi.</translation>
+    </message>
+    <message>
         <source>Back to the list</source>
         <translation>Torna alla lista</translation>
     </message>

@@ -119,6 +119,10 @@ def test_a_pair_is_two_cases_with_one_number_and_waits_in_the_list(home: HomePag
     assert home.services.case.store is None
     home.start.single.click()
     assert home.form.number.text().endswith("-0002")
+    home.services.new_order.put("side", "right")
+    assert not home.form.remark.isVisibleTo(home.form)
+    home.services.new_order.put("order", number)
+    assert home.form.remark.text() == "Another order has this number and side too; both are kept."
 
 
 def test_the_sides_of_a_dental_model_are_jaws(home: HomePage) -> None:
