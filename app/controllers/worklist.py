@@ -17,6 +17,7 @@ from PySide6.QtCore import QObject, Signal
 from app.background import Background
 from app.controllers.case import CaseController
 from app.controllers.case_files import SUFFIX, read_case_name
+from app.draft import DraftValues, sides_of
 from app.settings import Settings
 from scanner_core.case.case_glance import CaseGlance, OrderState, Trouble
 from scanner_core.errors import ImprontaError
@@ -81,6 +82,11 @@ class WorklistController(QObject):
         ranks = list(OrderState)
         found = [told for told in self.orders if told.order.number.casefold() == number.casefold() and told.state is not None]
         return sorted(found, key=lambda told: (ranks.index(told.state or OrderState.NEW), told.order.side))
+
+    def has(self, values: DraftValues, but: Path | None = None) -> bool:
+        """Whether an order, another than that of the case `but`, has number, side and type of these values."""
+        sides = sides_of(values.kind) if values.side == "both" else (values.side,)
+        return any(told.path != but and told.order.side in sides and told.order.type == values.kind for told in self.find(values.order))
 
     def picture(self, told: CaseGlance) -> bytes | None:
         """Its thumbnail as PNG; made in the background where there is none yet, `pictured` then tells."""

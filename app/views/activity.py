@@ -10,6 +10,8 @@ from app.services import Services
 def activity_words(services: Services) -> str:
     """What a person waits for; empty when that is nothing."""
     translate = QCoreApplication.translate
+    if services.acquisition.paused:
+        return translate("activity", "Scan paused")
     if services.acquisition.running:
         return translate("activity", "Scanning")
     if services.verification.running:

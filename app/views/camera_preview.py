@@ -68,6 +68,11 @@ class CameraPreview(QWidget):
         self._miss, self._advice = miss, advice
         self._put(preview.frame)
 
+    def hush(self) -> None:
+        """Say nothing more of the frame that is shown."""
+        self._miss = self._advice = ""
+        self.update()
+
     def show_frame(self, frame: Frame) -> None:
         """A frame in which nobody looked for a spot."""
         self._spot, self._miss, self._advice = None, "", ""

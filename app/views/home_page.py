@@ -31,11 +31,12 @@ class HomePage(Page):
 
     def __init__(self, services: Services) -> None:
         super().__init__(services)
+        self._begun: DraftValues | None = None
         self.strip = InterruptedStrip(services)
         to_rig, to_sphere = (partial(self.wanted.emit, page) for page in ("rig", "verify"))
         self.start = HomeStart(services, self.new_order, self.demo, self.edit_order, to_rig, to_sphere)
-        self.form = OrderForm(services.new_order, services.preferences, new=True)
-        self.open_form = OrderForm(services.draft, services.preferences, new=False)
+        self.form = OrderForm(services.new_order, services.preferences, lambda values: services.worklist.has(values), new=True)
+        self.open_form = OrderForm(services.draft, services.preferences, lambda values: services.worklist.has(values, services.case.path), new=False)
         self._aside = QStackedWidget()
         self._aside.setFixedWidth(_ASIDE)
         for part in (self.start, self.form, self.open_form):
@@ -70,7 +71,10 @@ class HomePage(Page):
             self.services.worklist.look()
         self._show_orders()
         self._show_case()
-        self.show_start()
+        if self._begun and self._aside.currentIndex() == 1 and self.services.new_order.values != self._begun:
+            self.form.start()  # what was typed for a new order is still to be made
+        else:
+            self.show_start()
 
     def show_start(self) -> None:
         """The list with its field, which has the keys."""
@@ -123,6 +127,7 @@ class HomePage(Page):
         number = number or self._next_number()
         for name, value in (("order", number), ("patient_code", ""), ("kind", kind), ("side", side)):
             self.services.new_order.put(name, value)
+        self._begun = self.services.new_order.values
         self._aside.setCurrentIndex(1)
         self.form.start()
 
@@ -179,7 +184,11 @@ class HomePage(Page):
             return
         services.case.close()
         services.draft.load(replace(services.draft.values, **{name: getattr(order, name) for name in ORDER_FIELDS}))
-        services.case.create(lambda _: self.wanted.emit("scan"))
+        services.case.create(self._show_made)
+
+    def _show_made(self, _: object) -> None:
+        self._begun = None
+        self.wanted.emit("scan")
 
     def _keep_new(self) -> None:
         order = self.services.new_order.values

@@ -15,7 +15,9 @@ def live_surface_words(live: LiveSurfaceController) -> str:
     if live.failed:
         return translate("LiveSurface", "The live surface has ended; the scan goes on without it.")
     if live.supported_area is not None:
-        return translate("LiveSurface", "Surface so far: {share} % scanned, nets are holes").format(share=fmt.percent(live.supported_area))
+        return translate("LiveSurface", "Surface so far: {share} % scanned, its base included; nets are holes").format(
+            share=fmt.percent(live.supported_area)
+        )
     if live.reason is None:
         return ""
     return {

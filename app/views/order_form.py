@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 from itertools import pairwise
 
@@ -10,7 +11,7 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QButtonGroup, QComboBox, QHBoxLayout, QLineEdit, QPushButton, QVBoxLayout, QWidget
 
 from app.controllers.preferences import Preferences
-from app.draft import KINDS, ORDER_FIELDS, SIDES, Draft, sides_of
+from app.draft import KINDS, ORDER_FIELDS, SIDES, Draft, DraftValues, sides_of
 from app.views.file_name_line import FileNameLine
 from app.views.parts import button, label, make_primary, row
 
@@ -25,9 +26,10 @@ class OrderForm(QWidget):
     left = Signal()
     """Back to the list."""
 
-    def __init__(self, draft: Draft, preferences: Preferences, *, new: bool) -> None:
+    def __init__(self, draft: Draft, preferences: Preferences, taken: Callable[[DraftValues], bool], *, new: bool) -> None:
+        """`taken` tells whether another order has number, side and type of these values."""
         super().__init__()
-        self._draft, self._new = draft, new
+        self._draft, self._new, self._taken = draft, new, taken
         self._blocked = ""
         self._title = label("", "title")
         self.number = self._field("order", self.tr("as on the order form"))
@@ -144,7 +146,12 @@ class OrderForm(QWidget):
         self.wait.setEnabled(not missing)
         make_primary(self.go, not (self._new and bool(self._blocked)))
         make_primary(self.wait, self._new and bool(self._blocked))
-        self.remark.setText(missing or (self._blocked if self._new else self.tr("Every change is kept in the case, and can be undone.")))
+        if missing or (self._new and self._blocked):
+            self.remark.setText(missing or self._blocked)
+        elif self._taken(values):
+            self.remark.setText(self.tr("Another order has this number and side too; both are kept."))
+        else:
+            self.remark.setText("" if self._new else self.tr("Every change is kept in the case, and can be undone."))
         self.remark.setVisible(bool(self.remark.text()))
 
     def _enter(self) -> None:

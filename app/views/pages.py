@@ -47,7 +47,7 @@ PAGES: tuple[PageInfo, ...] = (
     PageInfo("scan", QT_TRANSLATE_NOOP("pages", "Scan"), "scan", ScanPage, stage=QT_TRANSLATE_NOOP("pages", "Live point cloud")),
     PageInfo("edit", QT_TRANSLATE_NOOP("pages", "Edit"), "edit", EditPage, stage=QT_TRANSLATE_NOOP("pages", "Points and measurements")),
     PageInfo("reconstruct", QT_TRANSLATE_NOOP("pages", "Reconstruct"), "reconstruct", ReconstructPage, stage=QT_TRANSLATE_NOOP("pages", "Surface")),
-    PageInfo("deliver", QT_TRANSLATE_NOOP("pages", "Deliver"), "export", DeliverPage, stage=QT_TRANSLATE_NOOP("pages", "What is delivered")),
+    PageInfo("deliver", QT_TRANSLATE_NOOP("pages", "Deliver"), "export", DeliverPage, stage=QT_TRANSLATE_NOOP("pages", "Surface")),
     PageInfo("compare", QT_TRANSLATE_NOOP("pages", "Compare"), "compare", ComparePage),
 )
 

@@ -25,6 +25,8 @@ _REASONS = {
     "outside_volume": QT_TRANSLATE_NOOP("reasons", "outside the volume"),
     "table": QT_TRANSLATE_NOOP("reasons", "on the table"),
     "dropped_frame": QT_TRANSLATE_NOOP("reasons", "picture lost"),
+    "superseded": QT_TRANSLATE_NOOP("reasons", "measured again in a later view"),
+    "removed": QT_TRANSLATE_NOOP("reasons", "taken out by hand"),
 }
 
 

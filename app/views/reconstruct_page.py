@@ -29,6 +29,11 @@ class ReconstructPage(Page):
         self.verdict = label("", wrap=True)
         self._error = BigNumber(self.tr("µm expected error"))
         self._supported = BigNumber(self.tr("% supported"))
+        self._supported.setToolTip(
+            self.tr(
+                "Share of the whole surface that rests on measured points, the base on which the object stood included; Deliver leaves the base out."
+            )
+        )
         self._triangles = BigNumber(self.tr("triangles"))
         self._volume = BigNumber(self.tr("mm³ volume"))
         self._numbers = QWidget()
@@ -59,7 +64,7 @@ class ReconstructPage(Page):
         box.addWidget(scrolled(middle), 1)
         self.waiting = ReconstructionWaiting(job)
         self._next = button(self.tr("Deliver"), "primary", lambda: self.wanted.emit("deliver"))
-        self.missing = button(self.tr("Coverage"), "", lambda: self.intent.emit("coverage"))
+        self.missing = button(self.tr("Complete"), "", lambda: self.intent.emit("coverage"))
         self.missing.setToolTip(self.tr("Places that are not as certain as wanted, why, and what can be done about them (F8)"))
         self._start = button(self.tr("Reconstruct"), "primary", lambda: self.intent.emit("reconstruct"))
         self.enough = button(self.tr("Stop here and keep"), "", job.end_early)

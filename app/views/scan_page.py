@@ -131,6 +131,8 @@ class ScanPage(Page):
             return
         self._shown_s[camera] = now
         show_look(widget, preview, self.services.rig.snapshot.config)
+        if self.services.acquisition.paused:
+            widget.hush()
 
     def _tick(self) -> None:
         now = time.monotonic()
@@ -153,6 +155,9 @@ class ScanPage(Page):
             if status.state is not ScanState.PAUSED:  # what is left stays what it was
                 self._time.show_number(fmt.left_time(status.seconds if ended else status.seconds_left))
             self._step.setText(step_words(status))
+        if acquisition.paused:
+            for preview in self._previews.values():
+                preview.hush()  # the laser is dark: that there is no spot is as it should be
         self._time.show_unit(self.tr("min:s") if ended else self.tr("min:s left"))
         self._rate.setVisible(not ended)
         self._closure.setVisible(ended)
@@ -164,7 +169,7 @@ class ScanPage(Page):
         self._show_surface()
         self._show_health(status)
         self._show_coverage()
-        self.rejects.setVisible(status is not None)
+        self.rejects.setVisible(status is not None and status.state is not ScanState.PREPARING)  # most beams miss what is still being found
         if status is not None:
             self.rejects.show_counts(status.counts.measured, status.counts.rejected)
         self._show_buttons()

@@ -22,13 +22,13 @@ class ScanWish(QGridLayout):
         views = number_field(1, 360, 1, lambda value: draft.edit("views", value))
         points = number_field(500, 2_000_000, 1000, lambda value: draft.edit("points", value))
         until = number_field(
-            0, _MOST_UM, 5, lambda value: draft.edit("until_um", value), suffix=" µm", special=QCoreApplication.translate("ScanPage", "even spread")
+            0, _MOST_UM, 5, lambda value: draft.edit("until_um", value), suffix=" µm", special=QCoreApplication.translate("ScanPage", "none")
         )
         until.setToolTip(
             QCoreApplication.translate(
                 "ScanPage",
-                "Standard uncertainty of the surface. With a value, the scan goes on where the surface is less certain, until it is below it"
-                " everywhere that light can reach or the points are spent. Without one, the points are spread evenly.",
+                "How far off the surface may be (standard uncertainty). With a value, the scan measures more where the surface is less certain, until"
+                " it is as certain everywhere that light can reach or the points are spent. With none, the points are spread evenly.",
             )
         )
         self.fields: dict[str, QSpinBox] = {"views": views, "points": points, "until_um": until}
@@ -36,11 +36,12 @@ class ScanWish(QGridLayout):
         for line, (name, field) in enumerate(self.fields.items()):
             caption = self._captions[name] = label("", "muted", wrap=True)
             caption.setBuddy(field)
+            caption.setToolTip(field.toolTip())
             field.setFixedWidth(_FIELD_WIDTH)
             self.addWidget(caption, line, 0)
             self.addWidget(field, line, 1)
         self._captions["views"].setText(QCoreApplication.translate("ScanPage", "Views"))
-        self._captions["until_um"].setText(QCoreApplication.translate("ScanPage", "Scan until below"))
+        self._captions["until_um"].setText(QCoreApplication.translate("ScanPage", "Uncertainty wanted"))
         draft.changed.connect(self._show)
         self._show()
 

@@ -90,8 +90,11 @@ def coverage_words(result: SteeringResult) -> str:
 
 def status_words(status: ScanStatus) -> str:
     """One line about a scan for the header of the 3D view."""
+    points = fmt.count(status.counts.measured)
+    if status.repeats is not None:  # which has no place of its own in the plan that is shown
+        return QCoreApplication.translate("ScanPage", "{points} points  ·  view {view} once more").format(points=points, view=status.repeats + 1)
     return QCoreApplication.translate("ScanPage", "{points} points  ·  view {view} of {views}").format(
-        points=fmt.count(status.counts.measured), view=min(status.view + 1, max(status.views, 1)), views=status.views
+        points=points, view=min(status.view + 1, max(status.views, 1)), views=status.views
     )
 
 
@@ -100,7 +103,7 @@ def summary_lines(result: ScanResult) -> list[str]:
     translate = QCoreApplication.translate
     lines = []
     if result.repeated_views:
-        lines.append(translate("ScanPage", "Measured once more, because they were weak: {views}").format(views=_numbers(result.repeated_views)))
+        lines.append(translate("ScanPage", "Views measured once more: {views}").format(views=_numbers(result.repeated_views)))
     if result.weak_views:
         lines.append(translate("ScanPage", "Still far fewer points than their neighbours: {views}").format(views=_numbers(result.weak_views)))
     if result.finish_reason is FinishReason.COMPLETED and result.closure_um is None and result.laser == "spot" and len(result.plan) > 1:

@@ -77,7 +77,7 @@ class SettingsPage(Page):
     def _add_files(self, box: QVBoxLayout) -> None:
         grid = self._section(box, self.tr("Files"))
         self.case_folder = self._folder("case_folder", grid, self.tr("Cases"))
-        self.export_folder = self._folder("export_folder", grid, self.tr("Exports"))
+        self.export_folder = self._folder("export_folder", grid, self.tr("Deliveries"))
         self.names = FileNameLine(self._preferences)
         self.names.unfold(True)
         note = label(self.tr("Without it a file that leaves the house tells the order, the side and the day, and no patient."), "faint", wrap=True)

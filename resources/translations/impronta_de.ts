@@ -1045,7 +1045,7 @@
     </message>
     <message>
         <source>Flicker</source>
-        <translation>Wechseln</translation>
+        <translation>Blinken</translation>
     </message>
     <message>
         <source>From before to after</source>
@@ -1093,7 +1093,7 @@
     </message>
     <message>
         <source>Side by side</source>
-        <translation>Nebeneinander</translation>
+        <translation>Beide</translation>
     </message>
     <message>
         <source>Underside</source>
@@ -2386,8 +2386,8 @@ Zuvor ausgeliefert am {day}: {name}</translation>
         <translation>Noch keine Oberfläche: zu wenige Punkte</translation>
     </message>
     <message>
-        <source>Surface so far: {share} % scanned, nets are holes</source>
-        <translation>Oberfläche bisher: {share} % gescannt, Netze sind Lücken</translation>
+        <source>Surface so far: {share} % scanned, its base included; nets are holes</source>
+        <translation>Oberfläche bisher: {share} % gescannt, Standfläche mitgezählt; Netze sind Lücken</translation>
     </message>
     <message>
         <source>The live surface has ended; the scan goes on without it.</source>
@@ -2641,6 +2641,10 @@ Zuvor ausgeliefert am {day}: {name}</translation>
 </context>
 <context>
     <name>OrderForm</name>
+    <message>
+        <source>Another order has this number and side too; both are kept.</source>
+        <translation>Ein anderer Auftrag hat dieselbe Nummer und Seite; beide bleiben erhalten.</translation>
+    </message>
     <message>
         <source>Back to the list</source>
         <translation>Zurück zur Liste</translation>
@@ -3149,12 +3153,12 @@ Nachher: {after}</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Compute the points anew…</source>
-        <translation>Punkte neu berechnen…</translation>
+        <source>Complete</source>
+        <translation>Ergänzen</translation>
     </message>
     <message>
-        <source>Coverage</source>
-        <translation>Abdeckung</translation>
+        <source>Compute the points anew…</source>
+        <translation>Punkte neu berechnen…</translation>
     </message>
     <message>
         <source>Deliver</source>
@@ -3195,6 +3199,10 @@ Nachher: {after}</translation>
     <message>
         <source>Scan first, or open a case with points.</source>
         <translation>Zuerst scannen oder einen Fall mit Punkten öffnen.</translation>
+    </message>
+    <message>
+        <source>Share of the whole surface that rests on measured points, the base on which the object stood included; Deliver leaves the base out.</source>
+        <translation>Anteil der ganzen Oberfläche, der von Messpunkten belegt ist, die Standfläche des Objekts mitgezählt; „Ausliefern“ lässt sie weg.</translation>
     </message>
     <message>
         <source>Stop here and keep</source>
@@ -3468,12 +3476,12 @@ Nachher: {after}</translation>
         <translation>Objekt wird gesucht, Ansicht {view} von {views}</translation>
     </message>
     <message>
-        <source>Laser off at once, and the end of the scan; what was measured is kept (Esc)</source>
-        <translation>Laser sofort aus und Ende des Scans; das Gemessene bleibt erhalten (Esc)</translation>
+        <source>How far off the surface may be (standard uncertainty). With a value, the scan measures more where the surface is less certain, until it is as certain everywhere that light can reach or the points are spent. With none, the points are spread evenly.</source>
+        <translation>Wie weit die Oberfläche danebenliegen darf (Standardunsicherheit). Mit einem Wert misst der Scan dort mehr, wo die Oberfläche unsicherer ist, bis sie überall sicher genug ist, wo Licht hinkommt, oder die Punkte verbraucht sind. Ohne Wert werden die Punkte gleichmäßig verteilt.</translation>
     </message>
     <message>
-        <source>Measured once more, because they were weak: {views}</source>
-        <translation>Noch einmal gemessen, weil sie schwach waren: {views}</translation>
+        <source>Laser off at once, and the end of the scan; what was measured is kept (Esc)</source>
+        <translation>Laser sofort aus und Ende des Scans; das Gemessene bleibt erhalten (Esc)</translation>
     </message>
     <message>
         <source>Opening the rig…</source>
@@ -3532,20 +3540,12 @@ Nachher: {after}</translation>
         <translation>Neu scannen…</translation>
     </message>
     <message>
-        <source>Scan until below</source>
-        <translation>Scannen bis unter</translation>
-    </message>
-    <message>
         <source>Scan until {wanted} µm</source>
         <translation>Scannen bis {wanted} µm</translation>
     </message>
     <message>
         <source>Set the object down in another way and scan it into the same case (F9)</source>
         <translation>Das Objekt anders aufstellen und in denselben Fall scannen (F9)</translation>
-    </message>
-    <message>
-        <source>Standard uncertainty of the surface. With a value, the scan goes on where the surface is less certain, until it is below it everywhere that light can reach or the points are spent. Without one, the points are spread evenly.</source>
-        <translation>Standardunsicherheit der Oberfläche. Mit einem Wert scannt das Programm dort weiter, wo die Oberfläche unsicherer ist, bis sie überall darunter liegt, wo Licht hinkommt, oder die Punkte verbraucht sind. Ohne Wert werden die Punkte gleichmäßig verteilt.</translation>
     </message>
     <message>
         <source>Start scan</source>
@@ -3580,6 +3580,10 @@ Nachher: {after}</translation>
         <translation>Der Scan ist vollständig.</translation>
     </message>
     <message>
+        <source>Uncertainty wanted</source>
+        <translation>Gewünschte Unsicherheit</translation>
+    </message>
+    <message>
         <source>View {view} of {views}</source>
         <translation>Ansicht {view} von {views}</translation>
     </message>
@@ -3592,16 +3596,16 @@ Nachher: {after}</translation>
         <translation>Ansichten</translation>
     </message>
     <message>
+        <source>Views measured once more: {views}</source>
+        <translation>Noch einmal gemessene Ansichten: {views}</translation>
+    </message>
+    <message>
         <source>Whether the turn closes is not known: too few points of the first view were seen again.</source>
         <translation>Ob sich die Drehung schließt, ist nicht bekannt: Zu wenige Punkte der ersten Ansicht wurden wiedergesehen.</translation>
     </message>
     <message>
         <source>all points are spent</source>
         <translation>alle Punkte sind verbraucht</translation>
-    </message>
-    <message>
-        <source>even spread</source>
-        <translation>gleichmäßig</translation>
     </message>
     <message>
         <source>min:s</source>
@@ -3620,6 +3624,10 @@ Nachher: {after}</translation>
         <translation>keine weitere Ansicht passt in diesen Scan</translation>
     </message>
     <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
         <source>points</source>
         <translation>Punkte</translation>
     </message>
@@ -3634,6 +3642,10 @@ Nachher: {after}</translation>
     <message>
         <source>{points} points  ·  view {view} of {views}</source>
         <translation>{points} Punkte  ·  Ansicht {view} von {views}</translation>
+    </message>
+    <message>
+        <source>{points} points  ·  view {view} once more</source>
+        <translation>{points} Punkte  ·  Ansicht {view} noch einmal</translation>
     </message>
     <message>
         <source>{share} % within {wanted} µm</source>
@@ -3712,12 +3724,12 @@ Nachher: {after}</translation>
         <translation>Dunkel</translation>
     </message>
     <message>
-        <source>Everything on this page as on the first day; Ctrl+Z takes it back.</source>
-        <translation>Alles auf dieser Seite wie am ersten Tag; Strg+Z nimmt es zurück.</translation>
+        <source>Deliveries</source>
+        <translation>Lieferungen</translation>
     </message>
     <message>
-        <source>Exports</source>
-        <translation>Exporte</translation>
+        <source>Everything on this page as on the first day; Ctrl+Z takes it back.</source>
+        <translation>Alles auf dieser Seite wie am ersten Tag; Strg+Z nimmt es zurück.</translation>
     </message>
     <message>
         <source>File names</source>
@@ -4807,6 +4819,10 @@ Nachher: {after}</translation>
         <translation>Fall wird geöffnet…</translation>
     </message>
     <message>
+        <source>Scan paused</source>
+        <translation>Scan angehalten</translation>
+    </message>
+    <message>
         <source>Scanning</source>
         <translation>Scannen</translation>
     </message>
@@ -5606,7 +5622,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>What did not move</source>
-        <translation>Was sich nicht bewegt hat</translation>
+        <translation>Unbewegtes</translation>
     </message>
     <message>
         <source>Whole surface</source>
@@ -5650,7 +5666,7 @@ Nachher: {after}</translation>
     </message>
     <message>
         <source>the stable region is found and held fixed</source>
-        <translation>der stabile Bereich wird gefunden und festgehalten</translation>
+        <translation>stabiler Bereich, selbst gefunden</translation>
     </message>
     <message>
         <source>what was painted is held fixed</source>
@@ -6093,6 +6109,10 @@ Nachher: {after}</translation>
     <message>
         <source>The surface is expected to be off by {error_um} µm rms, more than {limit_um} µm. More points, or a calibration, would help.</source>
         <translation>Die Oberfläche liegt voraussichtlich {error_um} µm rms daneben, mehr als {limit_um} µm. Mehr Punkte oder eine Kalibrierung würden helfen.</translation>
+    </message>
+    <message>
+        <source>The surface is expected to be off by {error_um} µm rms, more than {limit_um} µm: it was kept early. Reconstruct it to its end.</source>
+        <translation>Die Oberfläche liegt voraussichtlich {error_um} µm rms daneben, mehr als {limit_um} µm: sie wurde vorzeitig behalten. Bis zum Ende rekonstruieren.</translation>
     </message>
     <message>
         <source>The surface is expected to be off by {error_um} µm rms: too much for a shell. Calibrate, and scan again.</source>
@@ -7083,10 +7103,6 @@ Nachher: {after}</translation>
         <source>Surface</source>
         <translation>Oberfläche</translation>
     </message>
-    <message>
-        <source>What is delivered</source>
-        <translation>Lieferung</translation>
-    </message>
 </context>
 <context>
     <name>phases</name>
@@ -7292,6 +7308,10 @@ Nachher: {after}</translation>
         <translation>vor der rechten Kamera verdeckt</translation>
     </message>
     <message>
+        <source>measured again in a later view</source>
+        <translation>in einer späteren Ansicht neu gemessen</translation>
+    </message>
+    <message>
         <source>more than one spot</source>
         <translation>mehr als ein Lichtpunkt</translation>
     </message>
@@ -7342,6 +7362,10 @@ Nachher: {after}</translation>
     <message>
         <source>spot too small</source>
         <translation>Lichtpunkt zu klein</translation>
+    </message>
+    <message>
+        <source>taken out by hand</source>
+        <translation>von Hand entfernt</translation>
     </message>
 </context>
 <context>

@@ -2386,8 +2386,8 @@ Già consegnato il {day}: {name}</translation>
         <translation>Ancora niente superficie: troppo pochi punti</translation>
     </message>
     <message>
-        <source>Surface so far: {share} % scanned, nets are holes</source>
-        <translation>Superficie finora: {share} % scansionato, le reti sono lacune</translation>
+        <source>Surface so far: {share} % scanned, its base included; nets are holes</source>
+        <translation>Superficie finora: {share} % scansionato, base compresa; le reti sono lacune</translation>
     </message>
     <message>
         <source>The live surface has ended; the scan goes on without it.</source>
@@ -2641,6 +2641,10 @@ Già consegnato il {day}: {name}</translation>
 </context>
 <context>
     <name>OrderForm</name>
+    <message>
+        <source>Another order has this number and side too; both are kept.</source>
+        <translation>Un altro ordine ha lo stesso numero e lo stesso lato; restano entrambi.</translation>
+    </message>
     <message>
         <source>Back to the list</source>
         <translation>Torna alla lista</translation>
@@ -3149,12 +3153,12 @@ Dopo: {after}</translation>
         <translation>Annulla</translation>
     </message>
     <message>
-        <source>Compute the points anew…</source>
-        <translation>Ricalcola i punti…</translation>
+        <source>Complete</source>
+        <translation>Completa</translation>
     </message>
     <message>
-        <source>Coverage</source>
-        <translation>Copertura</translation>
+        <source>Compute the points anew…</source>
+        <translation>Ricalcola i punti…</translation>
     </message>
     <message>
         <source>Deliver</source>
@@ -3195,6 +3199,10 @@ Dopo: {after}</translation>
     <message>
         <source>Scan first, or open a case with points.</source>
         <translation>Prima scansionare, o aprire un caso con punti.</translation>
+    </message>
+    <message>
+        <source>Share of the whole surface that rests on measured points, the base on which the object stood included; Deliver leaves the base out.</source>
+        <translation>Parte dell&apos;intera superficie sostenuta da punti misurati, compresa la base su cui poggiava l&apos;oggetto; la consegna esclude la base.</translation>
     </message>
     <message>
         <source>Stop here and keep</source>
@@ -3468,12 +3476,12 @@ Dopo: {after}</translation>
         <translation>Ricerca dell&apos;oggetto, vista {view} di {views}</translation>
     </message>
     <message>
-        <source>Laser off at once, and the end of the scan; what was measured is kept (Esc)</source>
-        <translation>Spegne subito il laser e termina la scansione; quanto misurato è conservato (Esc)</translation>
+        <source>How far off the surface may be (standard uncertainty). With a value, the scan measures more where the surface is less certain, until it is as certain everywhere that light can reach or the points are spent. With none, the points are spread evenly.</source>
+        <translation>Di quanto la superficie può scostarsi dal vero (incertezza tipo). Con un valore, la scansione misura di più dove la superficie è meno certa, finché lo è abbastanza ovunque la luce arriva o i punti sono esauriti. Senza, i punti sono distribuiti in modo uniforme.</translation>
     </message>
     <message>
-        <source>Measured once more, because they were weak: {views}</source>
-        <translation>Misurate di nuovo perché deboli: {views}</translation>
+        <source>Laser off at once, and the end of the scan; what was measured is kept (Esc)</source>
+        <translation>Spegne subito il laser e termina la scansione; quanto misurato è conservato (Esc)</translation>
     </message>
     <message>
         <source>Opening the rig…</source>
@@ -3532,20 +3540,12 @@ Dopo: {after}</translation>
         <translation>Ripeti scansione…</translation>
     </message>
     <message>
-        <source>Scan until below</source>
-        <translation>Scansiona fino a</translation>
-    </message>
-    <message>
         <source>Scan until {wanted} µm</source>
         <translation>Scansione fino a {wanted} µm</translation>
     </message>
     <message>
         <source>Set the object down in another way and scan it into the same case (F9)</source>
         <translation>Posare l&apos;oggetto in altro modo e scansionarlo nello stesso caso (F9)</translation>
-    </message>
-    <message>
-        <source>Standard uncertainty of the surface. With a value, the scan goes on where the surface is less certain, until it is below it everywhere that light can reach or the points are spent. Without one, the points are spread evenly.</source>
-        <translation>Incertezza tipo della superficie. Con un valore, la scansione continua dove la superficie è meno certa, finché scende sotto ovunque la luce arriva o i punti sono esauriti. Senza, i punti sono distribuiti in modo uniforme.</translation>
     </message>
     <message>
         <source>Start scan</source>
@@ -3580,6 +3580,10 @@ Dopo: {after}</translation>
         <translation>La scansione è completa.</translation>
     </message>
     <message>
+        <source>Uncertainty wanted</source>
+        <translation>Incertezza voluta</translation>
+    </message>
+    <message>
         <source>View {view} of {views}</source>
         <translation>Vista {view} di {views}</translation>
     </message>
@@ -3592,16 +3596,16 @@ Dopo: {after}</translation>
         <translation>Viste</translation>
     </message>
     <message>
+        <source>Views measured once more: {views}</source>
+        <translation>Viste misurate di nuovo: {views}</translation>
+    </message>
+    <message>
         <source>Whether the turn closes is not known: too few points of the first view were seen again.</source>
         <translation>Non si sa se il giro si chiude: troppo pochi punti della prima vista rivisti.</translation>
     </message>
     <message>
         <source>all points are spent</source>
         <translation>punti esauriti</translation>
-    </message>
-    <message>
-        <source>even spread</source>
-        <translation>uniforme</translation>
     </message>
     <message>
         <source>min:s</source>
@@ -3620,6 +3624,10 @@ Dopo: {after}</translation>
         <translation>non ci sta un&apos;altra vista in questa scansione</translation>
     </message>
     <message>
+        <source>none</source>
+        <translation>nessuna</translation>
+    </message>
+    <message>
         <source>points</source>
         <translation>punti</translation>
     </message>
@@ -3634,6 +3642,10 @@ Dopo: {after}</translation>
     <message>
         <source>{points} points  ·  view {view} of {views}</source>
         <translation>{points} punti  ·  vista {view} di {views}</translation>
+    </message>
+    <message>
+        <source>{points} points  ·  view {view} once more</source>
+        <translation>{points} punti  ·  vista {view} di nuovo</translation>
     </message>
     <message>
         <source>{share} % within {wanted} µm</source>
@@ -3712,12 +3724,12 @@ Dopo: {after}</translation>
         <translation>Scuro</translation>
     </message>
     <message>
-        <source>Everything on this page as on the first day; Ctrl+Z takes it back.</source>
-        <translation>Tutto in questa pagina come il primo giorno; Ctrl+Z lo annulla.</translation>
+        <source>Deliveries</source>
+        <translation>Consegne</translation>
     </message>
     <message>
-        <source>Exports</source>
-        <translation>Esportazioni</translation>
+        <source>Everything on this page as on the first day; Ctrl+Z takes it back.</source>
+        <translation>Tutto in questa pagina come il primo giorno; Ctrl+Z lo annulla.</translation>
     </message>
     <message>
         <source>File names</source>
@@ -4805,6 +4817,10 @@ Dopo: {after}</translation>
     <message>
         <source>Opening the case…</source>
         <translation>Apertura del caso…</translation>
+    </message>
+    <message>
+        <source>Scan paused</source>
+        <translation>Scansione in pausa</translation>
     </message>
     <message>
         <source>Scanning</source>
@@ -6095,6 +6111,10 @@ Dopo: {after}</translation>
         <translation>L&apos;errore atteso della superficie è {error_um} µm rms, più di {limit_um} µm. Aiuterebbero più punti, o una calibrazione.</translation>
     </message>
     <message>
+        <source>The surface is expected to be off by {error_um} µm rms, more than {limit_um} µm: it was kept early. Reconstruct it to its end.</source>
+        <translation>L&apos;errore atteso della superficie è {error_um} µm rms, più di {limit_um} µm: è stata tenuta prima della fine. Ricostruirla fino in fondo.</translation>
+    </message>
+    <message>
         <source>The surface is expected to be off by {error_um} µm rms: too much for a shell. Calibrate, and scan again.</source>
         <translation>L&apos;errore atteso della superficie è {error_um} µm rms: troppo per un guscio. Calibrare, e ripetere la scansione.</translation>
     </message>
@@ -7083,10 +7103,6 @@ Dopo: {after}</translation>
         <source>Surface</source>
         <translation>Superficie</translation>
     </message>
-    <message>
-        <source>What is delivered</source>
-        <translation>Da consegnare</translation>
-    </message>
 </context>
 <context>
     <name>phases</name>
@@ -7292,6 +7308,10 @@ Dopo: {after}</translation>
         <translation>nascosto alla telecamera destra</translation>
     </message>
     <message>
+        <source>measured again in a later view</source>
+        <translation>misurato di nuovo in una vista successiva</translation>
+    </message>
+    <message>
         <source>more than one spot</source>
         <translation>più di un punto</translation>
     </message>
@@ -7342,6 +7362,10 @@ Dopo: {after}</translation>
     <message>
         <source>spot too small</source>
         <translation>punto troppo piccolo</translation>
+    </message>
+    <message>
+        <source>taken out by hand</source>
+        <translation>tolto a mano</translation>
     </message>
 </context>
 <context>

@@ -30,6 +30,7 @@ SENTENCES: dict[str, str] = {
     "noise.pass": "The measured surface is expected to be off by {error_um} µm rms; the points scatter by {residual_um} µm about it.",
     "noise.warn": "The surface is expected to be off by {error_um} µm rms, more than {limit_um} µm. More points, or a calibration, would help.",
     "noise.fail": "The surface is expected to be off by {error_um} µm rms: too much for a shell. Calibrate, and scan again.",
+    "noise.early": "The surface is expected to be off by {error_um} µm rms, more than {limit_um} µm: it was kept early. Reconstruct it to its end.",
     "noise.open": "How far this surface is off is not recorded; it was not reconstructed by this program.",
     "closure.pass": "The first view, measured again at the end of the turn, lies {closure_um} µm beside its first measurement.",
     "closure.warn": "The first view, measured again after the turn, lies {closure_um} µm off, more than {limit_um} µm: something moved a little.",

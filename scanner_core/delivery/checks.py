@@ -45,7 +45,8 @@ def check_noise(facts: CaseFacts) -> Check:
         return Check("noise", OPEN, "noise.open", unit="um", limit=REMARK_UM)
     verdict = at_most(error, REMARK_UM, FAIL_UM)
     fields = {"error_um": _um(error), "residual_um": "?" if residual is None else _um(residual), "limit_um": f"{REMARK_UM:.0f}"}
-    return Check("noise", verdict, f"noise.{verdict.value}", fields, error, "um", REMARK_UM)
+    code = "noise.early" if verdict is not PASS and facts.report.get("stopped_early") is True else f"noise.{verdict.value}"
+    return Check("noise", verdict, code, fields, error, "um", REMARK_UM)
 
 
 def check_closure(facts: CaseFacts) -> Check:

@@ -119,6 +119,10 @@ def test_a_pair_is_two_cases_with_one_number_and_waits_in_the_list(home: HomePag
     assert home.services.case.store is None
     home.start.single.click()
     assert home.form.number.text().endswith("-0002")
+    home.services.new_order.put("side", "right")
+    assert not home.form.remark.isVisibleTo(home.form)
+    home.services.new_order.put("order", number)
+    assert home.form.remark.text() == "Another order has this number and side too; both are kept."
 
 
 def test_the_sides_of_a_dental_model_are_jaws(home: HomePage) -> None:
@@ -137,6 +141,20 @@ def test_what_is_typed_into_the_form_is_undone(home: HomePage, shared_program: P
     shared_program.window.undo()
     assert home.services.new_order.values.side == "left"
     assert home.form.sides["left"].isChecked()
+
+
+def test_a_half_filled_order_is_still_there_after_another_page(home: HomePage, shared_program: Program) -> None:
+    home.start.pair.click()
+    QTest.keyClicks(home.form.number, "H-1")
+    for page in ("settings", "home"):
+        shared_program.window.show_page(page)
+    assert home.form.isVisible()
+    assert home.services.new_order.values.order == "H-1"
+    home.form.back.click()
+    home.start.pair.click()
+    for page in ("settings", "home"):  # nothing was typed
+        shared_program.window.show_page(page)
+    assert not home.form.isVisible()
 
 
 def test_a_template_tells_unknown_fields_and_keeps_the_patient_out(home: HomePage) -> None:

@@ -12,6 +12,7 @@ from PySide6.QtTest import QSignalSpy, QTest
 from PySide6.QtWidgets import QApplication
 
 from app.program import Program
+from app.views.activity import activity_words
 from app.views.plan_bar import PlanBar
 from app.views.plan_words import view_tooltip
 from app.views.reject_advice import reject_advice
@@ -88,6 +89,7 @@ def test_a_view_that_is_chosen_can_be_measured_once_more(page: ScanPage, monkeyp
 def test_a_pause_is_told_in_words(page: ScanPage) -> None:
     assert tell(page, ScanState.SCANNING, pausing=True) == "Pausing: the row that is being swept is finished first."
     assert tell(page, ScanState.PAUSED).startswith("Paused in view 3 of 4. The laser is dark")
+    assert activity_words(page.services) == "Scan paused"
     assert page.wish.fields["views"].isHidden()
 
 
@@ -103,7 +105,7 @@ def test_at_the_end_one_thing_comes_next(page: ScanPage, monkeypatch: pytest.Mon
     monkeypatch.setattr(acquisition, "views", VIEWS)
     tell(page, ScanState.IDLE, seconds=125.0, finish_reason=FinishReason.COMPLETED)
     assert page.summary.text().splitlines() == [
-        "Measured once more, because they were weak: 1",
+        "Views measured once more: 1",
         "Still far fewer points than their neighbours: 2",
     ]
     assert [made.property("role") for made in (page.missing, page.next)] == ["primary", ""]

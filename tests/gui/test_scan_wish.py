@@ -35,7 +35,7 @@ def test_the_wish_is_a_draft_value_that_the_scan_is_asked_with(shared_program: P
     monkeypatch.setattr(services.acquisition, "start", asked.append)
     window.show_page("scan")
     field = page.wish.fields["until_um"]
-    assert field.text() == "even spread"
+    assert field.text() == "none"
     window.start_scan()
     field.setValue(40)
     assert services.draft.values.until_um == 40

@@ -57,6 +57,7 @@ CASES: list[tuple[str, CaseFacts, CheckVerdict]] = [
     ("noise", facts(report={"expected_error_rms_um": 120.0}), FAIL),
     ("noise", facts(report={"expected_error_rms_um": float("nan")}), FAIL),
     ("noise", facts(report={}), OPEN),
+    ("noise", facts(report={"expected_error_rms_um": 70.0, "stopped_early": True}), WARN),
     ("closure", facts(), PASS),
     ("closure", facts(closure_um=80.0), WARN),
     ("closure", facts(closure_um=300.0), FAIL),
