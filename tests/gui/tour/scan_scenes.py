@@ -60,6 +60,7 @@ def _beam_to_reasons(tour: Tour, page: AimPage, idle: object) -> bool:
             rig = tour.services.rig._devices.rig
             at = None if rig is None else rig.motion.newest
             assert at is not None
+            aiming.touch()  # somebody is at it: the spot stays lit
             aiming.jog(x_deg=x_deg - at.x_deg, y_deg=y_deg - at.y_deg)
             wait_ms(50)
             until(idle, 30, "the move")
