@@ -31,8 +31,6 @@ if TYPE_CHECKING:
     from scanner_core.case.store import CaseStore
 
 _VIEWS_PERIOD_S = 0.2
-_SETTLED_S = 60.0
-"""Nothing that the idle rig is asked for takes longer, the search for its reference included."""
 MakeRunner = Callable[["OpenRig", "CaseStore"], "ScanRunner"]
 
 
@@ -238,7 +236,7 @@ class AcquisitionController(QObject):
     def _started(self, make: MakeRunner, rig: OpenRig, store: CaseStore) -> ScanRunner:
         """In a thread of its own."""
         import_module("scanner_core.case.processing")  # for the end of the scan, which the window's own thread tells of
-        self._rig.settle(_SETTLED_S)
+        self._rig.settle()
         rig.concern(store)
         runner = make(rig, store)
         runner.start()

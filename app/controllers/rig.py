@@ -189,8 +189,11 @@ class RigController(QObject):
         self._news(replace(self.snapshot, busy=True, failure=None))  # a scan begins by unlocking
         return self._devices.rig
 
-    def settle(self, timeout_s: float) -> None:
-        """After :meth:`borrow`, in a thread of the borrower's: wait until what the device thread is doing with the rig is over."""
+    def settle(self, timeout_s: float = 60.0) -> None:
+        """After :meth:`borrow`, in a thread of the borrower's: wait until what the device thread is doing with the rig is over.
+
+        Nothing that the idle rig is asked for takes longer than the default, the search for its reference included.
+        """
         over = threading.Event()
         self._device.call(over.set)
         over.wait(timeout_s)

@@ -135,6 +135,7 @@ class VerificationController(QObject):
         from scanner_core.metrology.reference_sphere import Reference
         from scanner_core.metrology.sphere_check import POINTS, VIEWS, keep_sphere, measure_sphere, tests_before
 
+        self._rig.settle()
         history = self._rig.files.history(preset)
         points, views = self.plan or (POINTS, VIEWS)
         # of the radius, and a standard uncertainty

@@ -98,7 +98,7 @@ def test_a_result_is_gone_with_another_calibration_and_stays_with_the_same(page:
     before, calibration = rig.snapshot, rig.snapshot.calibration
     assert before.config is not None
     assert calibration is not None
-    found = _check(3.0)
+    found = made_check(3.0)
     check = replace(found, entry=replace(found.entry, calibration_id=calibration.identity()))
     _show(verification, VerificationSnapshot("bench", check=check))
     rig.changed.emit()
