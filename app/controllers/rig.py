@@ -190,10 +190,7 @@ class RigController(QObject):
         return self._devices.rig
 
     def settle(self, timeout_s: float = 60.0) -> None:
-        """After :meth:`borrow`, in a thread of the borrower's: wait until what the device thread is doing with the rig is over.
-
-        Nothing that the idle rig is asked for takes longer than the default, the search for its reference included.
-        """
+        """After :meth:`borrow`, in a thread of the borrower's: wait for what the device thread still does; nothing idle takes longer than the default."""
         over = threading.Event()
         self._device.call(over.set)
         over.wait(timeout_s)
