@@ -190,7 +190,7 @@ class RigController(QObject):
         return self._devices.rig
 
     def settle(self, timeout_s: float = 60.0) -> None:
-        """After :meth:`borrow`, in a thread of the borrower's: wait for what the device thread still does; nothing idle takes longer than the default."""
+        """After :meth:`borrow`, in a thread of the borrower's: wait for what the device thread still does; it takes less than that."""
         over = threading.Event()
         self._device.call(over.set)
         over.wait(timeout_s)
