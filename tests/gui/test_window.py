@@ -151,7 +151,7 @@ def test_the_end_takes_every_step_though_one_fails(
     program.window.close()
     assert "the end of: scan" in caplog.text
     assert services.rig._devices.rig is None
-    assert not services.case._thread._thread.is_alive()
+    assert not services.case._thread._thread._thread.is_alive()
     kept = json.loads(settings_file.read_text())
     assert kept["preset"] == "bench"
     assert kept["window"] == [program.window.width(), program.window.height()]
