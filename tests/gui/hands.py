@@ -77,7 +77,9 @@ class Hands:
         wait_ms(20)
 
     def _focus(self) -> QWidget:
-        until(lambda: QApplication.activeWindow() is not None, 10, "an active window")
+        if QApplication.activeWindow() is None:  # a display without a window manager makes none active by itself
+            self.window.activateWindow()
+            until(lambda: QApplication.activeWindow() is not None, 10, "an active window")
         return QApplication.focusWidget() or self.window
 
     def _seen(self) -> Iterator[QAbstractButton]:
