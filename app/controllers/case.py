@@ -19,6 +19,7 @@ from app.controllers.order_typing import OrderTyping
 from app.draft import EDIT_TEXTS, ORDER_FIELDS, Draft, DraftValues, orders_of
 from app.settings import Settings, save_settings
 from app.views.surface import Surface
+from scanner_core.case.edits import ACCEPTED, MEASUREMENTS, ORDER
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.geometry.point_cloud import PointCloud
 from scanner_core.jobs.progress import Cancelled
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
     from scanner_core.devices.rig import RigConfig
 
 RECENT = 12
-_BESIDE = ("order", "accepted_places", "measurements")
+_BESIDE = (ORDER, ACCEPTED, MEASUREMENTS)
 """Keys of edits that change neither the points nor the surface."""
 _IN_THE_CASE = {"order": "number", "kind": "type"}
 """Fields of the order by their names in the draft, where they are called otherwise."""

@@ -14,6 +14,7 @@ from PySide6.QtCore import QObject, Signal
 from app.background import Background
 from app.controllers.case import CaseController
 from app.translation import QT_TRANSLATE_NOOP
+from scanner_core.case.edits import MEASUREMENTS
 from scanner_core.geometry.mesh import TriangleMesh
 from scanner_core.jobs.progress import Cancelled
 
@@ -161,7 +162,7 @@ class Measurements(QObject):
             items = edit(_kept(store)[0])
             if words == KEPT:
                 items[-1]["mesh"] = store.mesh_id()
-            store.edit("measurements", items, words)
+            store.edit(MEASUREMENTS, items, words)
             return items, store.mesh_id()
 
         self._case.change(work, then=partial(self._show, self._case.path))
@@ -180,6 +181,6 @@ class Measurements(QObject):
 
 def _kept(store: CaseStore) -> tuple[list[Measurement], int | None]:
     """What the case holds, and the mesh that it shows; a list that another program wrote otherwise is none."""
-    value = store.value("measurements", [])
+    value = store.value(MEASUREMENTS, [])
     items = [dict(item) for item in value if isinstance(item, Mapping) and "kind" in item] if isinstance(value, list) else []
     return items, store.mesh_id()

@@ -64,10 +64,6 @@ class ScanPass:
     within_predicted: float | None = None
     within_after: float | None = None
 
-    @property
-    def last_view(self) -> int:
-        return self.first_view + self.views - 1
-
     def as_dict(self) -> dict[str, object]:
         """For JSON."""
         told: dict[str, object] = {"kind": self.kind, "views": self.views, "points": self.points, "seconds": round(self.seconds, 2)}

@@ -27,6 +27,8 @@ from scanner_core.files import replaced_when_whole
 from scanner_core.geometry.point_cloud import PointCloud
 
 SIDES: tuple[Side, Side] = ("left", "right")
+WORDS = "Split the pair tray"
+"""Of the edit, in the menu and in the audit trail."""
 
 
 def split_pair(store: CaseStore, paths: dict[Side, Path], tray: PairTray = PAIR_TRAY) -> dict[Side, int]:
@@ -91,7 +93,7 @@ def seats_of(cloud: PointCloud, tray: PairTray, path: Path) -> dict[Side, NDArra
 def _give(store: CaseStore, side: Side, processing: object, order: dict[str, object]) -> None:
     store.audit("split", f"{side} ear of a pair tray")
     store.edit(ORDER, order | {"side": side}, "Change side")
-    store.edit(PROCESSING, processing, "Split the pair tray")
+    store.edit(PROCESSING, processing, WORDS)
 
 
 def _check_free(path: Path) -> None:

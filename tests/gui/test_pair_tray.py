@@ -14,6 +14,7 @@ from scanner_core.acquisition.plan import PlanRequest
 from scanner_core.acquisition.status import FinishReason
 from scanner_core.case.case_glance import CaseGlance, OrderState
 from scanner_core.case.records import Order
+from scanner_core.case.tray_split import WORDS
 
 
 class _Told(QObject):
@@ -118,4 +119,7 @@ def test_a_complete_run_is_split_and_one_that_was_stopped_is_not(monkeypatch: py
         assert len(case.changes) == splits
         assert told == [{"left": 11, "right": 12}] * splits
         assert tray.wanted == (not splits)
-    assert pair_tray.SPLIT == "Split the pair tray"
+
+
+def test_the_edit_is_translated_by_the_words_that_the_case_keeps() -> None:
+    assert pair_tray.SPLIT == WORDS
